@@ -105,6 +105,7 @@ package starlogo.collision
             var contactPoint:ContactPoint = _contactPoint;
             contact.time = search.findContact(collider, collidee, contactPoint);
             contact.depth = contactPoint.depth;
+            contact.approachSpeed = search.approachSpeed;
             contact.normal.setTo(contactPoint.normalX, contactPoint.normalY, contactPoint.normalZ);
             contact.point.setTo(contactPoint.x, contactPoint.y, contactPoint.z);
             return contact;

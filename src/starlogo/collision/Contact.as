@@ -43,6 +43,12 @@ package starlogo.collision
          */
         public var depth:Number = 0;
 
+        /**
+         * How fast the collider came to the collidee along the normal, in patches a frame, as their motions since the last frame say: not negative; 0 where
+         * neither sweeps, and where they do not come nearer. For <code>moveUntilTouch()</code> it is how far the motion goes against the normal.
+         */
+        public var approachSpeed:Number = 0;
+
         /** At the origin, upright. */
         public function Contact()
         {
@@ -62,7 +68,7 @@ package starlogo.collision
             }
             point.setTo(collidee.x + x / 2, collidee.y + y / 2, collidee.z + z / 2);
             time = 1;
-            depth = 0;
+            depth = approachSpeed = 0;
         }
     }
 }

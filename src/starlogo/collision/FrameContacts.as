@@ -61,6 +61,7 @@ package starlogo.collision
             var known:Contact = _contacts[pair];
             _given.time = known.time;
             _given.depth = known.depth;
+            _given.approachSpeed = known.approachSpeed;
             _given.point.copyFrom(known.point);
             _given.normal.copyFrom(known.normal);
             if (isBack)

@@ -1,5 +1,7 @@
 package starlogo.hierarchy
 {
+    import starlogo.intersection.contact.ContactPoint;
+
     /**
      * Decides whether two leaves touch by what is in them, once the structures around them do. Abstract: a room below this one knows what that
      * is.
@@ -13,6 +15,15 @@ package starlogo.hierarchy
 
         /** A test without triangles: leaves touch if their structures do. */
         public function LeafTest()
+        {
+        }
+
+        /**
+         * Of models that move: how the contents that touch first do so, at the pose's time, in the space of the first model.
+         *
+         * @param out takes it
+         */
+        public function findContact(out:ContactPoint):void
         {
         }
 

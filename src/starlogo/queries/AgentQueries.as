@@ -1,3 +1,4 @@
+// This file is long because it documents all questions; it answers none itself.
 package starlogo.queries
 {
     import flash.geom.Vector3D;
@@ -231,6 +232,27 @@ package starlogo.queries
         }
 
         /**
+         * Whether an agent would touch any other at a place, turned and as large as it is: what <code>touchesAny()</code> would answer there. The agent
+         * does not move.
+         *
+         * @param agent which; its shape is of now too
+         * @param x where, in patches
+         * @param y where
+         * @param z where
+         * @param filter which agents count; null for all. <code>accepts</code> is asked of those that it would touch, the nearest first
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @throws RangeError if the place is not finite
+         */
+        public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
+        {
+            if (!isFinite(x) || !isFinite(y) || !isFinite(z))
+            {
+                throw new RangeError("a place must be finite: (" + x + ", " + y + ", " + z + ")");
+            }
+            return _touches.overlapsAgent(agent, x, y, z, filter);
+        }
+
+        /**
          * Lists the agents that overlap a structure or touch it, each as the collision system sees it; in exact mode their triangles decide, and
          * whether the structure is inside of a closed model. Sorted by the distance of their places from the middle of the structure.
          *
@@ -268,6 +290,24 @@ package starlogo.queries
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
             _distances.find(a, b, pointA, pointB);
+            return _distances.closest.distance;
+        }
+
+        /**
+         * How far a point is from an agent, from its surface as the collision system sees it: 0 if it is inside of the agent or touches it. In
+         * exact mode it is the distance from the nearest triangle.
+         *
+         * @param agent which; where it is now
+         * @param point in the world, finite
+         * @param out takes the point of the agent that is nearest; the point itself if that is inside. Or null
+         * @return in patches; Infinity while the agent's model is loading, and then out is as it was
+         * @throws ArgumentError if the agent or the point is null, or the agent's model is unknown or lacks what the collision system needs
+         * @throws RangeError if the point is not finite
+         */
+        public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
+        {
+            requirePoint(point);
+            _distances.findToPoint(agent, point, out);
             return _distances.closest.distance;
         }
 
@@ -327,6 +367,92 @@ package starlogo.queries
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
             return _rays.canSee(a, b, filter);
+        }
+
+        /**
+         * The first agent that a structure touches on a straight way; of several that it touches at one time, the first in the list. Nothing moves.
+         *
+         * <p>What stops the structure is what would stop an agent of this shape in <code>moveUntilTouch()</code>: what it would go into, not what it
+         * touches at the beginning and leaves or runs along. In exact mode the triangles of the agents decide.</p>
+         *
+         * @param structure a Sphere, Box or Capsule in the world, where the way begins
+         * @param dx how far along x, in patches
+         * @param dy how far along y
+         * @param dz how far along z
+         * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
+         * @param hit takes the answer; null for a new one
+         * @return hit; null if the way is free, and hit is as it was
+         * @throws ArgumentError if the structure is null or of another kind
+         * @throws RangeError if the structure or the motion is not finite
+         */
+        public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
+        {
+            AskedStructure.require(structure);
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.cast(null, structure, filter, hit);
+        }
+
+        /**
+         * Lists every agent that a structure touches on a straight way, as if the others were not there; sorted by time. Else as
+         * <code>castShape()</code>.
+         *
+         * @param structure a Sphere, Box or Capsule in the world, where the way begins
+         * @param dx how far along x, in patches
+         * @param dy how far along y
+         * @param dz how far along z
+         * @param filter which agents count; null for all
+         * @param out takes the list, whose hits are written anew: copy what is to stay. Null for a new one
+         * @return out
+         * @throws ArgumentError as castShape does
+         * @throws RangeError as castShape does
+         */
+        public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
+                out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
+        {
+            AskedStructure.require(structure);
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.castAll(null, structure, filter, out);
+        }
+
+        /**
+         * The first agent that an agent would touch on a straight way from where it is: the one that would stop it in <code>moveUntilTouch()</code>, at the
+         * same time. Nothing moves.
+         *
+         * @param agent what is cast; it is never in the answer
+         * @param dx how far along x, in patches
+         * @param dy how far along y
+         * @param dz how far along z
+         * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
+         * @param hit takes the answer; null for a new one
+         * @return hit; null if the way is free, or the agent's model is loading, and hit is as it was
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @throws RangeError if the motion is not finite
+         */
+        public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
+        {
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.cast(agent, null, filter, hit);
+        }
+
+        /**
+         * Lists every agent that an agent would touch on a straight way, as if the others were not there; sorted by time. Else as
+         * <code>castAgent()</code>.
+         *
+         * @param agent what is cast
+         * @param dx how far along x, in patches
+         * @param dy how far along y
+         * @param dz how far along z
+         * @param filter which agents count; null for all
+         * @param out takes the list, whose hits are written anew: copy what is to stay. Null for a new one
+         * @return out
+         * @throws ArgumentError as castAgent does
+         * @throws RangeError as castAgent does
+         */
+        public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
+                out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
+        {
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.castAll(agent, null, filter, out);
         }
 
         /**

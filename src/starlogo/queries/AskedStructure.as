@@ -1,37 +1,32 @@
 package starlogo.queries
 {
+    import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
-    import starlogo.intersection.intersects;
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShape;
-    import starlogo.search.TreePairs;
-    import starlogo.solid.TreePair;
 
     use namespace engine;
 
     /**
-     * A sphere, box or capsule in the world that a question is about: whether it touches rows of a table, as a collision system sees them.
+     * A sphere, box or capsule in the world that a question is about, as a guest of a table: so rows touch it as they touch an agent's structure, and in
+     * exact mode their triangles decide.
      *
      * @private
      */
     public final class AskedStructure
     {
-        /** The middle, then half the lengths along the axes. */
-        public var extents:Vector.<Number> = new Vector.<Number>(6, true);
+        // Stands for the structure, in its middle.
+        private var _agent:Agent = new Agent("structure");
 
-        // By kind: as wide as it is for touching; with its middle at the origin of a space that is placed where it is.
-        private var _inWorld:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
-        private var _centred:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
+        // By kind: with its middle at the origin; the last one's kind.
+        private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>(3, true);
         private var _kind:int = 0;
-        private var _placement:Placement = new Placement();
 
-        private var _toWorld:Placement = new Placement();
-        private var _toCentre:Placement = new Placement();
-        private var _rowPlacement:Placement = new Placement();
-        private var _pair:TreePair = new TreePair();
+        // The middle, then half the lengths along the axes.
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _placement:Placement = new Placement();
 
         /** No structure yet. */
         public function AskedStructure()
@@ -46,40 +41,50 @@ package starlogo.queries
          */
         public function setTo(structure:BoundingStructure):void
         {
-            if (structure == null || structure.kind > BoundingStructure.BOX)
-            {
-                throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
-            }
-            structure.turnedExtentsInto(_toWorld, extents);
+            require(structure);
+            _placement.x = _placement.y = _placement.z = 0;
+            structure.turnedExtentsInto(_placement, _extents);
             for (var i:int = 0; i < 6; i++)
             {
-                if (!isFinite(extents[i]))
+                if (!isFinite(_extents[i]))
                 {
                     throw new RangeError("a structure must be finite: " + structure);
                 }
             }
             _kind = structure.kind;
-            var x:Number = _placement.x = extents[0];
-            var y:Number = _placement.y = extents[1];
-            var z:Number = _placement.z = extents[2];
-            _toCentre.x = -x;
-            _toCentre.y = -y;
-            _toCentre.z = -z;
-            _centred[_kind] = structure.place(_toCentre, _centred[_kind]);
-            _inWorld[_kind] = structure.place(_toWorld, _inWorld[_kind]);
-            _inWorld[_kind].widen(Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z)));
+            _placement.x = -_extents[0];
+            _placement.y = -_extents[1];
+            _placement.z = -_extents[2];
+            var shape:ModelShape = _shapes[_kind] ||= newShape();
+            shape.setStructure(structure.place(_placement, shape.structure));
+            // not moveTo, because a structure may be farther away than an agent
+            _agent.placement.x = _extents[0];
+            _agent.placement.y = _extents[1];
+            _agent.placement.z = _extents[2];
+            _agent.revision++;
         }
 
-        /** Whether a row, whose model is not loading, touches the structure; in exact mode triangles decide. */
-        public function touches(table:AgentTable, row:int, trees:TreePairs):Boolean
+        /** Makes it the first guest of a table, and returns its row; <code>table.endGuests()</code> has to follow. */
+        public function readInto(table:AgentTable):int
         {
-            var shape:ModelShape = table.shapes[row];
-            if (shape.hierarchy == null)
+            table.readGuest(0, _agent, _shapes[_kind]);
+            return 0;
+        }
+
+        /** Throws an ArgumentError if a structure is null, or no sphere, box or capsule. */
+        public static function require(structure:BoundingStructure):void
+        {
+            if (structure == null || structure.kind > BoundingStructure.BOX)
             {
-                return intersects(table.structureOf(row), _inWorld[_kind]);
+                throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
             }
-            return _pair.areOverlapping(shape.hierarchy, table.placementOf(row, _rowPlacement), trees.depthOf(table, row), null, _centred[_kind], _placement, 1,
-                    trees.exact);
+        }
+
+        private static function newShape():ModelShape
+        {
+            var shape:ModelShape = new ModelShape("structure", Agent.ANY_KIND, 0);
+            shape.isUpright = shape.meetsTriangles = true;
+            return shape;
         }
     }
 }

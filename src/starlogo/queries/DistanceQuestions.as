@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
     import starlogo.broadphase.Extents;
     import starlogo.collision.Collider;
     import starlogo.engine;
@@ -25,6 +26,8 @@ package starlogo.queries
         public var closest:ClosestPair = new ClosestPair();
 
         private var _seen:SeenAgents;
+        private var _structure:AskedStructure = null;
+        private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** @param seen the agents that are asked about */
         public function DistanceQuestions(seen:SeenAgents)
@@ -53,6 +56,23 @@ package starlogo.queries
             {
                 measure(_seen.pairs, table, rowA, rowB, pointA != null || pointB != null);
                 writePoints(pointA, pointB);
+            }
+            table.endGuests();
+        }
+
+        /** Finds how far an agent is from a point, as AgentQueries.distanceToPoint says: <code>closest</code>. */
+        public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):void
+        {
+            var table:AgentTable = _seen.table;
+            var row:int = _seen.rowOfNow(agent, 1);
+            closest.distance = Infinity;
+            if (table.shapes[row] != null)
+            {
+                _structure ||= new AskedStructure();
+                _point.center.setTo(point.x, point.y, point.z);
+                _structure.setTo(_point);
+                measure(_seen.pairs, table, row, _structure.readInto(table), out != null);
+                writePoints(out, null);
             }
             table.endGuests();
         }

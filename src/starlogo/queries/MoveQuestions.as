@@ -2,14 +2,16 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
 
     use namespace engine;
 
     /**
-     * The questions of how far an agent can go, which move it there.
+     * The questions of how far an agent or a structure can go: those that move the agent there, and the casts, which move nothing.
      *
      * @private
      */
@@ -25,6 +27,14 @@ package starlogo.queries
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
+        private var _single:Vector.<Agent> = new <Agent>[null];
+
+        // By how many questions are under way whose filters are being asked: the structure that is cast.
+        private var _structures:Vector.<AskedStructure> = new Vector.<AskedStructure>();
+
+        // The hits in the order in which they are found; by row: the number of its hit.
+        private var _hits:Vector.<ShapeHit> = new Vector.<ShapeHit>();
+        private var _hitOf:Vector.<int> = new Vector.<int>();
 
         /** @param seen the agents that are asked about */
         public function MoveQuestions(seen:SeenAgents)
@@ -42,22 +52,8 @@ package starlogo.queries
          */
         public function move(agent:Agent, filter:AgentFilter, contact:Contact, slides:Boolean):Number
         {
-            var dx:Number = way.x;
-            var dy:Number = way.y;
-            var dz:Number = way.z;
-            if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
-            {
-                throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
-            }
-            findNear(agent, filter, slides);
-            // the filter may have asked of motions too
-            way.setTo(dx, dy, dz);
-            if (_mover == null || _mover.pairs !== _seen.pairs)
-            {
-                _mover = new Mover(_seen.pairs);
-            }
             var table:AgentTable = _seen.table;
-            var row:int = _seen.rowOfNow(agent);
+            var row:int = begin(agent, null, filter, slides);
             var isSeen:Boolean = table.shapes[row] != null;
             if (isSeen)
             {
@@ -66,22 +62,19 @@ package starlogo.queries
             table.endGuests();
             if (contact != null && isSeen)
             {
-                _mover.writeContact(contact);
+                writeContact(contact);
             }
-            if (dx == 0 && dy == 0 && dz == 0)
+            if (way.x == 0 && way.y == 0 && way.z == 0)
             {
                 return 1;
             }
-            if (isSeen)
+            if (!isSeen)
             {
-                if (_mover.at.x != agent.x || _mover.at.y != agent.y || _mover.at.z != agent.z)
-                {
-                    agent.moveTo(_mover.at.x, _mover.at.y, _mover.at.z);
-                }
+                agent.moveTo(agent.x + way.x, agent.y + way.y, agent.z + way.z);
             }
-            else
+            else if (_mover.at.x != agent.x || _mover.at.y != agent.y || _mover.at.z != agent.z)
             {
-                agent.moveTo(agent.x + dx, agent.y + dy, agent.z + dz);
+                agent.moveTo(_mover.at.x, _mover.at.y, _mover.at.z);
             }
             if (table.rowOf(agent) >= 0)
             {
@@ -90,12 +83,88 @@ package starlogo.queries
             return isSeen ? _mover.part : 1;
         }
 
-        // The agents that count and whose extents are near the way; where it may go anywhere, near where it may end.
-        private function findNear(agent:Agent, filter:AgentFilter, isAnywhere:Boolean):void
+        /**
+         * As AgentQueries.castShape, or castAgent, along the motion that was set.
+         *
+         * @param agent what is cast; does not count if there is a structure
+         * @param structure what is cast; null for the agent
+         */
+        public function cast(agent:Agent, structure:BoundingStructure, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var row:int = _seen.rowOfNow(agent);
+            var row:int = begin(agent, structure, filter, false);
+            var isStopped:Boolean = isStoppedBy(row, _agents);
+            _seen.table.endGuests();
+            if (!isStopped)
+            {
+                return null;
+            }
+            hit ||= new ShapeHit();
+            write(hit);
+            return hit;
+        }
+
+        /** As AgentQueries.castShapeAll, or castAgentAll; parameters as in <code>cast()</code>. */
+        public function castAll(agent:Agent, structure:BoundingStructure, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        {
+            var row:int = begin(agent, structure, filter, false);
+            _hitOf.length = Math.max(_hitOf.length, _seen.ranks.length);
+            _found.begin(FoundRows.ALL, Infinity, -1, null);
+            for (var i:int = 0; i < _agents.length; i++)
+            {
+                _single[0] = _agents[i];
+                if (isStoppedBy(row, _single))
+                {
+                    addHit();
+                }
+            }
+            _seen.table.endGuests();
+            _found.sort();
+            return list(out || new Vector.<ShapeHit>());
+        }
+
+        // Finds what is near the way, and returns the row of what moves. The guests of the table have to be ended afterwards.
+        private function begin(agent:Agent, structure:BoundingStructure, filter:AgentFilter, isAnywhere:Boolean):int
+        {
+            var dx:Number = way.x;
+            var dy:Number = way.y;
+            var dz:Number = way.z;
+            if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
+            {
+                throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
+            }
+            var asked:AskedStructure = structure == null ? null : takeStructure(structure);
+            findNear(agent, asked, filter, isAnywhere);
+            // the filter may have asked of motions too
+            way.setTo(dx, dy, dz);
+            if (_mover == null || _mover.pairs !== _seen.pairs)
+            {
+                _mover = new Mover(_seen.pairs);
+            }
+            return readRow(agent, asked);
+        }
+
+        private function takeStructure(structure:BoundingStructure):AskedStructure
+        {
+            while (_seen.asking >= _structures.length)
+            {
+                _structures.push(new AskedStructure());
+            }
+            var asked:AskedStructure = _structures[_seen.asking];
+            asked.setTo(structure);
+            return asked;
+        }
+
+        private function readRow(agent:Agent, asked:AskedStructure):int
+        {
+            return asked == null ? _seen.rowOfNow(agent) : asked.readInto(_seen.table);
+        }
+
+        // The agents that count and whose extents are near the way; where it may go anywhere, near where it may end.
+        private function findNear(agent:Agent, asked:AskedStructure, filter:AgentFilter, isAnywhere:Boolean):void
+        {
+            var row:int = readRow(agent, asked);
             var table:AgentTable = _seen.table;
-            _found.begin(FoundRows.ALL, Infinity, _seen.rowOf(agent), filter);
+            _found.begin(FoundRows.ALL, Infinity, asked == null ? _seen.rowOf(agent) : -1, filter);
             if (table.shapes[row] != null)
             {
                 _seen.beginWay(_search, row);
@@ -117,6 +186,75 @@ package starlogo.queries
             }
             table.endGuests();
             _found.list(_agents);
+        }
+
+        // Whether some agents stop a row; none does while its model is loading.
+        private function isStoppedBy(row:int, agents:Vector.<Agent>):Boolean
+        {
+            if (_seen.table.shapes[row] == null)
+            {
+                return false;
+            }
+            _mover.move(_seen.table, row, agents, way, false);
+            return _mover.hasContact;
+        }
+
+        private function addHit():void
+        {
+            var count:int = _found.count;
+            if (count == _hits.length)
+            {
+                _hits.push(new ShapeHit());
+            }
+            write(_hits[count]);
+            _hitOf[_mover.contactRow] = count;
+            _found.add(_mover.contactRow, _mover.part);
+        }
+
+        private function list(out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        {
+            var count:int = _found.count;
+            while (out.length > count)
+            {
+                out.pop();
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                var hit:ShapeHit = _hits[_hitOf[_found.rows[i]]];
+                if (i == out.length)
+                {
+                    out.push(new ShapeHit());
+                }
+                out[i].agent = hit.agent;
+                out[i].time = hit.time;
+                out[i].point.copyFrom(hit.point);
+                out[i].normal.copyFrom(hit.normal);
+                hit.agent = null;
+            }
+            return out;
+        }
+
+        // How the last row that was moved touches what stopped it.
+        private function write(hit:ShapeHit):void
+        {
+            var contact:ContactPoint = _mover.contact;
+            hit.agent = _seen.table.agents[_mover.contactRow];
+            hit.time = _mover.part;
+            hit.point.setTo(contact.x, contact.y, contact.z);
+            hit.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+        }
+
+        private function writeContact(out:Contact):void
+        {
+            var contact:ContactPoint = _mover.contact;
+            out.time = _mover.part;
+            if (_mover.hasContact)
+            {
+                out.point.setTo(contact.x, contact.y, contact.z);
+                out.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+                out.depth = contact.depth;
+                out.approachSpeed = Math.max(0, -contact.along(way));
+            }
         }
     }
 }

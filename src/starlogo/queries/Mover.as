@@ -2,7 +2,6 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
@@ -46,6 +45,12 @@ package starlogo.queries
         /** How far the last row has come, as a part of its motion. */
         public var part:Number = 1;
 
+        /** Whether another stopped the last row that did not slide. */
+        public var hasContact:Boolean = false;
+
+        /** The row of the other. */
+        public var contactRow:int = -1;
+
         /** Where its agent is then. */
         public var at:Vector3D = new Vector3D();
 
@@ -58,11 +63,9 @@ package starlogo.queries
         private var _before:Vector3D = new Vector3D();
         private var _lift:Vector3D = new Vector3D();
 
-        // What it meets first, and how; how far the rest of the motion goes along the normal, which is less than 0; whether it stops there.
-        private var _first:int = -1;
+        // How it meets what it meets first; how far the rest of the motion goes along the normal, which is less than 0; whether it stops there.
         private var _contact:ContactPoint = new ContactPoint();
         private var _along:Number = 0;
-        private var _hasContact:Boolean = false;
 
         // Whether each normal is looked for a little farther on.
         private var _isCareful:Boolean = false;
@@ -89,7 +92,7 @@ package starlogo.queries
         {
             at.setTo(table.x[row], table.y[row], table.z[row]);
             _rest.begin(motion);
-            _hasContact = _isCareful = false;
+            hasContact = _isCareful = false;
             _contact.setNormal(0, 0, 0);
             part = 1;
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
@@ -114,16 +117,10 @@ package starlogo.queries
             _sweep.end();
         }
 
-        /** Writes the contact of the last move that was not sliding. */
-        public function writeContact(out:Contact):void
+        /** How the row touches the other, where it has a contact; the next move overwrites it. */
+        public function get contact():ContactPoint
         {
-            out.time = part;
-            if (_hasContact)
-            {
-                out.point.setTo(_contact.x, _contact.y, _contact.z);
-                out.normal.setTo(_contact.normalX, _contact.normalY, _contact.normalZ);
-                out.depth = _contact.depth;
-            }
+            return _contact;
         }
 
         private function readOthers(table:AgentTable, others:Vector.<Agent>):void
@@ -160,7 +157,7 @@ package starlogo.queries
                         _standing.push(at, _standing.depth + _sweep.hair / 2);
                         continue;
                     }
-                    _rest.add(_standing);
+                    _rest.add(_standing, _others[i]);
                     _count--;
                     _others[i] = _others[_count];
                 }
@@ -173,7 +170,8 @@ package starlogo.queries
             if (crossed != null)
             {
                 _contact.copyFrom(crossed);
-                _hasContact = true;
+                contactRow = _rest.crossedRow;
+                hasContact = true;
                 part = 0;
             }
             else if (findFirst())
@@ -184,16 +182,16 @@ package starlogo.queries
                 _lift.decrementBy(_before);
                 time += _contact.along(_lift) / _along;
                 part = time > 0 ? (time < 1 ? time : 1) : 0;
-                if (-part * _along < _sweep.hair && _sweep.touchesAt(_first, _before))
+                if (-part * _along < _sweep.hair && _sweep.touchesAt(contactRow, _before))
                 {
                     part = 0;
                 }
-                _hasContact = true;
+                hasContact = true;
                 _contact.depth = 0;
             }
             at.copyFrom(_before);
             _rest.advance(at, part);
-            if (_hasContact && part > 0)
+            if (hasContact && part > 0)
             {
                 endTouching();
             }
@@ -209,7 +207,7 @@ package starlogo.queries
                 _contact.push(at, _sweep.hair / 2);
                 _before.copyFrom(at);
                 _sweep.aim(at, _lift);
-                _sweep.findWhole(_first);
+                _sweep.findWhole(contactRow);
                 _contact.push(at, -_sweep.wholeTime * _sweep.hair);
                 if (_sweep.wholeTime > 1 || !stepIntoTouch())
                 {
@@ -225,13 +223,13 @@ package starlogo.queries
             _contact.push(at, gap);
             for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
             {
-                if (_sweep.touchesAt(_first, at))
+                if (_sweep.touchesAt(contactRow, at))
                 {
                     return true;
                 }
                 _contact.push(at, -gap);
             }
-            return _sweep.touchesAt(_first, at);
+            return _sweep.touchesAt(contactRow, at);
         }
 
         private function slide():void
@@ -252,7 +250,7 @@ package starlogo.queries
                 }
                 // a gap of a whole hair would be too wide: the row would not get into a place as wide as it is
                 gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, _contact) + _sweep.hair / 2 / _along, 0));
-                _rest.add(_contact);
+                _rest.add(_contact, contactRow);
                 dropNeedless();
             }
             part = gone < whole ? gone / whole : 1;
@@ -329,7 +327,7 @@ package starlogo.queries
             {
                 if (_sweep.find(_others[i]))
                 {
-                    _first = _others[i];
+                    contactRow = _others[i];
                 }
             }
             if (_sweep.time > 1)
@@ -337,7 +335,7 @@ package starlogo.queries
                 return false;
             }
             _contact.copyFrom(_sweep.contact);
-            _sweep.measure(_first);
+            _sweep.measure(contactRow);
             _along = _contact.along(motion);
             if (_along >= 0 || _isCareful)
             {
@@ -352,9 +350,9 @@ package starlogo.queries
         {
             var motion:Vector3D = _rest.motion;
             _lift.setTo(at.x + later * motion.x, at.y + later * motion.y, at.z + later * motion.z);
-            if (_sweep.touchesAt(_first, _lift))
+            if (_sweep.touchesAt(contactRow, _lift))
             {
-                _sweep.findContact(_first, _lift, _standing);
+                _sweep.findContact(contactRow, _lift, _standing);
                 if (_standing.along(motion) < 0)
                 {
                     _contact.copyFrom(_standing);

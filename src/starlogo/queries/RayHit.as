@@ -18,6 +18,12 @@ package starlogo.queries
         /** Of length 1, out of the surface that it meets, in the world; against the ray if the origin is inside of the agent. */
         public var normal:Vector3D = new Vector3D();
 
+        /**
+         * The number of the triangle that the ray meets, where triangles decide; the model's first is 0. -1 if it meets a structure, or if its origin is inside
+         * of the agent.
+         */
+        public var triangle:int = -1;
+
         /** For AgentQueries to write into. */
         public function RayHit()
         {

@@ -177,6 +177,7 @@ package starlogo.queries
             var distance:Number = _rays.distance;
             hit.agent = _seen.table.agents[row];
             hit.distance = distance;
+            hit.triangle = _rays.triangle;
             hit.point.setTo(ray.x + distance * ray.directionX, ray.y + distance * ray.directionY, ray.z + distance * ray.directionZ);
             hit.normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
         }
@@ -254,6 +255,7 @@ package starlogo.queries
         {
             to.agent = from.agent;
             to.distance = from.distance;
+            to.triangle = from.triangle;
             to.point.copyFrom(from.point);
             to.normal.copyFrom(from.normal);
         }

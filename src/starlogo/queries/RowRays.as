@@ -36,6 +36,9 @@ package starlogo.queries
         /** @copy #normalX */
         public var normalZ:Number = 0;
 
+        /** The number of the triangle that it meets there, as the model counts them; -1 if no triangle decides, or from inside. */
+        public var triangle:int = -1;
+
         /** How far the ray goes, in patches; what is just as far counts. May be made smaller between rows. */
         public var limit:Number = Infinity;
 
@@ -116,9 +119,12 @@ package starlogo.queries
 
         private function meetsShape(row:int, shape:ModelShape, found:Ray):Boolean
         {
+            triangle = -1;
             if (shape.hierarchy != null)
             {
-                return _solid.find(shape.hierarchy, _trees.depthOf(_table, row), _trees.exact, found);
+                var isMet:Boolean = _solid.find(shape.hierarchy, _trees.depthOf(_table, row), _trees.exact, found);
+                triangle = _solid.triangle;
+                return isMet;
             }
             return rayStructure(found, shape.structure);
         }

@@ -30,7 +30,13 @@ package starlogo.queries
         /** The first that was met in the corner that the motion is in. */
         public var corner:int = 0;
 
+        /** Whose the plane is that <code>findCrossed()</code> has found. */
+        public var crossedRow:int = -1;
+
         private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+
+        // By plane: the row whose it is.
+        private var _rows:Vector.<int> = new Vector.<int>();
 
         // What was left when the corner began; a projection that is tried; the plane that does not count for it.
         private var _whole:Vector3D = new Vector3D();
@@ -74,8 +80,8 @@ package starlogo.queries
             return gone;
         }
 
-        /** Adds the plane of a contact, which must not be crossed against its normal. It takes the place of one that is the same but for rounding. */
-        public function add(contact:ContactPoint):void
+        /** Adds the plane of a contact with a row, which must not be crossed against its normal. It takes the place of one that is the same but for rounding. */
+        public function add(contact:ContactPoint, row:int):void
         {
             var same:int = 0;
             while (same < count && !isSame(_planes[same], contact))
@@ -87,6 +93,7 @@ package starlogo.queries
                 _planes.push(new ContactPoint());
             }
             _planes[same].copyFrom(contact);
+            _rows[same] = row;
             count = Math.max(count, same + 1);
         }
 
@@ -95,6 +102,7 @@ package starlogo.queries
         {
             count--;
             _planes[at].copyFrom(_planes[count]);
+            _rows[at] = _rows[count];
         }
 
         /** The plane that the motion crosses most; null if it crosses none. */
@@ -107,6 +115,7 @@ package starlogo.queries
                 if (_planes[i].along(motion) < least)
                 {
                     crossed = _planes[i];
+                    crossedRow = _rows[i];
                     least = crossed.along(motion);
                 }
             }

@@ -1,9 +1,12 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.geometry.Placement;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
+    import starlogo.search.MovedRow;
     import starlogo.search.RowList;
 
     use namespace engine;
@@ -18,7 +21,9 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
-        private var _structure:AskedStructure = new AskedStructure();
+        private var _structure:AskedStructure = null;
+        private var _moved:MovedRow = new MovedRow();
+        private var _place:Vector3D = new Vector3D();
 
         /** @param seen the agents that are asked about */
         public function TouchQuestions(seen:SeenAgents)
@@ -37,51 +42,83 @@ package starlogo.queries
         /** As AgentQueries.touchesAny. */
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
-            if (filter == null || filter.accepts == null)
+            findTouching(agent, filter, mostFor(filter));
+            return isAnyAccepted(filter);
+        }
+
+        /** As AgentQueries.overlapsAgent. */
+        public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
+        {
+            var table:AgentTable = _seen.table;
+            var row:int = beginRow(agent, filter, mostFor(filter));
+            if (table.shapes[row] != null)
             {
-                findTouching(agent, filter, 1);
-                return _found.count > 0;
+                _moved.take(table, row);
+                _place.setTo(x, y, z);
+                _moved.put(_place, 0);
+                collectNear(row, x, y, z);
+                _moved.giveBack();
             }
-            findTouching(agent, filter, FoundRows.ALL);
-            _found.sort();
-            return _found.keepAccepted(0, 1).length > 0;
+            table.endGuests();
+            return isAnyAccepted(filter);
         }
 
         /** As AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
+            var table:AgentTable = _seen.table;
+            _structure ||= new AskedStructure();
             _structure.setTo(structure);
-            var of:Vector.<Number> = _structure.extents;
             _found.begin(FoundRows.ALL, Infinity, -1, filter);
-            _search.begin(_seen.findExtents(), of[0], of[1], of[2], of[3], of[4], of[5]);
-            collect(-1, of[0], of[1], of[2]);
+            var row:int = _structure.readInto(table);
+            collectNear(row, table.x[row], table.y[row], table.z[row]);
+            table.endGuests();
             return _found.list(out);
         }
 
         private function findTouching(agent:Agent, filter:AgentFilter, most:int):void
         {
-            var row:int = _seen.rowOfNow(agent);
-            _found.begin(most, Infinity, row < RowList.GUESTS ? _seen.rowOf(agent) : row, filter);
+            var row:int = beginRow(agent, filter, most);
             if (_seen.table.shapes[row] != null)
             {
-                _seen.beginWay(_search, row);
-                collect(row, agent.placement.x, agent.placement.y, agent.placement.z);
+                var at:Placement = agent.placement;
+                collectNear(row, at.x, at.y, at.z);
             }
             _seen.table.endGuests();
         }
 
-        // Takes the rows that count and touch a row, or the structure if it is -1, with their distances from a place.
-        private function collect(row:int, x:Number, y:Number, z:Number):void
+        private function beginRow(agent:Agent, filter:AgentFilter, most:int):int
+        {
+            var row:int = _seen.rowOfNow(agent);
+            _found.begin(most, Infinity, row < RowList.GUESTS ? _seen.rowOf(agent) : row, filter);
+            return row;
+        }
+
+        // How many have to be found to know whether there is one: accepts is asked of all.
+        private static function mostFor(filter:AgentFilter):int
+        {
+            return filter == null || filter.accepts == null ? 1 : FoundRows.ALL;
+        }
+
+        private function isAnyAccepted(filter:AgentFilter):Boolean
+        {
+            if (filter == null || filter.accepts == null)
+            {
+                return _found.count > 0;
+            }
+            _found.sort();
+            return _found.keepAccepted(0, 1).length > 0;
+        }
+
+        // Takes the rows that count and touch a row, with their distances from a place.
+        private function collectNear(row:int, x:Number, y:Number, z:Number):void
         {
             var table:AgentTable = _seen.table;
             var found:FoundRows = _found;
+            _seen.beginWay(_search, row);
             for (var other:int = _search.next(); other >= 0 && found.count < found.most; other = _search.next())
             {
-                if (table.shapes[other] == null || !found.wants(other))
-                {
-                    continue;
-                }
-                if (row < 0 ? _structure.touches(table, other, _seen.pairs.trees) : _seen.pairs.areTouching(table, row, other))
+                if (table.shapes[other] != null && found.wants(other) && _seen.pairs.areTouching(table, row, other))
                 {
                     var toX:Number = table.x[other] - x;
                     var toY:Number = table.y[other] - y;

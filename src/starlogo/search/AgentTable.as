@@ -155,14 +155,19 @@ package starlogo.search
          * Makes the row of a guest that of an agent as it is now, beside the row that the agent may have. <code>endGuests()</code> has to follow.
          *
          * @param guest the row, 0 or 1; its shape is null while the agent's model is loading
+         * @param shape the shape; null for that of the agent's model
          * @throws ArgumentError as readRow does
          */
-        public function readGuest(guest:int, agent:Agent):void
+        public function readGuest(guest:int, agent:Agent, shape:ModelShape = null):void
         {
             agents[guest] = agent;
             // a question that threw may have left a shape
             shapes[guest] = null;
             extentsRevisions[guest] = STALE;
+            if (shape != null)
+            {
+                setShape(guest, shape);
+            }
             readRow(guest);
         }
 

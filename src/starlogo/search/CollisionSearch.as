@@ -113,6 +113,12 @@ package starlogo.search
             report(agents.length, out.count, counts);
         }
 
+        /** How fast the two agents came together that findContact was asked about, in patches a frame. */
+        public function get approachSpeed():Number
+        {
+            return _motions.approachSpeed;
+        }
+
         /** As AgentTable.restorePositions. */
         public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
         {

@@ -36,6 +36,9 @@ package starlogo.search
         // Whether the shape stands upright and faces the x axis, however its agent is turned.
         engine var isUpright:Boolean = false;
 
+        /** @private Whether triangles decide about the structure in exact mode: it is no model's, but one that a question is about. */
+        engine var meetsTriangles:Boolean = false;
+
         /** @private What is tried before the structure, a little wider; or null. */
         internal var outer:OuterStructures = null;
 

@@ -22,6 +22,9 @@ package starlogo.search
         internal var isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
         internal var extents:Extents = new Extents();
 
+        // How far the first of the last pair whose contact was found moved against the normal.
+        internal var approachSpeed:Number = 0;
+
         private var _pairs:RowPairs;
 
         // Of the first of a pair relative to the second.
@@ -149,6 +152,7 @@ package starlogo.search
             var time:Number = motion.time;
             _pairs.findContact(table, a, b, motion, out);
             _separation.find(table, a, b, motion, out);
+            approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
             if (isPassing)
             {
                 // from where b is now to where it was

@@ -296,7 +296,7 @@ package starlogo.search
             return shape == null || shape.isVoid || agents[row].shapeRevision != _shapeRevisions[row];
         }
 
-        private function setShape(row:int, shape:ModelShape):void
+        protected function setShape(row:int, shape:ModelShape):void
         {
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.model != before.model)

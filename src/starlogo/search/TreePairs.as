@@ -100,7 +100,7 @@ package starlogo.search
             _tests++;
             var shapeB:ModelShape = table.shapes[b];
             return _pair.areOverlapping(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy, shapeB.structure,
-                    table.placementOf(b, _placementB), depthOf(table, b), exact && !byLeaves && shapeB.hierarchy != null);
+                    table.placementOf(b, _placementB), depthOf(table, b), areExact(shapeB, byLeaves));
         }
 
         /** As RowPairs.findTime. */
@@ -177,6 +177,12 @@ package starlogo.search
             out.triangleTests = _pair.triangleTests;
         }
 
+        // Whether triangles decide about a tree and the second of a pair.
+        private function areExact(shapeB:ModelShape, byLeaves:Boolean):Boolean
+        {
+            return exact && !byLeaves && (shapeB.hierarchy != null || shapeB.meetsTriangles);
+        }
+
         // Sets two rows in this order or the other, and the motion of the first of them.
         private function setMovingPair(table:AgentTable, a:int, b:int, motion:RelativeMotion, isTurned:Boolean, byLeaves:Boolean):void
         {
@@ -194,7 +200,7 @@ package starlogo.search
         {
             var shapeB:ModelShape = table.shapes[b];
             _pair.setTo(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy, shapeB.structure,
-                    table.placementOf(b, _placementB), depthOf(table, b), exact && !byLeaves && shapeB.hierarchy != null);
+                    table.placementOf(b, _placementB), depthOf(table, b), areExact(shapeB, byLeaves));
         }
     }
 }

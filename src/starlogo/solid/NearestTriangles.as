@@ -13,6 +13,8 @@ package starlogo.solid
      */
     internal final class NearestTriangles extends LeafDistance
     {
+        private static const POINT:Vector.<Number> = new Vector.<Number>(9, true);
+
         /** Pairs of triangles that were measured; set to 0 from outside. */
         public var triangleTests:int = 0;
 
@@ -36,11 +38,11 @@ package starlogo.solid
             _moved = new MovedTriangles(pose);
         }
 
-        /** Begins anew, with two models that the pose relates. */
+        /** Begins anew, with two models that the pose relates; null for the second if it is a point at the origin of its space. */
         public function begin(a:Solid, b:Solid):void
         {
             _solid = a;
-            _moved.begin(b.corners);
+            _moved.begin(b == null ? POINT : b.corners);
             least = Infinity;
             nearest.begin();
         }

@@ -18,6 +18,9 @@ package starlogo.solid
      */
     public final class SolidRay
     {
+        /** The number of the triangle that the last ray meets, as the model counts them; or -1. */
+        public var triangle:int = -1;
+
         private var _nodes:RayTraversal = new RayTraversal();
         private var _triangles:RayTriangles = new RayTriangles();
         private var _start:Vector3D = new Vector3D();
@@ -39,6 +42,7 @@ package starlogo.solid
         public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean
         {
             _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            triangle = -1;
             if (hierarchy.isInside(_start, 0))
             {
                 ray.faceBack();
@@ -54,13 +58,14 @@ package starlogo.solid
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
         {
             var solid:Solid = hierarchy.solid;
-            var triangle:int = _triangles.find(hierarchy.root, solid.corners, ray);
-            if (triangle < 0)
+            var found:int = _triangles.find(hierarchy.root, solid.corners, ray);
+            if (found < 0)
             {
                 return false;
             }
+            triangle = hierarchy.order[found];
             ray.from = _triangles.at;
-            var plane:int = 5 * triangle;
+            var plane:int = 5 * found;
             var x:Number = solid.planes[plane];
             var y:Number = solid.planes[int(plane + 1)];
             var z:Number = solid.planes[int(plane + 2)];

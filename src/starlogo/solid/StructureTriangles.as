@@ -15,12 +15,15 @@ package starlogo.solid
     use namespace engine;
 
     /** Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box. */
-    internal final class StructureTriangles extends LeafTest
+    internal class StructureTriangles extends LeafTest
     {
-        private var _solid:Solid;
+        protected var solid:Solid;
 
-        // The structure's extents, wider by what still touches: least x, greatest x, least y, ...
-        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        /** How far apart a triangle and the structure may be and still touch. */
+        protected var touching:Number = 0;
+
+        /** The structure's extents, wider by that: least x, greatest x, least y, ... */
+        protected var extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The middles of the ends of a sphere or capsule, as a triangle.
         private var _core:Vector.<Number> = new Vector.<Number>(9, true);
@@ -41,13 +44,13 @@ package starlogo.solid
          */
         public function begin(model:SolidHierarchy, structure:BoundingStructure, gap:Number):void
         {
-            _solid = model.solid;
-            var touching:Number = gap + Tolerances.SURFACES * model.root.radius;
-            structure.extentsInto(_extents);
+            solid = model.solid;
+            touching = gap + Tolerances.SURFACES * model.root.radius;
+            structure.extentsInto(extents);
             for (var i:int = 0; i < 6; i += 2)
             {
-                _extents[i] -= touching;
-                _extents[int(i + 1)] += touching;
+                extents[i] -= touching;
+                extents[int(i + 1)] += touching;
             }
             _isBox = structure.kind == BoundingStructure.BOX;
             if (_isBox)
@@ -70,23 +73,36 @@ package starlogo.solid
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            var extents:Vector.<Number> = _solid.extents;
-            var corners:Vector.<Number> = _solid.corners;
             for (var i:int = a.first; i < a.end; i++)
             {
-                var at:int = 6 * i;
-                if (extents[at] > _extents[1] || extents[int(at + 3)] < _extents[0] || extents[int(at + 1)] > _extents[3]
-                        || extents[int(at + 4)] < _extents[2] || extents[int(at + 2)] > _extents[5] || extents[int(at + 5)] < _extents[4])
-                {
-                    continue;
-                }
-                if (_isBox ? _box.touches(corners, 9 * i) : _closest.areWithin(corners, 9 * i, _core, 0))
+                if (isNear(i) && touches(i))
                 {
                     time = 0;
                     return true;
                 }
             }
             return false;
+        }
+
+        /** Whether the extents of a triangle overlap those of the structure. */
+        protected final function isNear(triangle:int):Boolean
+        {
+            var of:Vector.<Number> = solid.extents;
+            var at:int = 6 * triangle;
+            return of[at] <= extents[1] && of[int(at + 3)] >= extents[0] && of[int(at + 1)] <= extents[3] && of[int(at + 4)] >= extents[2]
+                && of[int(at + 2)] <= extents[5] && of[int(at + 5)] >= extents[4];
+        }
+
+        /** Whether a triangle touches the structure where that stands. */
+        protected final function touches(triangle:int):Boolean
+        {
+            return _isBox ? _box.touches(solid.corners, 9 * triangle) : _closest.areWithin(solid.corners, 9 * triangle, _core, 0);
+        }
+
+        /** The gap across which a box touches. */
+        protected final function set tolerance(value:Number):void
+        {
+            _box.tolerance = value;
         }
 
         private function setCore(start:Vector3D, end:Vector3D, reach:Number):void

@@ -88,12 +88,8 @@ package starlogo.solid
             return time <= 1;
         }
 
-        /**
-         * Where the triangles that touched first do so, at the pose's time, in the space of the first model.
-         *
-         * @param out takes it
-         */
-        public function findContact(out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findContact(out:ContactPoint):void
         {
             pose.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
             var corners:Vector.<Number> = solidA.corners;

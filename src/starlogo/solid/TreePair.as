@@ -75,7 +75,9 @@ package starlogo.solid
         private var _sweptBoxes:SweptBoxTraversal;
         private var _sweptStructures:StructureTraversal;
         private var _sweptPairs:SweptPairTest;
+        private var _sweptTriangles:SweptStructureTriangles = new SweptStructureTriangles();
         private var _first:NodePairTraversal;
+        private var _decider:LeafTest;
 
         // Models that are apart.
         private var _boxDistances:BoxDistances;
@@ -91,6 +93,8 @@ package starlogo.solid
         public function TreePair()
         {
             _leaf.x = _leaf.y = _leaf.z = _boxLeaf.x = _boxLeaf.y = _boxLeaf.z = 0;
+            _leaf.setHalfExtents(0, 0, 0);
+            _leaf.end = 1;
             _uprightBoxes = new UprightBoxTraversal(_pose);
             _boxes = new BoxTraversal(_pose);
             _boxAndBoxes = new BoxTraversal(_boxPose);
@@ -136,8 +140,7 @@ package starlogo.solid
          * @param structureB the structure, in the second model's space; does not count otherwise
          * @param placementB where the second model stands
          * @param depthB how many levels of its hierarchy are visited
-         * @param exact whether, if each that is a tree has triangles, depths do not count and triangles decide: false of a
-         *     tree and a structure
+         * @param exact whether triangles decide, and depths do not count, if each that is a tree has triangles; a structure is solid
          */
         public function setTo(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):void
@@ -168,8 +171,7 @@ package starlogo.solid
         /**
          * Whether two overlap that stand still. Afterwards a pair has to be set for other questions.
          *
-         * <p>The arguments are those of <code>setTo()</code>, but of a tree and a structure triangles may decide as well: whether one meets the solid
-         * structure. The arguments are not kept, because that would be a tenth of the time of two models that are apart.</p>
+         * <p>The arguments are those of <code>setTo()</code>. They are not kept, because that would take a tenth of the time.</p>
          */
         public function areOverlapping(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):Boolean
@@ -273,26 +275,23 @@ package starlogo.solid
 
         /**
          * Finds how far the two are apart where they were set, and between which points: of the nodes that <code>areOverlapping()</code> tests, or of
-         * the triangles.
+         * the triangles. A structure is a point then, a sphere without a radius at the origin of its space.
          *
          * @param areTouching whether the two overlap: then a point of both is found
          * @param out takes it, in the world
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
+            _leaf.radius = _b == null ? DistanceTraversal.reachOf(_leaf.structure) : 0;
             if (_isExact)
             {
-                _nearest.begin(_a.solid, _b.solid);
+                _nearest.begin(_a.solid, _b == null ? null : _b.solid);
                 _boxDistances.find(_a.root, _depthA, rootB, _depthB, _nearest);
                 out.copyPoints(_nearest.nearest.points);
                 out.distance = _nearest.least;
             }
             else
             {
-                if (_b == null)
-                {
-                    _leaf.radius = DistanceTraversal.reachOf(_leaf.structure);
-                }
                 var traversal:DistanceTraversal = _areBoxes && _b != null ? _boxDistances : _structureDistances;
                 traversal.find(_a.root, _depthA, rootB, _depthB, null);
                 traversal.writePoints(out);
@@ -380,14 +379,19 @@ package starlogo.solid
         // Finds the first two triangles or nodes that touch as the first model moves.
         private function findFirst():Boolean
         {
-            var decider:LeafTest = null;
+            _decider = null;
             _first = _areBoxes && _b != null ? _sweptBoxes : _sweptStructures;
-            if (_isExact)
+            if (_isExact && _b == null)
+            {
+                _sweptTriangles.beginMotion(_a, moveToFirst(_leaf.structure), _pose.gap, _pose.motion);
+                _decider = _sweptTriangles;
+            }
+            else if (_isExact)
             {
                 _sweptPairs.begin(_a, _b);
-                decider = _sweptPairs;
+                _decider = _sweptPairs;
             }
-            return _first.find(_a.root, _depthA, rootB, _depthB, decider);
+            return _first.find(_a.root, _depthA, rootB, _depthB, _decider);
         }
 
         // Of the first two triangles or nodes that findFirst has found, at the motion's time.
@@ -399,7 +403,7 @@ package starlogo.solid
                 return;
             }
             _pose.motion.time = motion.time;
-            _sweptPairs.findContact(out);
+            _decider.findContact(out);
             moveToWorld(motion, out);
         }
 

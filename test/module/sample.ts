@@ -91,6 +91,7 @@ import {
 	StlModel,
 	StructureBlocks,
 	StructureTests,
+	Terrain,
 	TightestFitCollider,
 	Tolerances,
 	TraitBlocks,
@@ -274,6 +275,10 @@ export function fitAll(vertices: Float64Array): number[] {
 
 /** Tests pairs of structures. */
 export function testPairs(): boolean[] {
+	const terrain: Terrain = new Terrain(3, 3, 2, -2, -2);
+	terrain.setHeights(0, 0, 2, 1, [1, 2]);
+	terrain.raiseMound(0, 0, 3, 1);
+	const onGround: boolean = terrain.heightAt(0, 0) > 0 && terrain.normalAt(0, 0) !== null && terrain.agent.breed === Collision.TERRAIN;
 	const sphere = new Sphere(new Vector3D(0, 0, 0), 1);
 	const capsule = new Capsule(new Vector3D(0.5, 0, 0), new Vector3D(3, 0, 0), 0.5);
 	const box = new Box(new Vector3D(0, 0, 0), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);

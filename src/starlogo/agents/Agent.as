@@ -82,11 +82,17 @@ package starlogo.agents
         {
             super();
             requireName("shape", shape);
-            requireName("breed", breed);
+            requireBreed(breed);
             number = ++sCreated;
             _shape = shape;
-            _breed = breed;
-            breedNumber = Breeds.numberOf(breed);
+            takeBreed(breed);
+        }
+
+        /** @private Gives its id back, because it is the engine's own, in no list, and the last that was made. It is 0 then. */
+        engine function giveIdBack():void
+        {
+            number = 0;
+            sCreated--;
         }
 
         /** @private How many agents there have been: the greatest id. */
@@ -126,12 +132,18 @@ package starlogo.agents
 
         public function set breed(value:String):void
         {
-            requireName("breed", value);
+            requireBreed(value);
             if (value != _breed)
             {
-                _breed = value;
-                breedNumber = Breeds.numberOf(value);
+                takeBreed(value);
             }
+        }
+
+        /** @private Makes the breed any, without a question. */
+        engine function takeBreed(value:String):void
+        {
+            _breed = value;
+            breedNumber = Breeds.numberOf(value);
         }
 
         /**
@@ -239,6 +251,15 @@ package starlogo.agents
                 return super.toString();
             }
             return "agent " + number + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
+        }
+
+        private function requireBreed(value:String):void
+        {
+            requireName("breed", value);
+            if (Breeds.isReserved(Breeds.numberOf(value)) || (_breed != null && Breeds.isReserved(breedNumber)))
+            {
+                throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
+            }
         }
 
         private function requireName(trait:String, value:String):void

@@ -7,10 +7,19 @@ package starlogo.agents
      */
     public final class Breeds
     {
-        private static var sNames:Vector.<String> = new Vector.<String>();
+        /** The breed of agents that stand for the ground. */
+        public static const TERRAIN:String = "*terrain";
+
+        /** The breed of agents that stand for the edges of the world. */
+        public static const EDGE:String = "*edge";
+
+        // How many names, the first, are of no agents that a game makes.
+        private static const RESERVED:int = 2;
+
+        private static var sNames:Vector.<String> = new <String>[TERRAIN, EDGE];
 
         // The numbers in the order of the names: so a name is found without a text that is made for a key. The last that was asked for.
-        private static var sOrder:Vector.<int> = new Vector.<int>();
+        private static var sOrder:Vector.<int> = new <int>[1, 0];
         private static var sLast:int = 0;
 
         /** Has only static members. */
@@ -50,6 +59,12 @@ package starlogo.agents
                 sLast = sOrder[low];
             }
             return sLast;
+        }
+
+        /** Whether a number is that of a breed of the ground or the edges, which no other agent may have. */
+        public static function isReserved(number:int):Boolean
+        {
+            return number < RESERVED;
         }
 
         /** The name that has a number. */

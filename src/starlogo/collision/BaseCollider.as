@@ -1,9 +1,11 @@
 package starlogo.collision
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
+    import starlogo.search.textOf;
 
     use namespace engine;
 
@@ -102,9 +104,15 @@ package starlogo.collision
          * @private Finds the pairs of a Collision's frame. A system of a game's own may return a vector of its own, and need not count.
          *
          * @param takePart which agents do, by their indices in the list; null for all
+         * @param ground stands for the ground; null for none
+         * @throws IllegalOperationError if there is ground, and this is none of the engine's systems
          */
-        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs):void
+        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, out:FoundPairs):void
         {
+            if (ground != null)
+            {
+                throw new IllegalOperationError("a terrain needs one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
+            }
             out.read(findCollisionsAmong(takePart == null ? agents : chosen(agents, takePart), interests, _found), agents);
         }
 

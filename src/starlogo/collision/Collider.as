@@ -81,7 +81,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            measure(agents, interests, null, _found, found);
+            measure(agents, interests, null, null, _found, found);
             if (found.length > 2 * _found.count)
             {
                 found.length = 2 * _found.count;
@@ -118,9 +118,9 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs):void
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, out:FoundPairs):void
         {
-            measure(agents, interests, takePart, out, null);
+            measure(agents, interests, takePart, ground, out, null);
         }
 
         /** @private The engine's collider that finds what a collision system finds, or null. */
@@ -129,10 +129,11 @@ package starlogo.collision
             return system is BaseCollider ? BaseCollider(system).collider : null;
         }
 
-        private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, outAgents:Vector.<Agent>):void
+        private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, out:FoundPairs,
+                outAgents:Vector.<Agent>):void
         {
             var start:Number = getTimer();
-            search.find(agents, interests, takePart, out, _statistics, outAgents);
+            search.find(agents, interests, takePart, out, _statistics, outAgents, ground);
             _statistics.handlerCalls = _statistics.frameMs = 0;
             _statistics.findMs = getTimer() - start;
         }

@@ -5,6 +5,7 @@ package starlogo.collision
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerCalls;
@@ -12,6 +13,7 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.textOf;
+    import starlogo.terrain.Terrain;
 
     use namespace engine;
 
@@ -36,6 +38,18 @@ package starlogo.collision
     {
         /** In place of a breed's name: any breed (§6.1, "any other agent"). */
         public static const ANY_BREED:String = BreedInterests.ANY_BREED;
+
+        /**
+         * In place of a breed's name: the ground. A handler for it gets <code>terrain.agent</code>. ANY_BREED does not stand for the ground. No other
+         * agent may have this breed.
+         */
+        public static const TERRAIN:String = Breeds.TERRAIN;
+
+        /**
+         * The ground, or null for none. Agents collide with it whose breeds have handlers together with <code>TERRAIN</code>. The others cost
+         * nothing. It may be exchanged between frames. It needs one of the engine's collision systems.
+         */
+        public var terrain:Terrain = null;
 
         /**
          * Which agents take part: an AgentFilter, or null for all. The others cost no tests and collide with nothing, as if they were not in the
@@ -244,6 +258,7 @@ package starlogo.collision
                 keepList(agents);
                 _searched = system.collider;
                 _contacts.system = system;
+                _calls.fixtures[0] = terrain == null ? null : terrain.agent;
                 _calls.make(_table, _lastAgents, agents, _handlerErrors);
             }
             finally
@@ -265,7 +280,10 @@ package starlogo.collision
          * <code>restore()</code> makes it the last frame again, in this Collision or in another with the same handlers and a collision system of
          * the same kind. The bytes name agents by their indices in <code>lastAgents</code>: keep a copy of that, and the agents' traits.
          *
-         * @return the bytes, about 29 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
+         * The heights of the ground are in it.
+         *
+         * @return the bytes, about 29 for each agent of the list, 17 for each pair that touches and has handlers for starts or ends, and 8 for each height
+         *     that is not 0
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is none of the engine's, or has searched
          *     another list since the last frame, or if that has refused its list
          */
@@ -278,7 +296,7 @@ package starlogo.collision
             }
             readHandlers();
             var search:CollisionSearch = _searched == null ? null : _searched.search;
-            return _snapshots.write(_calls.tracker, search, _lastAgents, _searched == _system.collider);
+            return _snapshots.write(_calls.tracker, search, _lastAgents, _searched == _system.collider, terrain);
         }
 
         /**
@@ -288,7 +306,7 @@ package starlogo.collision
          * @param bytes what <code>snapshot()</code> gave; not changed
          * @param agents what <code>lastAgents</code> was then; the game has given them back the traits that they had. They may be other objects, made
          *     since in the same order, or for another Collision
-         * @throws ArgumentError if one is null, the bytes are no snapshot, or one of other agents, or <code>update()</code> would refuse the
+         * @throws ArgumentError if one is null, the bytes are no snapshot, or one of other agents or of ground with another grid, or <code>update()</code> would refuse the
          *     list; nothing has changed then
          * @throws IllegalOperationError as in snapshot
          */
@@ -304,7 +322,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var collider:Collider = _system.collider;
-            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker);
+            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker, terrain);
             _searched = collider;
             keepList(agents);
             _isRefused = _touchesAreStale = false;
@@ -360,7 +378,8 @@ package starlogo.collision
         private function findPairs(system:BaseCollider, agents:Vector.<Agent>):void
         {
             var start:Number = getTimer();
-            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, _calls.pairs);
+            var ground:Agent = terrain == null ? null : terrain.agent;
+            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, ground, _calls.pairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.count;

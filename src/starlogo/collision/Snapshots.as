@@ -10,25 +10,28 @@ package starlogo.collision
     import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
     import starlogo.search.CollisionSearch;
+    import starlogo.terrain.Terrain;
 
     /**
      * Writes and reads the snapshots of one Collision: what the next frame depends on besides the agents. Agents are numbers, their indices in the
      * last frame's list.
      *
      * <p>The bytes: a mark; how many agents; of each whether it has a motion from where it was seen, and its position; how many names of breeds, and
-     * the names; how many pairs touch, and of each its agents, their breeds, and whether it touches both ways; which agents they are
-     * (SnapshotAgents).</p>
+     * the names; how many pairs touch, and of each its agents, their breeds, and whether it touches both ways; the heights of the ground
+     * (SnapshotHeights); which agents they are (SnapshotAgents). The number of the ground's agent is that after the last.</p>
      */
     internal final class Snapshots
     {
-        // "SLF1"
+        // "SLF1", and "SLF2" for one with ground
         private static const MARK:uint = 0x534C4631;
+        private static const MARK_WITH_GROUND:uint = 0x534C4632;
         private static const AGENTS_AT:int = 8;
         private static const BYTES_PER_AGENT:int = 25;
 
         // Takes which pairs touch when a snapshot is read; empty in between.
         private var _read:TouchTracker = new TouchTracker();
         private var _who:SnapshotAgents = new SnapshotAgents();
+        private var _heights:SnapshotHeights = new SnapshotHeights();
 
         /** No snapshot has been taken yet. */
         public function Snapshots()
@@ -42,16 +45,17 @@ package starlogo.collision
          * @param search of the last frame; null if there was none
          * @param agents its list
          * @param keepsMotions whether agents have the motions from there that they had
+         * @param terrain the ground, or null
          * @throws IllegalOperationError if the collision system has searched another list
          */
-        public function write(tracker:TouchTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean):ByteArray
+        public function write(tracker:TouchTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain):ByteArray
         {
             if (search != null && !search.table.isListed(agents))
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
             var bytes:ByteArray = newBytes();
-            bytes.writeUnsignedInt(MARK);
+            bytes.writeUnsignedInt(markOf(terrain));
             bytes.writeInt(agents.length);
             if (search == null)
             {
@@ -63,6 +67,10 @@ package starlogo.collision
             {
                 writePairs(bytes, tracker, search.table, search.table.writePositions(bytes, keepsMotions));
             }
+            if (terrain != null)
+            {
+                _heights.write(bytes, terrain);
+            }
             _who.write(bytes, agents);
             bytes.position = 0;
             return bytes;
@@ -72,25 +80,35 @@ package starlogo.collision
          * Goes back to a snapshot: the last search then is the one before it was taken.
          *
          * @param tracker knows which pairs touch now; it is empty afterwards, and used in the next call
+         * @param terrain the ground, which gets the heights that it had then; or null
          * @return what knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker, terrain:Terrain):TouchTracker
         {
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
             copy.position = 0;
-            if (copy.length < AGENTS_AT || copy.readUnsignedInt() != MARK)
+            var mark:uint = copy.length < AGENTS_AT ? 0 : copy.readUnsignedInt();
+            if (mark != MARK && mark != MARK_WITH_GROUND)
             {
                 throw new ArgumentError("bytes are no snapshot: they do not begin as one");
+            }
+            if (mark != markOf(terrain))
+            {
+                throw new ArgumentError("bytes are no snapshot of a Collision with" + (terrain == null ? "out" : "") + " ground");
             }
             var found:TouchTracker = _read;
             try
             {
                 search.table.check(agents);
-                check(readAll(copy, agents, found));
+                check(readAll(copy, agents, found, terrain));
                 copy.position = AGENTS_AT;
                 search.restorePositions(agents, copy);
+                if (terrain != null)
+                {
+                    _heights.restore(terrain);
+                }
                 _read = tracker;
             }
             catch (error:EOFError)
@@ -112,7 +130,7 @@ package starlogo.collision
             {
                 var pair:Touch = tracker.pairAt(i);
                 pairs.writeInt(indices[table.rowOf(pair.first)]);
-                pairs.writeInt(indices[table.rowOf(pair.second)]);
+                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count : indices[table.rowOf(pair.second)]);
                 pairs.writeInt(indexIn(breeds, pair.firstBreed));
                 pairs.writeInt(indexIn(breeds, pair.secondBreed));
                 pairs.writeBoolean(pair.isBothWays);
@@ -130,7 +148,7 @@ package starlogo.collision
         }
 
         // Looks at everything, and reads the pairs into a tracker that has none. False, or an EOFError, for bytes that are no snapshot.
-        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker):Boolean
+        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain):Boolean
         {
             var count:int = bytes.readInt();
             if (count < 0 || count > (bytes.length - AGENTS_AT) / BYTES_PER_AGENT)
@@ -141,7 +159,7 @@ package starlogo.collision
             bytes.position = Math.max(AGENTS_AT, end);
             _who.check(bytes, count, agents);
             bytes.position = AGENTS_AT;
-            return arePositions(bytes, count) && readPairs(bytes, agents, tracker) && bytes.position == end;
+            return arePositions(bytes, count) && readPairs(bytes, agents, tracker, terrain) && (terrain == null || _heights.read(bytes, terrain)) && bytes.position == end;
         }
 
         private static function arePositions(bytes:ByteArray, count:int):Boolean
@@ -157,7 +175,7 @@ package starlogo.collision
             return true;
         }
 
-        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker):Boolean
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain):Boolean
         {
             var breeds:Vector.<int> = new Vector.<int>();
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
@@ -177,14 +195,20 @@ package starlogo.collision
                 var firstBreed:uint = bytes.readUnsignedInt();
                 var secondBreed:uint = bytes.readUnsignedInt();
                 var flag:int = bytes.readUnsignedByte();
-                if (first >= agents.length || second >= agents.length || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
+                var isGround:Boolean = second == agents.length && terrain != null;
+                if (first >= agents.length || second >= agents.length && !isGround || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
                 {
                     return false;
                 }
-                tracker.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
+                tracker.start(agents[first], isGround ? terrain.agent : agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
             }
             // each once
             return tracker.count == pairs;
+        }
+
+        private static function markOf(terrain:Terrain):uint
+        {
+            return terrain == null ? MARK : MARK_WITH_GROUND;
         }
 
         private static function check(isSnapshot:Boolean):void

@@ -103,10 +103,10 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs):void
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, out:FoundPairs):void
         {
             var start:Number = getTimer();
-            _system.findPairs(agents, interests, takePart, out);
+            _system.findPairs(agents, interests, takePart, ground, out);
             _findTimes.add(getTimer() - start);
             for (var i:int = 0; i < out.count; i++)
             {

@@ -22,6 +22,9 @@ package starlogo.handlers
         /** Which pairs touch, of breeds with handlers for starts or ends. */
         public var tracker:TouchTracker = new TouchTracker();
 
+        /** What agents may touch beside those of the list: their indices begin after its last. The agent of the ground, or null. */
+        public var fixtures:Vector.<Agent> = new <Agent>[null];
+
         private var _contacts:ContactSource;
         private var _table:HandlerTable = null;
         private var _errors:Vector.<Error> = null;
@@ -245,19 +248,20 @@ package starlogo.handlers
             _firstAt = indices[2 * pair];
             _secondAt = indices[2 * pair + 1];
             _first = _listed[_firstAt];
-            _second = _listed[_secondAt];
+            _second = _secondAt < _listed.length ? _listed[_secondAt] : fixtures[_secondAt - _listed.length];
         }
 
         // Whether both agents are in the list. Mostly they are where they were. Once one is not, AgentList is asked for the rest of the frame.
         private function areListed():Boolean
         {
             var agents:Vector.<Agent> = _agents;
-            if (_areInPlace && agents.length == _listed.length && agents[_firstAt] === _first && agents[_secondAt] === _second)
+            var isFixture:Boolean = _secondAt >= _listed.length;
+            if (_areInPlace && agents.length == _listed.length && agents[_firstAt] === _first && (isFixture || agents[_secondAt] === _second))
             {
                 return true;
             }
             _areInPlace = false;
-            return _list.contains(_first) && _list.contains(_second);
+            return _list.contains(_first) && (isFixture || _list.contains(_second));
         }
     }
 }

@@ -96,7 +96,7 @@ package starlogo.handlers
 
         private function standsFor(name:String, breed:int):Boolean
         {
-            return name == BreedInterests.ANY_BREED || interests.indexOf(name) == breed;
+            return name == BreedInterests.ANY_BREED ? interests.isOfAgents(breed) : interests.indexOf(name) == breed;
         }
     }
 }

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.terrain.Terrain;
 
     use namespace engine;
 
@@ -51,6 +52,23 @@ package starlogo.queries
             _distances = new DistanceQuestions(_seen);
             _rays = new RayQuestions(_seen);
             _moves = new MoveQuestions(_seen);
+        }
+
+        /**
+         * The ground that questions are about from the next update on; null for none. Where they were made for a Collision it is that one's, and setting it
+         * changes the Collision's.
+         *
+         * <p>The ground touches, blocks rays and stops motions as agents do: answers have its <code>agent</code>, the last of those that are equally
+         * far, and last in lists of what touches. It is never near and never nearest. A filter may leave it out.</p>
+         */
+        public function get terrain():Terrain
+        {
+            return _seen.terrain;
+        }
+
+        public function set terrain(value:Terrain):void
+        {
+            _seen.terrain = value;
         }
 
         /**

@@ -31,6 +31,7 @@ package starlogo.queries
         /** No structure yet. */
         public function AskedStructure()
         {
+            _agent.giveIdBack();
         }
 
         /**

@@ -99,6 +99,11 @@ package starlogo.queries
 
         private function measureInOrder(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
+            if (RowPairs.isOneGround(table, a, b))
+            {
+                pairs.ground.findClosest(table, a, b, pairs.areTouching(table, a, b), closest);
+                return;
+            }
             if (table.shapes[a].hierarchy == null)
             {
                 findClosest(table.structureOf(a), table.structureOf(b), closest);

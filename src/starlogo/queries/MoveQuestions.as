@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
+    import starlogo.terrain.TerrainAgent;
 
     use namespace engine;
 
@@ -131,6 +132,10 @@ package starlogo.queries
             if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
             {
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
+            }
+            if (structure == null && agent is TerrainAgent)
+            {
+                throw new ArgumentError("the ground does not move: " + agent);
             }
             var asked:AskedStructure = structure == null ? null : takeStructure(structure);
             findNear(agent, asked, filter, isAnywhere);

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
+    import starlogo.search.ModelShape;
     import starlogo.search.MovedRow;
     import starlogo.search.RowPairs;
     import starlogo.search.Separation;
@@ -204,6 +205,13 @@ package starlogo.queries
                 _middleX = extents.x[other];
                 _middleY = extents.y[other];
                 _middleZ = extents.z[other];
+                if (_table.forms[other] == ModelShape.GROUND)
+                {
+                    // it loses as much everywhere
+                    _middleX = contact.x - extents.halfX[other] * contact.normalX;
+                    _middleY = contact.y - extents.halfX[other] * contact.normalY;
+                    _middleZ = contact.z - extents.halfX[other] * contact.normalZ;
+                }
             }
             else
             {
@@ -242,6 +250,10 @@ package starlogo.queries
         // Whether the extents of the row, all along a motion that ends where it is, come as near to those of another as a hair.
         private function isNear(other:int, motion:RelativeMotion):Boolean
         {
+            if (_table.forms[other] == ModelShape.GROUND)
+            {
+                return true;
+            }
             var extents:Extents = _table.extents;
             var x:Number = motion.x / 2;
             var y:Number = motion.y / 2;

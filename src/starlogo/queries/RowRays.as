@@ -9,6 +9,9 @@ package starlogo.queries
     import starlogo.search.ModelShape;
     import starlogo.search.TreePairs;
     import starlogo.solid.SolidRay;
+    import starlogo.terrain.GroundRay;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.TerrainAgent;
 
     use namespace engine;
 
@@ -50,6 +53,7 @@ package starlogo.queries
         private var _line:Ray = new Ray();
         private var _inModel:Ray = new Ray();
         private var _solid:SolidRay = new SolidRay();
+        private var _ground:GroundRay = new GroundRay();
         private var _placement:Placement = new Placement();
 
         /** No ray yet. */
@@ -81,6 +85,10 @@ package starlogo.queries
             if (shape == null)
             {
                 return false;
+            }
+            if (shape.form == ModelShape.GROUND)
+            {
+                return meetsGround(TerrainAgent(_table.agents[row]).terrain);
             }
             var placement:Placement = _table.placementOf(row, _placement);
             var line:Ray = _line;
@@ -114,6 +122,22 @@ package starlogo.queries
             normalX = placement.r00 * found.normalX + placement.r01 * found.normalY + placement.r02 * found.normalZ;
             normalY = placement.r10 * found.normalX + placement.r11 * found.normalY + placement.r12 * found.normalZ;
             normalZ = placement.r20 * found.normalX + placement.r21 * found.normalY + placement.r22 * found.normalZ;
+            return true;
+        }
+
+        private function meetsGround(terrain:Terrain):Boolean
+        {
+            ray.from = 0;
+            ray.to = limit;
+            if (!_ground.find(terrain, ray))
+            {
+                return false;
+            }
+            distance = ray.from;
+            normalX = ray.normalX;
+            normalY = ray.normalY;
+            normalZ = ray.normalZ;
+            triangle = -1;
             return true;
         }
 

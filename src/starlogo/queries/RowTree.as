@@ -30,6 +30,9 @@ package starlogo.queries
         /** How many rows there are. */
         public var count:int = 0;
 
+        /** A row that is not in the tree and near all that is: the ground. Or -1. */
+        public var beyond:int = -1;
+
         /** The number of the first leaf; there are as many leaves. */
         public var firstLeaf:int = 1;
 

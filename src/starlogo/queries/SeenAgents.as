@@ -8,9 +8,12 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.search.AgentTable;
+    import starlogo.search.ModelShape;
     import starlogo.search.ModelShapes;
+    import starlogo.search.RowList;
     import starlogo.search.RowPairs;
     import starlogo.search.textOf;
+    import starlogo.terrain.Terrain;
 
     use namespace engine;
 
@@ -36,6 +39,7 @@ package starlogo.queries
 
         private var _source:Object;
         private var _system:Object;
+        private var _terrain:Terrain = null;
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
 
@@ -55,6 +59,21 @@ package starlogo.queries
             _system = collider;
         }
 
+        /** As AgentQueries.terrain. */
+        public function get terrain():Terrain
+        {
+            return _source is Collision ? Collision(_source).terrain : _terrain;
+        }
+
+        public function set terrain(value:Terrain):void
+        {
+            if (_source is Collision)
+            {
+                Collision(_source).terrain = value;
+            }
+            _terrain = value;
+        }
+
         /** As AgentQueries.update. */
         public function update(agents:Vector.<Agent>):void
         {
@@ -70,6 +89,7 @@ package starlogo.queries
                 next = tableFor(collider);
             }
             next.check(agents);
+            next.readGround(terrain == null ? null : terrain.agent);
             next.read(agents);
             if (next !== table || next.listNumber != _listNumber)
             {
@@ -79,6 +99,7 @@ package starlogo.queries
             pairs = collider.pairs;
             _system = collider;
             _places.isStale = _extents.isStale = true;
+            _extents.beyond = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
         }
 
         /** As AgentQueries.moved. */
@@ -86,7 +107,7 @@ package starlogo.queries
         {
             requireQuiet("moved");
             var row:int = rowOf(agent);
-            if (row < 0)
+            if (row < RowList.GUESTS)
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
@@ -154,6 +175,11 @@ package starlogo.queries
             var tree:RowTree = findExtents();
             var of:Extents = table.extents;
             search.begin(tree, of.x[row], of.y[row], of.z[row], of.halfX[row], of.halfY[row], of.halfZ[row]);
+            if (table.forms[row] == ModelShape.GROUND)
+            {
+                // it is near all
+                search.widen(4 * Agent.LARGEST_COORDINATE);
+            }
         }
 
         /**
@@ -177,6 +203,7 @@ package starlogo.queries
         private function findRanks(of:AgentTable):void
         {
             ranks.length = Math.max(ranks.length, of.agents.length);
+            ranks[RowList.GROUND] = of.count;
             for (var i:int = 0; i < of.count; i++)
             {
                 ranks[of.rows[i]] = i;

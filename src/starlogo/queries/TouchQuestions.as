@@ -123,7 +123,8 @@ package starlogo.queries
                     var toX:Number = table.x[other] - x;
                     var toY:Number = table.y[other] - y;
                     var toZ:Number = table.z[other] - z;
-                    found.add(other, toX * toX + toY * toY + toZ * toZ);
+                    // the ground, which has no place, comes last
+                    found.add(other, other == RowList.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }
             }
         }

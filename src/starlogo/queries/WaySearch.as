@@ -12,6 +12,9 @@ package starlogo.queries
         public var limit:Number = 1;
 
         private var _tree:RowTree;
+
+        // The row that every box meets, until it was given; or -1.
+        private var _beyond:int = -1;
         private var _moves:Boolean = false;
 
         // By axis, where the box moves: the box where the way begins, and the way.
@@ -60,6 +63,7 @@ package starlogo.queries
         {
             var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
             _tree = tree;
+            _beyond = tree.beyond;
             _moves = false;
             limit = 1;
             _minX = x - halfX - slack;
@@ -130,7 +134,9 @@ package starlogo.queries
                 }
                 if (_waiting == 0)
                 {
-                    return -1;
+                    var beyond:int = _beyond;
+                    _beyond = -1;
+                    return beyond;
                 }
                 _waiting--;
                 if (!_moves || _entries[_waiting] <= limit)

@@ -76,7 +76,7 @@ package starlogo.search
         /** As RowList.rowOf. */
         public function rowOf(agent:Agent):int
         {
-            return _list.rowOf(agent);
+            return agents[RowList.GROUND] === agent ? RowList.GROUND : _list.rowOf(agent);
         }
 
         /**
@@ -169,6 +169,21 @@ package starlogo.search
                 setShape(guest, shape);
             }
             readRow(guest);
+        }
+
+        /** Makes the row of the ground that of an agent that stands for one; null for none. To be called before the list is read. */
+        public function readGround(agent:Agent):void
+        {
+            if (agents[RowList.GROUND] !== agent)
+            {
+                agents[RowList.GROUND] = agent;
+                shapes[RowList.GROUND] = null;
+                extentsRevisions[RowList.GROUND] = STALE;
+            }
+            if (agent != null)
+            {
+                readRow(RowList.GROUND);
+            }
         }
 
         /** Lets go of the guests. */

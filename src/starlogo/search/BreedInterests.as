@@ -72,7 +72,11 @@ package starlogo.search
             {
                 markPairs(numbersOf(_added[i]), numbersOf(_added[i + 1]));
             }
-            areAll = areOfInterest.indexOf(false) < 0;
+            areAll = true;
+            for (i = 0; i < areOfInterest.length; i++)
+            {
+                areAll = areAll && (areOfInterest[i] || !isOfAgents(i % breedCount) || !isOfAgents(i / breedCount));
+            }
         }
 
         /** A breed's number, from 0 on; -1 for a breed that is in no pair. */
@@ -96,7 +100,7 @@ package starlogo.search
             for (var number:int = numbers.length; number < Breeds.count; number++)
             {
                 var index:int = _named.indexOf(number);
-                numbers[number] = index < 0 && _hasAny ? _named.length : index;
+                numbers[number] = index < 0 && _hasAny && !Breeds.isReserved(number) ? _named.length : index;
             }
         }
 
@@ -166,7 +170,13 @@ package starlogo.search
             return kept;
         }
 
-        // The numbers of the breeds that a name matches: all of them for ANY_BREED.
+        /** @private Whether a number is of a breed of agents, not of the ground or the edges of the world. */
+        engine function isOfAgents(index:int):Boolean
+        {
+            return index < 0 || index == _named.length || !Breeds.isReserved(_named[index]);
+        }
+
+        // The numbers of the breeds that a name matches: all of agents for ANY_BREED.
         private function numbersOf(breed:String):Vector.<int>
         {
             if (breed != ANY_BREED)
@@ -176,7 +186,10 @@ package starlogo.search
             var all:Vector.<int> = new Vector.<int>();
             for (var i:int = 0; i < breedCount; i++)
             {
-                all.push(i);
+                if (isOfAgents(i))
+                {
+                    all.push(i);
+                }
             }
             return all;
         }

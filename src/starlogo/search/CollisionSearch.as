@@ -77,11 +77,13 @@ package starlogo.search
          * @param out takes the pairs; of each, the agent that is first in the list comes first
          * @param counts takes what the search did
          * @param outAgents takes the pairs as agents; then the indices are not to be used. Null for indices
+         * @param ground stands for the ground; the index of its pairs is that after the last agent. Null if there is none
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
-                outAgents:Vector.<Agent> = null):void
+                outAgents:Vector.<Agent> = null, ground:Agent = null):void
         {
+            table.readGround(ground);
             table.read(agents);
             _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
@@ -96,6 +98,10 @@ package starlogo.search
             _skippedPairs = out.count = 0;
             _pairs.resetCounts();
             _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
+            if (ground != null)
+            {
+                findGround(interests, agents.length);
+            }
             _out = null;
             if (_isSwept)
             {
@@ -285,6 +291,44 @@ package starlogo.search
             }
             var areTouching:Boolean = RowPairs.areNear(table.extents, _bins, a, b) && _pairs.areTouching(table, a, b);
             return areTouching ? 1 : RelativeMotion.NEVER;
+        }
+
+        // The members that touch the ground and whose breeds are of interest together with it.
+        private function findGround(interests:BreedInterests, index:int):void
+        {
+            var agents:Vector.<Agent> = table.agents;
+            var ground:int = interests.indexOf(agents[RowList.GROUND].breed);
+            // what writeIndices() makes of it
+            _indices.length = Math.max(_indices.length, index + 1);
+            _indices[index] = index;
+            for (var i:int = 0; i < _memberCount && ground >= 0; i++)
+            {
+                var row:int = _memberRows[i];
+                if (!interests.includes(interests.numbers[agents[row].breedNumber], ground))
+                {
+                    continue;
+                }
+                if (_isSwept)
+                {
+                    _times[_out.count] = impactWithGround(row);
+                }
+                if (_isSwept ? _times[_out.count] != RelativeMotion.NEVER : _pairs.areTouching(table, row, RowList.GROUND))
+                {
+                    _out.indices[2 * _out.count] = i;
+                    _out.indices[2 * _out.count + 1] = index;
+                    _out.count++;
+                }
+            }
+        }
+
+        private function impactWithGround(row:int):Number
+        {
+            if (!_motions.isSweeping[row])
+            {
+                return _pairs.areTouching(table, row, RowList.GROUND) ? 1 : RelativeMotion.NEVER;
+            }
+            _motions.findTime(table, null, row, RowList.GROUND);
+            return _motions.foundTime;
         }
 
         // From the numbers of members to the indices of their agents in the list.

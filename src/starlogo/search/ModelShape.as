@@ -14,6 +14,9 @@ package starlogo.search
         /** @private The form of a hierarchy: a bit of its own. The other forms are the kinds of BoundingStructure. */
         engine static const TREE:int = 4;
 
+        /** @private The form of the ground: a bit of its own too. */
+        engine static const GROUND:int = 8;
+
         /** The model's name. */
         public var model:String;
 
@@ -26,7 +29,7 @@ package starlogo.search
         /** @private Whether there has been another revision since. */
         internal var isVoid:Boolean = false;
 
-        /** @private BoundingStructure.SPHERE, CAPSULE, BOX, or TREE. */
+        /** @private BoundingStructure.SPHERE, CAPSULE, BOX, or TREE or GROUND. */
         engine var form:int = -1;
 
         // The structure that decides, or the one around the tree; the tree.
@@ -65,6 +68,14 @@ package starlogo.search
         {
             this.structure = structure;
             form = structure.kind;
+        }
+
+        /** @private Represents the ground: its structure is one cell, the scale of what happens there. */
+        engine function setGround(cell:BoundingStructure):void
+        {
+            structure = cell;
+            isUpright = true;
+            form = GROUND;
         }
 
         /** @private Represents the model by its hierarchy. */

@@ -1,8 +1,12 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.Box;
     import starlogo.engine;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.TerrainAgent;
 
     use namespace engine;
 
@@ -40,6 +44,10 @@ package starlogo.search
          */
         public function shapeOf(agent:Agent):ModelShape
         {
+            if (agent is TerrainAgent)
+            {
+                return groundOf(TerrainAgent(agent).terrain);
+            }
             var kind:int = _choice.kindOf(agent);
             for (var i:int = 0; i < _shapes.length; i++)
             {
@@ -63,6 +71,14 @@ package starlogo.search
             _choice.bind(shape, agent);
             forms |= 1 << shape.form;
             _shapes.push(shape);
+            return shape;
+        }
+
+        private static function groundOf(terrain:Terrain):ModelShape
+        {
+            var half:Number = terrain.cellWidth / 2;
+            var shape:ModelShape = new ModelShape(terrain.agent.shape, Agent.ANY_KIND, 0);
+            shape.setGround(new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half));
             return shape;
         }
 

@@ -137,6 +137,13 @@ package starlogo.search
          */
         public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
         {
+            if (table.forms[a] == ModelShape.GROUND)
+            {
+                // the other one is moved
+                var ofOther:Number = findContact(table, b, a, isSwept, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                return ofOther;
+            }
             var motion:RelativeMotion = _motion;
             var isPassing:Boolean = isSwept && (isSweeping[a] || isSweeping[b]);
             if (isPassing)
@@ -170,6 +177,9 @@ package starlogo.search
                 x.length = y.length = z.length = isSweeping.length = length;
                 extents.grow(length);
             }
+            // the ground stands
+            x[RowList.GROUND] = y[RowList.GROUND] = z[RowList.GROUND] = 0;
+            isSweeping[RowList.GROUND] = false;
         }
 
         // Whether the extents of two rows, which now are where they are at the end of the motion, never overlap in all directions at once.

@@ -49,6 +49,10 @@ package starlogo.search
         private static function across(table:AgentTable, row:int, out:ContactPoint):Number
         {
             var extents:Extents = table.extents;
+            if (table.forms[row] == ModelShape.GROUND)
+            {
+                return Infinity;
+            }
             if (table.forms[row] == BoundingStructure.SPHERE)
             {
                 return 2 * extents.halfX[row];

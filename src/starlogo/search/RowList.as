@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
 
     use namespace engine;
@@ -12,8 +13,11 @@ package starlogo.search
      */
     public final class RowList
     {
-        /** The first rows are of no list: they are for guests. */
-        public static const GUESTS:int = 2;
+        /** The first rows are of no list: two are for guests, one for the ground, one for the edges of the world. */
+        public static const GUESTS:int = 4;
+
+        /** The row of the ground. */
+        public static const GROUND:int = 2;
 
         /** The rows of the agents, in the order of the list. */
         public var rows:Vector.<int> = new Vector.<int>();
@@ -25,7 +29,7 @@ package starlogo.search
         public var number:int = 0;
 
         /** By row: the agent, or null. */
-        public var agents:Vector.<Agent> = new <Agent>[null, null];
+        public var agents:Vector.<Agent> = new <Agent>[null, null, null, null];
 
         /** The rows that the last read has added, and how many they are. */
         public var added:Vector.<int> = new Vector.<int>();
@@ -40,7 +44,7 @@ package starlogo.search
         public var freeCount:int = 0;
 
         // By row: the number of the last list that had the agent.
-        private var _lists:Vector.<int> = new <int>[0, 0];
+        private var _lists:Vector.<int> = new <int>[0, 0, 0, 0];
 
         private var _rowsById:IdTable = new IdTable();
 
@@ -94,7 +98,7 @@ package starlogo.search
                 if (row < 0 || agents[row] !== agent)
                 {
                     // in JavaScript it may be anything
-                    if (!(agent is Agent))
+                    if (!(agent is Agent) || Breeds.isReserved(agent.breedNumber))
                     {
                         refuse(isNoAgent(i, agent));
                     }
@@ -125,7 +129,7 @@ package starlogo.search
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
-                if (!(agent is Agent))
+                if (!(agent is Agent) || Breeds.isReserved(agent.breedNumber))
                 {
                     throw isNoAgent(i, agent);
                 }
@@ -195,6 +199,10 @@ package starlogo.search
         private static function isNoAgent(index:int, agent:Agent):Error
         {
             var problem:String = agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent");
+            if (agent is Agent)
+            {
+                problem = "must be an agent of the game, not " + agent + ", which stands for the ground or the edges of the world";
+            }
             return new ArgumentError("agents[" + index + "] " + problem);
         }
 

@@ -33,6 +33,9 @@ package starlogo.search
         /** Answers for pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairs = null;
 
+        /** Answers for pairs of which one is the ground. */
+        public var ground:GroundPairs;
+
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
         private var _points:PointPoint = new PointPoint();
@@ -45,6 +48,7 @@ package starlogo.search
          */
         public function RowPairs(choice:ShapeChoice)
         {
+            ground = new GroundPairs(this);
             choice.prepare(this);
         }
 
@@ -185,7 +189,7 @@ package starlogo.search
             var forms:int = table.forms[a] | table.forms[b];
             if (forms >= ModelShape.TREE)
             {
-                return trees.areTouching(table, a, b);
+                return forms >= ModelShape.GROUND ? ground.areTouching(table, a, b) : trees.areTouching(table, a, b);
             }
             if (forms == BoundingStructure.SPHERE)
             {
@@ -202,7 +206,11 @@ package starlogo.search
          */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            if (isOneTree(table, a, b))
+            if (isOneGround(table, a, b))
+            {
+                ground.findTime(table, a, b, motion);
+            }
+            else if (isOneTree(table, a, b))
             {
                 trees.findTime(table, a, b, motion);
             }
@@ -224,7 +232,11 @@ package starlogo.search
          */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (isOneTree(table, a, b))
+            if (isOneGround(table, a, b))
+            {
+                ground.findContact(table, a, b, motion, out);
+            }
+            else if (isOneTree(table, a, b))
             {
                 trees.findContact(table, a, b, motion, out);
             }
@@ -249,6 +261,11 @@ package starlogo.search
          */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
+            if (isOneGround(table, a, b))
+            {
+                ground.findImpact(table, a, b, motion, out);
+                return;
+            }
             if (isOneTree(table, a, b))
             {
                 trees.findImpact(table, a, b, motion, out);
@@ -268,6 +285,11 @@ package starlogo.search
          */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
+            if (isOneGround(table, a, b))
+            {
+                ground.findOuterContact(table, a, b, out);
+                return;
+            }
             if (isOneTree(table, a, b))
             {
                 trees.findOuterContact(table, a, b, out);
@@ -283,7 +305,7 @@ package starlogo.search
          */
         public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
-            return !isOneTree(table, a, b) && (areSpheres(table, a, b) || structures.hasExactContact(table, a, b));
+            return (table.forms[a] | table.forms[b]) < ModelShape.TREE && (areSpheres(table, a, b) || structures.hasExactContact(table, a, b));
         }
 
         /** Begins to count the tests of a search. */
@@ -315,11 +337,15 @@ package starlogo.search
         }
 
         /**
-         * Whether the second of two rows is taken for the first: a tree comes before a structure, and of two trees or structures that of the agent
+         * Whether the second of two rows is taken for the first: the ground comes last, a tree before a structure, and of two trees or structures that of the agent
          * with the lower number. So rounding is the same in either order.
          */
         public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
+            if (isOneGround(table, a, b))
+            {
+                return table.forms[a] == ModelShape.GROUND;
+            }
             var isTree:Boolean = table.forms[a] == ModelShape.TREE;
             if (isTree != (table.forms[b] == ModelShape.TREE))
             {
@@ -349,10 +375,16 @@ package starlogo.search
             return distance <= reach && distance >= -reach;
         }
 
-        /** Whether at least one of two rows is a tree. */
+        /** Whether at least one of two rows is a tree, and none the ground. */
         public static function isOneTree(table:AgentTable, a:int, b:int):Boolean
         {
-            return (table.forms[a] | table.forms[b]) >= ModelShape.TREE;
+            return ((table.forms[a] | table.forms[b]) & (ModelShape.TREE | ModelShape.GROUND)) == ModelShape.TREE;
+        }
+
+        /** Whether one of two rows is the ground. */
+        public static function isOneGround(table:AgentTable, a:int, b:int):Boolean
+        {
+            return (table.forms[a] | table.forms[b]) >= ModelShape.GROUND;
         }
 
         private static function areSpheresTouching(table:AgentTable, a:int, b:int):Boolean

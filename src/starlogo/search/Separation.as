@@ -112,7 +112,10 @@ package starlogo.search
             displace();
             OverlapMiddle.setAlong(table, a, b, out);
             OverlapMiddle.keepWithin(table.extents, a, out);
-            OverlapMiddle.keepWithin(table.extents, b, out);
+            if (table.forms[b] != ModelShape.GROUND)
+            {
+                OverlapMiddle.keepWithin(table.extents, b, out);
+            }
             _moved.giveBack();
             _table = null;
         }

@@ -348,7 +348,8 @@ package starlogo.search
             var placement:Placement = _upright;
             if (shape.isUpright)
             {
-                placement.size = agent.placement.size;
+                // the ground has the size of its cells
+                placement.size = shape.form == ModelShape.GROUND ? 1 : agent.placement.size;
             }
             else
             {

@@ -46,6 +46,12 @@ package starlogo.solid
                 && Math.abs(middle.z - root.z) <= root.halfZ - radius && solid.isInside(middle);
         }
 
+        /** @private The corners of the triangles, in the order of the hierarchy: nine numbers each. Only where there are triangles. */
+        engine function get corners():Vector.<Number>
+        {
+            return solid.corners;
+        }
+
         /** @private Sees to it that what exact tests need of the triangles is there. */
         engine function prepare():void
         {

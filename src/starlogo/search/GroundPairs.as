@@ -1,0 +1,138 @@
+package starlogo.search
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.TerrainAgent;
+    import starlogo.terrain.TerrainPair;
+
+    use namespace engine;
+
+    /**
+     * Answers for two rows of which one is the ground, in either order: whether they touch, when, and how.
+     *
+     * @private
+     */
+    public final class GroundPairs
+    {
+        private var _pairs:RowPairs;
+        private var _pair:TerrainPair = new TerrainPair();
+        private var _placement:Placement = new Placement();
+        private var _turned:RelativeMotion = new RelativeMotion();
+
+        /** @param pairs say how deep trees are visited */
+        public function GroundPairs(pairs:RowPairs)
+        {
+            _pairs = pairs;
+        }
+
+        /** As RowPairs.areTouching. */
+        public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            var isTurned:Boolean = table.forms[a] == ModelShape.GROUND;
+            var row:int = isTurned ? b : a;
+            var ground:int = isTurned ? a : b;
+            if (table.forms[row] <= BoundingStructure.BOX && isMiddleUnder(table, row, ground))
+            {
+                return true;
+            }
+            setTo(table, row, ground);
+            return _pair.areOverlapping();
+        }
+
+        /** As RowPairs.findTime. */
+        public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        {
+            var own:RelativeMotion = begin(table, a, b, motion);
+            _pair.findTime(own);
+            motion.time = own.time;
+        }
+
+        /** As RowPairs.findContact. */
+        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var own:RelativeMotion = begin(table, a, b, motion);
+            _pair.findContact(own, out);
+            if (own !== motion)
+            {
+                out.turn(motion);
+            }
+        }
+
+        /** As RowPairs.findImpact. */
+        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var own:RelativeMotion = begin(table, a, b, motion);
+            _pair.findImpact(own, out);
+            motion.time = own.time;
+            if (own !== motion && out != null && motion.time != RelativeMotion.NEVER)
+            {
+                out.turn(motion);
+            }
+        }
+
+        /** As RowPairs.findOuterContact. */
+        public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            var own:RelativeMotion = begin(table, a, b, RelativeMotion.NONE);
+            _pair.findOuterContact(out);
+            if (own !== RelativeMotion.NONE)
+            {
+                out.turn(RelativeMotion.NONE);
+            }
+        }
+
+        /** As TreePairs.findClosest, of a row and the ground. */
+        public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
+        {
+            setTo(table, a, b);
+            _pair.findClosest(areTouching, out);
+        }
+
+        // The middle of a structure's extents is in the structure; a sphere reaches down from there.
+        private function isMiddleUnder(table:AgentTable, row:int, ground:int):Boolean
+        {
+            var extents:Extents = table.extents;
+            var terrain:Terrain = TerrainAgent(table.agents[ground]).terrain;
+            terrain.placeX = extents.x[row];
+            terrain.placeY = extents.y[row];
+            terrain.findHeight();
+            var low:Number = extents.z[row];
+            if (table.forms[row] == BoundingStructure.SPHERE)
+            {
+                low -= extents.halfZ[row];
+            }
+            return table.sizes[ground] == 1 && terrain.height >= low;
+        }
+
+        // Sets the pair, and returns the motion of the row that is not the ground.
+        private function begin(table:AgentTable, a:int, b:int, motion:RelativeMotion):RelativeMotion
+        {
+            if (table.forms[a] != ModelShape.GROUND)
+            {
+                setTo(table, a, b);
+                return motion;
+            }
+            setTo(table, b, a);
+            _turned.turn(motion);
+            return _turned;
+        }
+
+        private function setTo(table:AgentTable, row:int, ground:int):void
+        {
+            var shape:ModelShape = table.shapes[row];
+            var terrain:Terrain = TerrainAgent(table.agents[ground]).terrain;
+            var trees:TreePairs = _pairs.trees;
+            // a ground that is narrowed is smaller in its table
+            _pair.inset = (1 - table.sizes[ground]) * terrain.cellWidth / 2;
+            _pair.setTo(terrain, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
+                    trees != null && trees.exact);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+package starlogo.terrain
+{
+    /** A box along the world's axes that stands, or moves straight on. Plain fields, because V8 makes an object of each Number that it passes. */
+    internal final class PassingBox
+    {
+        /** Its middle, where the way begins. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        /** Half its lengths. */
+        public var halfX:Number = 0;
+
+        /** @copy #halfX */
+        public var halfY:Number = 0;
+
+        /** @copy #halfX */
+        public var halfZ:Number = 0;
+
+        /** The way; 0 if it stands. */
+        public var wayX:Number = 0;
+
+        /** @copy #wayX */
+        public var wayY:Number = 0;
+
+        /** @copy #wayX */
+        public var wayZ:Number = 0;
+
+        /** How much of the way counts, as a multiple of it. Finite; it may be made less during a walk. */
+        public var limit:Number = 0;
+
+        /** The part of the way that <code>cut()</code> narrows. */
+        public var from:Number = 0;
+
+        /** @copy #from */
+        public var to:Number = 0;
+
+        /** At the origin. */
+        public function PassingBox()
+        {
+        }
+
+        /** Narrows the part of the way to where, along one axis, the box overlaps an interval. */
+        public function cut(at:Number, half:Number, way:Number, low:Number, high:Number):void
+        {
+            low -= at + half;
+            high -= at - half;
+            if (way == 0)
+            {
+                to = low > 0 || high < 0 ? -1 : to;
+                return;
+            }
+            var enters:Number = (way > 0 ? low : high) / way;
+            var leaves:Number = (way > 0 ? high : low) / way;
+            from = enters > from ? enters : from;
+            to = leaves < to ? leaves : to;
+        }
+    }
+}

@@ -1,0 +1,449 @@
+package starlogo.terrain
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * The ground of a game: a grid of heights, and solid below them, however deep. Outside of the grid there is nothing.
+     *
+     * <p>The heights make one of two surfaces. As slopes, each cell between four heights is two triangles, cut by the diagonal from its least corner
+     * to its greatest. With <code>isBlocky</code>, each height is the top of an upright square column around it, one cell wide. The surface
+     * belongs to the ground.</p>
+     *
+     * <p>Heights may change at any time. Frames and questions that begin later see the change. The cost is in proportion to the heights that
+     * change. The memory is 9 bytes for each height. A call that throws changes nothing.</p>
+     */
+    public final class Terrain
+    {
+        /** The largest number of cells. */
+        public static const MOST_CELLS:int = 16000000;
+
+        /** @private How many cells a block is wide, as a shift: blocks have bounds, so that what is far above or below them skips them. */
+        engine static const BLOCK:int = 3;
+
+        /** Whether the surface is upright columns; otherwise it is slopes. May be changed at any time. */
+        public var isBlocky:Boolean = false;
+
+        /** @private By row times columns plus column: the heights. */
+        engine var heights:Vector.<Number>;
+
+        /** @private By block, row by row: the least height of its cells' corners, and of the neighbours' to which walls lead. */
+        engine var leasts:Vector.<Number>;
+
+        /** @private By block: the greatest of these heights; how many blocks a row of them has. */
+        engine var greatests:Vector.<Number>;
+        engine var blockColumns:int;
+
+        /** @private For <code>findHeight()</code>: the place, and what is found there. Fields, because V8 makes an object of each Number that it passes. */
+        engine var placeX:Number = 0;
+
+        engine var placeY:Number = 0;
+        engine var height:Number = 0;
+
+        private var _columns:int;
+        private var _rows:int;
+        private var _cellWidth:Number;
+        private var _x:Number;
+        private var _y:Number;
+        private var _agent:TerrainAgent;
+
+        /**
+         * Flat ground of height 0.
+         *
+         * @param columns how many heights there are along x, at least 2
+         * @param rows how many there are along y, at least 2
+         * @param cellWidth how far neighbours are apart, in patches
+         * @param x where the first height is
+         * @param y where the first height is
+         * @throws RangeError if there would be no cell or more than MOST_CELLS, or a number is not finite, or too large
+         */
+        public function Terrain(columns:int, rows:int, cellWidth:Number = 1, x:Number = 0, y:Number = 0)
+        {
+            if (!(columns >= 2 && rows >= 2 && (columns - 1) * (rows - 1) <= MOST_CELLS))
+            {
+                throw new RangeError("a terrain has from 2 by 2 heights to " + MOST_CELLS + " cells between them, not " + columns + " by " + rows + " heights");
+            }
+            if (!(cellWidth >= Agent.SMALLEST_SIZE && cellWidth <= Agent.LARGEST_COORDINATE))
+            {
+                throw new RangeError("a terrain's cellWidth must be between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_COORDINATE + ": " + cellWidth);
+            }
+            requireCoordinate("a terrain's x", x);
+            requireCoordinate("a terrain's y", y);
+            requireCoordinate("the end of a terrain", x + columns * cellWidth);
+            requireCoordinate("the end of a terrain", y + rows * cellWidth);
+            _columns = columns;
+            _rows = rows;
+            _cellWidth = cellWidth;
+            _x = x;
+            _y = y;
+            blockColumns = (columns >> BLOCK) + 1;
+            heights = new Vector.<Number>(columns * rows, true);
+            leasts = new Vector.<Number>(blockColumns * ((rows >> BLOCK) + 1), true);
+            greatests = new Vector.<Number>(leasts.length, true);
+            reset();
+            _agent = new TerrainAgent(this);
+        }
+
+        /**
+         * Ground with a height for each pixel of a picture. The picture is seen from above: its top row has the greatest y.
+         *
+         * @param picture in Flash a BitmapData, in JavaScript an ImageData
+         * @param height of white; black is 0, and greys are in between. A color is the grey of the mean of its red, green and blue
+         * @throws ArgumentError if there is no picture
+         * @throws RangeError as the constructor does for the other numbers, and if the height is not finite
+         */
+        public static function fromPicture(picture:Object, height:Number, cellWidth:Number = 1, x:Number = 0, y:Number = 0):Terrain
+        {
+            if (picture == null || !(picture.width > 0))
+            {
+                throw new ArgumentError("a picture is needed, not " + picture);
+            }
+            var terrain:Terrain = new Terrain(picture.width, picture.height, cellWidth, x, y);
+            terrain.setHeights(0, 0, terrain.columns, terrain.rows, greysOf(picture, height / 765));
+            return terrain;
+        }
+
+        /** How many heights there are along x. */
+        public function get columns():int
+        {
+            return _columns;
+        }
+
+        /** How many heights there are along y. */
+        public function get rows():int
+        {
+            return _rows;
+        }
+
+        /** How far neighbours are apart, in patches. */
+        public function get cellWidth():Number
+        {
+            return _cellWidth;
+        }
+
+        /** Where the first height is. */
+        public function get x():Number
+        {
+            return _x;
+        }
+
+        /** @copy #x */
+        public function get y():Number
+        {
+            return _y;
+        }
+
+        /**
+         * The agent that stands for the ground: handlers get it as the collidee, and answers to questions name it. Its breed is
+         * <code>Collision.TERRAIN</code>. No list of agents may have it.
+         */
+        public function get agent():Agent
+        {
+            return _agent;
+        }
+
+        /**
+         * One of the heights.
+         *
+         * @throws RangeError if there is no such height; columns and rows count from 0 on
+         */
+        public function getHeight(column:int, row:int):Number
+        {
+            requireRegion(column, row, 1, 1);
+            return heights[row * _columns + column];
+        }
+
+        /**
+         * Changes one of the heights.
+         *
+         * @param height in patches, at most Agent.LARGEST_COORDINATE either way
+         * @throws RangeError if there is no such height, or it cannot be that
+         */
+        public function setHeight(column:int, row:int, height:Number):void
+        {
+            requireRegion(column, row, 1, 1);
+            requireCoordinate("a terrain's height", height);
+            heights[row * _columns + column] = height;
+            findBounds(column, row, column, row);
+        }
+
+        /**
+         * Changes the heights of a region.
+         *
+         * @param column the first, from 0 on; row and rows are the same the other way
+         * @param columns how many
+         * @param heights as many as the region has, row by row
+         * @throws ArgumentError if there are none
+         * @throws RangeError if the region is not within the terrain, there are too few or too many, or one is not finite or too large
+         */
+        public function setHeights(column:int, row:int, columns:int, rows:int, heights:Vector.<Number>):void
+        {
+            requireRegion(column, row, columns, rows);
+            if (heights == null)
+            {
+                throw new ArgumentError("heights must not be null");
+            }
+            if (heights.length != columns * rows)
+            {
+                throw new RangeError(columns + " by " + rows + " heights are needed, not " + heights.length);
+            }
+            for (var i:int = 0; i < heights.length; i++)
+            {
+                requireCoordinate("a terrain's height", heights[i]);
+            }
+            for (i = 0; i < heights.length; i++)
+            {
+                this.heights[int((row + int(i / columns)) * _columns + column + i % columns)] = heights[i];
+            }
+            findBounds(column, row, column + columns - 1, row + rows - 1);
+        }
+
+        /**
+         * Raises a round hill about (x, y), or with a negative height digs a hollow. The middle rises by the height, the border not at all. At a part d of the way to the
+         * border it is (1 - dd)(1 - dd) of the height.
+         *
+         * @param width from border to border, more than 0
+         * @throws RangeError if a number is not finite, the hill is wholly outside of the terrain, or a height would be too large
+         */
+        public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
+        {
+            requireCoordinate("a mound's x", x);
+            requireCoordinate("a mound's y", y);
+            requireCoordinate("a mound's height", height);
+            var reach:Number = width / 2 / _cellWidth;
+            var middleColumn:Number = (x - _x) / _cellWidth;
+            var middleRow:Number = (y - _y) / _cellWidth;
+            if (!(width > 0 && width < Infinity && middleColumn + reach >= 0 && middleColumn - reach < _columns && middleRow + reach >= 0
+                        && middleRow - reach < _rows))
+            {
+                throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
+            }
+            var first:int = Math.max(0, Math.ceil(middleColumn - reach));
+            var last:int = Math.min(_columns - 1, Math.floor(middleColumn + reach));
+            var firstRow:int = Math.max(0, Math.ceil(middleRow - reach));
+            var lastRow:int = Math.min(_rows - 1, Math.floor(middleRow + reach));
+            var raised:Vector.<Number> = new Vector.<Number>();
+            for (var row:int = firstRow; row <= lastRow; row++)
+            {
+                for (var column:int = first; column <= last; column++)
+                {
+                    var acrossX:Number = (column - middleColumn) / reach;
+                    var acrossY:Number = (row - middleRow) / reach;
+                    var share:Number = Math.max(0, 1 - acrossX * acrossX - acrossY * acrossY);
+                    raised.push(heights[int(row * _columns + column)] + height * share * share);
+                }
+            }
+            // none if it is between heights
+            if (raised.length > 0)
+            {
+                setHeights(first, firstRow, last - first + 1, lastRow - firstRow + 1, raised);
+            }
+        }
+
+        /**
+         * Raises the height that is nearest to a place.
+         *
+         * @param height by how much; may be negative
+         * @throws RangeError if the place is outside of the terrain, or the height would be too large
+         */
+        public function raiseWall(x:Number, y:Number, height:Number):void
+        {
+            var column:Number = Math.floor((x - _x) / _cellWidth + 0.5);
+            var row:Number = Math.floor((y - _y) / _cellWidth + 0.5);
+            if (!(column >= 0 && row >= 0 && column < _columns && row < _rows))
+            {
+                throw new RangeError("a wall at (" + x + ", " + y + ") is outside of the terrain");
+            }
+            setHeight(column, row, heights[int(row * _columns + column)] + height);
+        }
+
+        /** Makes the ground flat again, of height 0. */
+        public function reset():void
+        {
+            clear(heights);
+            clear(leasts);
+            clear(greatests);
+        }
+
+        /**
+         * How high the ground is at a place; at a border between columns it is the higher one's height.
+         *
+         * @return NaN outside of the terrain
+         */
+        public function heightAt(x:Number, y:Number):Number
+        {
+            placeX = x;
+            placeY = y;
+            findHeight();
+            return height;
+        }
+
+        /** @private As heightAt, with the fields. */
+        engine function findHeight():void
+        {
+            var toX:Number = (placeX - _x) / _cellWidth;
+            var toY:Number = (placeY - _y) / _cellWidth;
+            height = NaN;
+            if (isBlocky)
+            {
+                findTop();
+                return;
+            }
+            if (!(toX >= 0 && toY >= 0 && toX <= _columns - 1 && toY <= _rows - 1))
+            {
+                return;
+            }
+            // int rounds down what is not negative
+            var column:int = toX;
+            var row:int = toY;
+            column = column < _columns - 1 ? column : column - 1;
+            row = row < _rows - 1 ? row : row - 1;
+            toX -= column;
+            toY -= row;
+            var corner:int = row * _columns + column;
+            if (toX >= toY)
+            {
+                height = (1 - toX) * heights[corner] + (toX - toY) * heights[int(corner + 1)] + toY * heights[int(corner + _columns + 1)];
+            }
+            else
+            {
+                height = (1 - toY) * heights[corner] + (toY - toX) * heights[int(corner + _columns)] + toX * heights[int(corner + _columns + 1)];
+            }
+        }
+
+        /**
+         * The direction that points out of the ground at a place, of length 1. At a border between triangles it is that of one of them; columns have it
+         * straight up.
+         *
+         * @param out takes it; made if null
+         * @return out, or the new one; null outside of the terrain
+         */
+        public function normalAt(x:Number, y:Number, out:Vector3D = null):Vector3D
+        {
+            if (isNaN(heightAt(x, y)))
+            {
+                return null;
+            }
+            var normal:Vector3D = out || new Vector3D();
+            normal.setTo(0, 0, 1);
+            if (isBlocky)
+            {
+                return normal;
+            }
+            var toX:Number = (x - _x) / _cellWidth;
+            var toY:Number = (y - _y) / _cellWidth;
+            var column:int = Math.min(_columns - 2, Math.floor(toX));
+            var row:int = Math.min(_rows - 2, Math.floor(toY));
+            var corner:int = row * _columns + column;
+            var far:Number = heights[corner + _columns + 1];
+            // the slopes along x and along y
+            if (toX - column >= toY - row)
+            {
+                normal.setTo(heights[corner] - heights[corner + 1], heights[corner + 1] - far, _cellWidth);
+            }
+            else
+            {
+                normal.setTo(heights[corner + _columns] - far, heights[corner] - heights[corner + _columns], _cellWidth);
+            }
+            normal.scaleBy(1 / Math.sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z));
+            return normal;
+        }
+
+        /**
+         * Whether the ground is higher than an agent's place. False outside of the terrain.
+         *
+         * @throws ArgumentError if the agent is null
+         */
+        public function isUnder(agent:Agent):Boolean
+        {
+            if (agent == null)
+            {
+                throw new ArgumentError("an agent is needed, not null");
+            }
+            return heightAt(agent.x, agent.y) > agent.z;
+        }
+
+        // Of columns.
+        private function findTop():void
+        {
+            var toX:Number = (placeX - _x) / _cellWidth + 0.5;
+            var toY:Number = (placeY - _y) / _cellWidth + 0.5;
+            if (!(toX >= 0 && toY >= 0 && toX <= _columns && toY <= _rows))
+            {
+                return;
+            }
+            var column:int = toX;
+            var row:int = toY;
+            var before:int = column == toX && column > 0 ? column - 1 : column;
+            var rowBefore:int = row == toY && row > 0 ? row - 1 : row;
+            column = column < _columns ? column : before;
+            row = row < _rows ? row : rowBefore;
+            height = heights[int(row * _columns + column)];
+            if (before != column || rowBefore != row)
+            {
+                height = Math.max(height, heights[int(row * _columns + before)]);
+                height = Math.max(height, heights[int(rowBefore * _columns + column)]);
+                height = Math.max(height, heights[int(rowBefore * _columns + before)]);
+            }
+        }
+
+        // Finds the bounds of the blocks that have some heights: also those whose cells end there.
+        private function findBounds(first:int, firstRow:int, last:int, lastRow:int):void
+        {
+            for (var blockRow:int = Math.max(0, firstRow - 1) >> BLOCK; blockRow <= lastRow >> BLOCK; blockRow++)
+            {
+                for (var blockColumn:int = Math.max(0, first - 1) >> BLOCK; blockColumn <= last >> BLOCK; blockColumn++)
+                {
+                    findBoundsOf(blockColumn, blockRow);
+                }
+            }
+        }
+
+        private function findBoundsOf(blockColumn:int, blockRow:int):void
+        {
+            var least:Number = Infinity;
+            var greatest:Number = -Infinity;
+            var end:int = Math.min(_columns - 1, (blockColumn + 1) << BLOCK);
+            var endRow:int = Math.min(_rows - 1, (blockRow + 1) << BLOCK);
+            for (var row:int = blockRow << BLOCK; row <= endRow; row++)
+            {
+                var at:int = row * _columns + end;
+                for (var column:int = end - (blockColumn << BLOCK); column >= 0; column--)
+                {
+                    var corner:Number = heights[int(at - column)];
+                    least = corner < least ? corner : least;
+                    greatest = corner > greatest ? corner : greatest;
+                }
+            }
+            leasts[int(blockRow * blockColumns + blockColumn)] = least;
+            greatests[int(blockRow * blockColumns + blockColumn)] = greatest;
+        }
+
+        private function requireRegion(column:int, row:int, columns:int, rows:int):void
+        {
+            if (!(column >= 0 && row >= 0 && columns >= 1 && rows >= 1 && column + columns <= _columns && row + rows <= _rows))
+            {
+                throw new RangeError(columns + " by " + rows + " heights from (" + column + ", " + row + ") on are not within " + _columns + " by " + _rows);
+            }
+        }
+
+        private static function requireCoordinate(what:String, value:Number):void
+        {
+            if (!(value >= -Agent.LARGEST_COORDINATE && value <= Agent.LARGEST_COORDINATE))
+            {
+                throw new RangeError(what + " must be between " + -Agent.LARGEST_COORDINATE + " and " + Agent.LARGEST_COORDINATE + ": " + value);
+            }
+        }
+
+        private static function clear(numbers:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < numbers.length; i++)
+            {
+                numbers[i] = 0;
+            }
+        }
+    }
+}

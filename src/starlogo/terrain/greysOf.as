@@ -1,0 +1,32 @@
+package starlogo.terrain
+{
+    /**
+     * The grey values of a picture's pixels, the bottom row first.
+     *
+     * @param picture a BitmapData, or an ImageData
+     * @param scale of the sum of red, green and blue
+     *
+     * @private
+     */
+    public function greysOf(picture:Object, scale:Number):Vector.<Number>
+    {
+        var greys:Vector.<Number> = new Vector.<Number>();
+        for (var row:int = picture.height - 1; row >= 0; row--)
+        {
+            for (var column:int = 0; column < picture.width; column++)
+            {
+                if ("data" in picture)
+                {
+                    var at:int = 4 * (row * picture.width + column);
+                    greys.push(scale * (picture.data[at] + picture.data[at + 1] + picture.data[at + 2]));
+                }
+                else
+                {
+                    var color:uint = picture.getPixel(column, row);
+                    greys.push(scale * ((color >> 16 & 255) + (color >> 8 & 255) + (color & 255)));
+                }
+            }
+        }
+        return greys;
+    }
+}

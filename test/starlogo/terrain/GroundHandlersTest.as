@@ -1,0 +1,310 @@
+package starlogo.terrain
+{
+    import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.BaseCollider;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.Contact;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
+    import support.EachCollider;
+    import support.assertThrows;
+
+    /** Handlers for the ground: which are called, with what, in which order. */
+    public class GroundHandlersTest
+    {
+        private var _land:GreatLand;
+        private var _terrain:Terrain;
+        private var _collision:Collision;
+        private var _calls:Array;
+
+        [Before]
+        public function makeGame():void
+        {
+            _land = new GreatLand();
+            _land.addModel(BuiltInModel.cube());
+            _terrain = new Terrain(11, 11, 1, -5, -5);
+            _collision = new Collision(new TightestFitCollider(_land));
+            _collision.terrain = _terrain;
+            _calls = [];
+        }
+
+        [Test]
+        public function eachSystemCallsHandlersOfTheGround():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                _calls = [];
+                _collision = new Collision(EachCollider.make(name, _land));
+                _collision.terrain = _terrain;
+                _collision.onCollision("turtles", Collision.TERRAIN, note);
+                var on:Agent = cubeAt(0, 0, 0);
+                var above:Agent = cubeAt(2, 0, 0.01);
+                var under:Agent = cubeAt(0, 3, -5);
+                var outside:Agent = cubeAt(9, 0, -1);
+                var across:Agent = cubeAt(5.4, 0, -3);
+                _collision.update(new <Agent>[on, above, under, outside, across]);
+                assertEquals(name, [on.id, under.id, across.id].join(), _calls.join());
+                assertEquals(3, _collision.statistics.collisions);
+                assertEquals(3, _collision.statistics.handlerCalls);
+            }
+        }
+
+        [Test]
+        public function theGroundIsTheColliderOfItsOwnHandlers():void
+        {
+            var cube:Agent = cubeAt(0, 0, 0);
+            var calls:int = 0;
+            _collision.onCollision(Collision.TERRAIN, "turtles", function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                    assertStrictlyEquals(_terrain.agent, collider);
+                    assertStrictlyEquals(cube, collidee);
+                    assertEquals(-1, contact.normal.z);
+                    calls++;
+                });
+            _collision.update(new <Agent>[cube]);
+            assertEquals(1, calls);
+        }
+
+        [Test]
+        public function anyBreedIsAnyAgentsAndNotTheGround():void
+        {
+            _collision.onCollision("turtles", Collision.ANY_BREED, note);
+            var agents:Vector.<Agent> = new <Agent>[cubeAt(0, 0, 0), cubeAt(3, 0, 0)];
+            _collision.update(agents);
+            assertEquals(0, _calls.length);
+            _collision.onCollision(Collision.ANY_BREED, Collision.TERRAIN, note);
+            _collision.update(agents);
+            assertEquals(2, _calls.length);
+            agents[1].breed = "fish";
+            _collision.update(agents);
+            assertEquals("a breed without a handler of its own too", 4, _calls.length);
+        }
+
+        [Test]
+        public function onlyBreedsWithHandlersMeetTheGround():void
+        {
+            _collision.onCollision("fish", Collision.TERRAIN, note);
+            _collision.onCollision("turtles", "turtles", note);
+            var fish:Agent = cubeAt(3, 0, 0);
+            fish.breed = "fish";
+            _collision.update(new <Agent>[cubeAt(0, 0, 0), fish]);
+            assertEquals(fish.id, _calls.join());
+            assertEquals(1, _collision.statistics.collisions);
+            _collision.terrain = null;
+            _collision.update(new <Agent>[fish]);
+            assertEquals(1, _calls.length);
+        }
+
+        [Test]
+        public function aFilterAndAModelThatIsNotThereCount():void
+        {
+            var filter:AgentFilter = new AgentFilter();
+            var out:Agent = cubeAt(0, 0, 0);
+            filter.except = new <Agent>[out];
+            _collision.filter = filter;
+            _collision.onCollision("turtles", Collision.TERRAIN, note);
+            var cube:Agent = cubeAt(2, 0, 0);
+            _collision.update(new <Agent>[out, cube]);
+            assertEquals(cube.id, _calls.join());
+        }
+
+        [Test]
+        public function touchesStartAndEnd():void
+        {
+            _collision.onCollisionStart("turtles", Collision.TERRAIN, noteAs("start"));
+            _collision.onCollision("turtles", Collision.TERRAIN, noteAs("on"));
+            _collision.onCollisionEnd("turtles", Collision.TERRAIN, noteAs("end"));
+            var cube:Agent = cubeAt(0, 0, 0);
+            var agents:Vector.<Agent> = new <Agent>[cube];
+            _collision.update(agents);
+            _collision.update(agents);
+            cube.z = 1;
+            _collision.update(agents);
+            _collision.update(agents);
+            // it rises under the agent
+            _terrain.raiseMound(0, 0, 4, 1);
+            _collision.update(agents);
+            agents.length = 0;
+            _collision.update(agents);
+            assertEquals("start,on,on,end,start,on,end", _calls.join());
+        }
+
+        [Test]
+        public function anAgentThatWasTakenOutIsNotCalled():void
+        {
+            var first:Agent = cubeAt(0, 0, 0);
+            var second:Agent = cubeAt(3, 0, 0);
+            var agents:Vector.<Agent> = new <Agent>[first, second];
+            _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push(collider.id);
+                    agents.pop();
+                });
+            _collision.update(agents);
+            assertEquals(first.id, _calls.join());
+        }
+
+        [Test]
+        public function aSweepingAgentMeetsWhatItFliesThrough():void
+        {
+            _terrain.isBlocky = true;
+            _terrain.raiseWall(0, 0, 10);
+            var cube:Agent = cubeAt(-4, 0, 3);
+            var found:Contact = null;
+            cube.sweeps = true;
+            _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                    _calls.push(contact.time);
+                    assertEquals(-1, contact.normal.x);
+                    assertTrue(Math.abs(contact.point.x + 0.5) < 1e-9);
+                });
+            _collision.update(new <Agent>[cube]);
+            cube.moveTo(4, 0, 3);
+            _collision.update(new <Agent>[cube]);
+            assertEquals(1, _calls.length);
+            assertTrue(Math.abs(_calls[0] - 3 / 8) < 1e-9);
+        }
+
+        [Test]
+        public function pairsOfAFrameThatSweepsAreInTheOrderOfTheirTimes():void
+        {
+            var late:Agent = cubeAt(-2, 0, 4);
+            var early:Agent = cubeAt(2, 0, 2);
+            late.sweeps = early.sweeps = true;
+            _collision.onCollision("turtles", Collision.TERRAIN, note);
+            var agents:Vector.<Agent> = new <Agent>[late, early];
+            _collision.update(agents);
+            late.z = early.z = -1;
+            _collision.update(agents);
+            assertEquals([early.id, late.id].join(), _calls.join());
+        }
+
+        [Test]
+        public function aSnapshotHasTheHeightsAndTheTouches():void
+        {
+            var cube:Agent = cubeAt(0, 0, 0.5);
+            var agents:Vector.<Agent> = new <Agent>[cube];
+            _collision.onCollisionStart("turtles", Collision.TERRAIN, noteAs("start"));
+            _collision.onCollisionEnd("turtles", Collision.TERRAIN, noteAs("end"));
+            _terrain.raiseMound(0, 0, 5, 1);
+            _terrain.setHeight(10, 10, -3);
+            _collision.update(agents);
+            var bytes:ByteArray = _collision.snapshot();
+            var listed:Vector.<Agent> = _collision.lastAgents.concat();
+            _terrain.reset();
+            _terrain.isBlocky = true;
+            _collision.update(agents);
+            assertEquals("start,end", _calls.join());
+            _collision.restore(bytes, listed);
+            assertFalse(_terrain.isBlocky);
+            assertEquals(1, _terrain.heightAt(0, 0));
+            assertEquals(-3, _terrain.getHeight(10, 10));
+            assertEquals(0, _terrain.getHeight(0, 10));
+            _collision.update(agents);
+            assertEquals("it goes on touching", "start,end", _calls.join());
+            _terrain.reset();
+            _collision.update(agents);
+            assertEquals("start,end,end", _calls.join());
+
+            _terrain.setHeight(3, 3, 9);
+            _collision.terrain = null;
+            assertThrows(ArgumentError, /without ground/, _collision.restore, bytes, listed);
+            _collision.terrain = new Terrain(5, 5);
+            assertThrows(ArgumentError, /11 by 11/, _collision.restore, bytes, listed);
+            _collision.terrain = _terrain;
+            bytes.length -= 1;
+            assertThrows(ArgumentError, /no snapshot/, _collision.restore, bytes, listed);
+            assertEquals("nothing has changed", 9, _terrain.getHeight(3, 3));
+        }
+
+        [Test]
+        public function noListMayHoldIt():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[cubeAt(0, 0, 0), _terrain.agent];
+            assertThrows(ArgumentError, /agents\[1\]/, function():void
+                {
+                    _collision.update(agents);
+                });
+            assertThrows(ArgumentError, /agents\[1\]/, function():void
+                {
+                    new BinCollider().findCollisions(agents);
+                });
+        }
+
+        [Test]
+        public function aSystemOfAGamesOwnHasNoGround():void
+        {
+            var own:Collision = new Collision(new BaseCollider(new BinCollider()));
+            own.update(new <Agent>[]);
+            own.terrain = _terrain;
+            assertThrows(IllegalOperationError, /./, function():void
+                {
+                    own.update(new <Agent>[]);
+                });
+        }
+
+        [Test]
+        public function aContactSeparatesInEverySystem():void
+        {
+            _terrain.raiseMound(0, 0, 6, 2);
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var isBlocky:Boolean in [false, true])
+                {
+                    _terrain.isBlocky = isBlocky;
+                    _collision = new Collision(EachCollider.make(name, _land));
+                    _collision.terrain = _terrain;
+                    var cube:Agent = cubeAt(0.7, 0.3, 1.2);
+                    cube.heading = 20;
+                    var normal:Vector3D = null;
+                    var depth:Number = 0;
+                    _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
+                        {
+                            normal = contact.normal.clone();
+                            depth = contact.depth;
+                        });
+                    _collision.update(new <Agent>[cube]);
+                    assertTrue(name, normal != null);
+                    for each (var share:Number in [-1, 1])
+                    {
+                        var by:Number = depth + share * 2e-9;
+                        var moved:Agent = cubeAt(cube.x + by * normal.x, cube.y + by * normal.y, cube.z + by * normal.z);
+                        moved.heading = 20;
+                        assertEquals(name + ", " + by, share < 0, EachCollider.make(name, _land).areColliding(moved, _terrain.agent));
+                    }
+                }
+            }
+        }
+
+        private function note(collider:Agent, collidee:Agent):void
+        {
+            _calls.push(collider.id);
+        }
+
+        private function noteAs(what:String):Function
+        {
+            return function(collider:Agent, collidee:Agent):void
+            {
+                assertStrictlyEquals(_terrain.agent, collidee);
+                _calls.push(what);
+            };
+        }
+
+        private static function cubeAt(x:Number, y:Number, z:Number):Agent
+        {
+            var cube:Agent = new Agent("cube");
+            cube.moveTo(x, y, z);
+            return cube;
+        }
+    }
+}

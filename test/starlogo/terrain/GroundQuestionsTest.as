@@ -1,0 +1,349 @@
+package starlogo.terrain
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
+    import starlogo.queries.AgentQueries;
+    import starlogo.queries.RayHit;
+    import support.EachCollider;
+    import support.Effort;
+    import support.GroundReference;
+    import support.PlainDistance;
+    import support.RandomGround;
+    import support.assertThrows;
+
+    /** Questions about the ground: rays, sight, touches, distances and motions. */
+    public class GroundQuestionsTest
+    {
+        private var _land:GreatLand;
+        private var _random:SeededRandom;
+
+        [Before]
+        public function makeLand():void
+        {
+            _land = new GreatLand();
+            _land.addModel(BuiltInModel.cube());
+            _land.addModel(BuiltInModel.sphere());
+            _random = new SeededRandom(39);
+        }
+
+        [Test]
+        public function raysAreLikeEveryTriangle():void
+        {
+            var hits:int = 0;
+            var count:int = Effort.choose(4000, 100000, 300);
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            for (var i:int = 0; i < count; i++)
+            {
+                if (i % 20 == 0)
+                {
+                    var kind:String = RandomGround.KINDS[i / 20 % RandomGround.KINDS.length];
+                    var terrain:Terrain = RandomGround.make(kind, _random);
+                    var reference:GroundReference = new GroundReference(terrain);
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[]);
+                }
+                var origin:Vector3D = placeAbout(terrain, 1);
+                var direction:Vector3D = placeAbout(terrain, 0.5).subtract(origin);
+                if (_random.chance(0.2))
+                {
+                    direction[["x", "y", "z"][_random.integer(0, 2)]] = 0;
+                }
+                direction.normalize();
+                hits += checkRay(queries, reference, terrain, origin, direction, kind + " " + i);
+            }
+            assertTrue("hits: " + hits, hits > 0.3 * count && hits < 0.95 * count);
+        }
+
+        [Test]
+        public function distancesAreLikeEveryTriangle():void
+        {
+            var count:int = Effort.choose(100, 10000, 10);
+            for (var i:int = 0; i < count; i++)
+            {
+                var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];
+                var terrain:Terrain = RandomGround.make(kind, _random);
+                var reference:GroundReference = new GroundReference(terrain);
+                for each (var name:String in EachCollider.NAMES)
+                {
+                    var agent:Agent = agentAbout(terrain);
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+                    var a:Vector3D = new Vector3D();
+                    var b:Vector3D = new Vector3D();
+                    var distance:Number = queries.distance(agent, terrain.agent, a, b);
+                    var expected:Number = Math.max(0, reference.gapOf(piecesOf(name, agent)));
+                    var near:Number = 1e-9 * (agent.size + terrain.cellWidth + expected) + 1e-11 * (Math.abs(terrain.x) + 1000);
+                    var what:String = kind + " " + i + ", " + name + ": " + distance + " instead of " + expected;
+                    assertTrue(what, Math.abs(distance - expected) < near);
+                    assertTrue(what + ", points", Math.abs(Vector3D.distance(a, b) - distance) < near);
+                    if (distance > near)
+                    {
+                        assertTrue(what + ", on the ground", distanceOfPoint(reference, b) < near);
+                        assertFalse(what, queries.distance(agent, terrain.agent) == 0);
+                    }
+                    assertEquals(distance, queries.distance(terrain.agent, agent, b, a));
+                }
+            }
+        }
+
+        [Test]
+        public function motionsEndInTheFirstTouch():void
+        {
+            var stopped:int = 0;
+            var count:int = Effort.choose(60, 10000, 5);
+            for (var i:int = 0; i < count; i++)
+            {
+                var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];
+                var terrain:Terrain = RandomGround.make(kind, _random);
+                var reference:GroundReference = new GroundReference(terrain);
+                for each (var name:String in EachCollider.NAMES)
+                {
+                    var agent:Agent = agentAbout(terrain);
+                    var pieces:Array = piecesOf(name, agent);
+                    var near:Number = 1e-8 * (agent.size + terrain.cellWidth) + 1e-12 * (Math.abs(terrain.x) + 1000);
+                    if (reference.gapOf(pieces) <= near)
+                    {
+                        continue;
+                    }
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[agent]);
+                    var motion:Vector3D = placeAbout(terrain, 0.5).subtract(new Vector3D(agent.x, agent.y, agent.z));
+                    var expected:Number = Math.min(1, reference.timeOf(pieces, motion, near / 1e4));
+                    var part:Number = queries.moveUntilTouch(agent, motion.x, motion.y, motion.z);
+                    stopped += part < 1 ? 1 : 0;
+                    var what:String = kind + " " + i + ", " + name + ": " + part + " instead of " + expected;
+                    assertTrue(what, part <= expected + near / motion.length);
+                    if (part < expected - 1e4 * near / motion.length)
+                    {
+                        // it may have grazed something
+                        assertTrue(what, reference.gapOf(pieces, part * motion.x, part * motion.y, part * motion.z) < near);
+                    }
+                    slideOn(queries, reference, agent, name, terrain, what);
+                }
+            }
+            assertTrue(stopped + " stopped", stopped > count);
+        }
+
+        // Along the ground in any direction: it gets somewhere, and not into the ground.
+        private function slideOn(queries:AgentQueries, reference:GroundReference, agent:Agent, name:String, terrain:Terrain, what:String):void
+        {
+            for (var i:int = 0; i < 3; i++)
+            {
+                var far:Number = terrain.cellWidth;
+                queries.slide(agent, _random.normal() * far, _random.normal() * far, _random.normal() * far);
+                var gap:Number = reference.gapOf(shrunk(piecesOf(name, agent), agent, terrain));
+                assertTrue(what + ", slide " + i + ", gap " + gap, gap > 0);
+            }
+        }
+
+        // The pieces as they would be a little higher: what only touches is free there... along any way out; so they are scaled about the agent's middle.
+        private static function shrunk(pieces:Array, agent:Agent, terrain:Terrain):Array
+        {
+            var share:Number = 1 - 1e-5;
+            for each (var piece:Object in pieces)
+            {
+                var middle:Vector3D = new Vector3D();
+                var count:int = piece.points.length / 3;
+                for (var i:int = 0; i < piece.points.length; i += 3)
+                {
+                    middle.x += piece.points[i] / count;
+                    middle.y += piece.points[i + 1] / count;
+                    middle.z += piece.points[i + 2] / count;
+                }
+                for (i = 0; i < piece.points.length; i += 3)
+                {
+                    piece.points[i] += (middle.x - piece.points[i]) * 1e-5;
+                    piece.points[i + 1] += (middle.y - piece.points[i + 1]) * 1e-5;
+                    piece.points[i + 2] += (middle.z - piece.points[i + 2]) * 1e-5;
+                }
+                piece.radius *= share;
+            }
+            return pieces;
+        }
+
+        [Test]
+        public function eachQuestionKnowsTheGround():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var terrain:Terrain = new Terrain(11, 11, 1, -5, -5);
+                var collision:Collision = new Collision(EachCollider.make(name, _land));
+                collision.terrain = terrain;
+                var queries:AgentQueries = new AgentQueries(collision);
+                var on:Agent = cubeAt(0, 0, 0);
+                var above:Agent = cubeAt(3, 0, 1);
+                queries.update(new <Agent>[on, above]);
+                assertStrictlyEquals(terrain, queries.terrain);
+                assertStrictlyEquals(terrain.agent, queries.touching(on)[0]);
+                assertEquals(0, queries.touching(above).length);
+                assertTrue(queries.touchesAny(on));
+                assertStrictlyEquals(on, queries.touching(terrain.agent)[0]);
+                assertEquals(1, queries.touching(terrain.agent).length);
+                assertStrictlyEquals(terrain.agent, queries.overlapping(new Sphere(new Vector3D(-3, 0, -7), 0.1))[0]);
+                assertEquals(0, queries.overlapping(new Sphere(new Vector3D(-3, 0, 0.2), 0.1)).length);
+                assertTrue(name, Math.abs(queries.distance(above, terrain.agent) - 1) < 1e-12);
+                var hit:RayHit = queries.cast(new Vector3D(-3, 0, 5), new Vector3D(0, 0, -1));
+                assertStrictlyEquals(terrain.agent, hit.agent);
+                assertEquals(5, hit.distance);
+                assertEquals(1, hit.normal.z);
+                assertEquals(-1, hit.triangle);
+                assertEquals(2, queries.castAll(new Vector3D(3, 0, 5), new Vector3D(0, 0, -1)).length);
+                assertTrue(queries.canSee(on, above));
+                terrain.raiseMound(1.5, 0, 2, 5);
+                assertFalse(queries.canSee(on, above));
+                var noGround:AgentFilter = new AgentFilter();
+                noGround.exceptBreeds = new <String>[Collision.TERRAIN];
+                assertTrue(queries.canSee(on, above, noGround));
+                assertEquals(0, queries.touching(on, noGround).length);
+                noGround.exceptBreeds = null;
+                noGround.except = new <Agent>[terrain.agent];
+                assertNull(queries.cast(new Vector3D(-3, 0, 5), new Vector3D(0, 0, -1), Infinity, noGround));
+                assertEquals(1, queries.moveUntilTouch(above, 0, 0, -3, noGround));
+                above.z = 1;
+                terrain.reset();
+                queries.moved(above);
+                var contact:Contact = new Contact();
+                assertTrue(name, Math.abs(queries.moveUntilTouch(above, 0, 0, -3, null, contact) - 1 / 3) < 1e-8);
+                assertEquals(1, contact.normal.z);
+                queries.slide(above, 1, 0.5, -1);
+                assertTrue(Math.abs(above.x - 4) < 1e-8 && Math.abs(above.y - 0.5) < 1e-8 && Math.abs(above.z) < 1e-8);
+                assertEquals(0, queries.near(on, 1).length);
+            }
+        }
+
+        [Test]
+        public function questionsOfASystemHaveAGroundOfTheirOwn():void
+        {
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            var agent:Agent = cubeAt(0, 0, 0);
+            queries.update(new <Agent>[agent]);
+            assertFalse(queries.touchesAny(agent));
+            queries.terrain = new Terrain(3, 3, 1, -1, -1);
+            queries.update(new <Agent>[agent]);
+            assertTrue(queries.touchesAny(agent));
+            queries.terrain = null;
+            queries.update(new <Agent>[agent]);
+            assertFalse(queries.touchesAny(agent));
+        }
+
+        [Test]
+        public function theGroundDoesNotMove():void
+        {
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            queries.terrain = new Terrain(3, 3, 1, -1, -1);
+            queries.update(new <Agent>[]);
+            assertThrows(ArgumentError, /does not move/, function():void
+                {
+                    queries.moveUntilTouch(queries.terrain.agent, 1, 0, 0);
+                });
+            assertThrows(ArgumentError, /list/, function():void
+                {
+                    queries.moved(queries.terrain.agent);
+                });
+            assertThrows(ArgumentError, /agents\[0\]/, function():void
+                {
+                    queries.update(new <Agent>[queries.terrain.agent]);
+                });
+        }
+
+        private function checkRay(queries:AgentQueries, reference:GroundReference, terrain:Terrain, origin:Vector3D, direction:Vector3D, what:String):int
+        {
+            var hit:RayHit = queries.cast(origin, direction);
+            var expected:Number = reference.rayTo(origin, direction);
+            var distance:Number = hit == null ? Infinity : hit.distance;
+            if (distance != expected && !(Math.abs(distance - expected) < 1e-9 * (expected + terrain.cellWidth + Math.abs(terrain.x) + 1000)))
+            {
+                // through an edge or a corner, beside which rounding decides
+                var isEdge:Boolean = false;
+                for (var i:int = 0; i < 4 && !isEdge; i++)
+                {
+                    var aside:Number = 1e-9 * (terrain.cellWidth + Math.abs(terrain.x));
+                    var moved:Vector3D = origin.add(new Vector3D(i < 2 ? aside : -aside, i % 2 == 0 ? aside : -aside, i % 3 == 0 ? aside : -aside));
+                    isEdge = Math.abs(reference.rayTo(moved, direction) - distance) < 1e-5 || reference.rayTo(moved, direction) == distance;
+                }
+                assertTrue(what + ": " + distance + " instead of " + expected + " from " + origin + " along " + direction + (terrain.isBlocky ? " columns" : " slopes"), isEdge);
+            }
+            if (hit != null)
+            {
+                assertTrue(what + ", normal", hit.normal.dotProduct(direction) <= 1e-12 && Math.abs(hit.normal.length - 1) < 1e-12);
+            }
+            return hit == null ? 0 : 1;
+        }
+
+        private function placeAbout(terrain:Terrain, beyond:Number):Vector3D
+        {
+            var width:Number = terrain.cellWidth;
+            return new Vector3D(terrain.x + width * _random.between(-beyond, terrain.columns - 1 + beyond),
+                    terrain.y + width * _random.between(-beyond, terrain.rows - 1 + beyond), width * _random.between(-1, 4));
+        }
+
+        private function agentAbout(terrain:Terrain):Agent
+        {
+            var agent:Agent = new Agent(_random.chance(0.5) ? "cube" : "sphere");
+            var place:Vector3D = placeAbout(terrain, 2);
+            agent.size = terrain.cellWidth * _random.logBetween(0.1, 3);
+            agent.heading = _random.between(0, 360);
+            agent.pitch = _random.between(-90, 90);
+            agent.moveTo(place.x, place.y, place.z + agent.size);
+            return agent;
+        }
+
+        private function piecesOf(name:String, agent:Agent):Array
+        {
+            if (name == "bins")
+            {
+                return [GroundReference.pieceOf(new Sphere(new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2))];
+            }
+            if (name == "hierarchies")
+            {
+                return GroundReference.piecesOfTree(agent, _land.hierarchies.root(agent.shape), 5);
+            }
+            if (name == "triangles")
+            {
+                return GroundReference.piecesOf(agent, null, cornersOf(agent.shape == "cube" ? BuiltInModel.cube() : BuiltInModel.sphere()));
+            }
+            return GroundReference.piecesOf(agent, _land.boundingStructures.tightestFit(agent.shape));
+        }
+
+        private static function cornersOf(model:Object):Vector.<Number>
+        {
+            var corners:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < model.triangles.length; i++)
+            {
+                corners.push(model.vertices[3 * model.triangles[i]], model.vertices[3 * model.triangles[i] + 1], model.vertices[3 * model.triangles[i] + 2]);
+            }
+            return corners;
+        }
+
+        private static function distanceOfPoint(reference:GroundReference, point:Vector3D):Number
+        {
+            var points:Vector.<Number> = new <Number>[point.x, point.y, point.z, point.x, point.y, point.z, point.x, point.y, point.z];
+            var least:Number = Infinity;
+            for (var at:int = 0; at < reference.surface.length; at += 9)
+            {
+                least = Math.min(least, PlainDistance.ofTriangles(points, 0, reference.surface, at));
+            }
+            return least;
+        }
+
+        private static function cubeAt(x:Number, y:Number, z:Number):Agent
+        {
+            var cube:Agent = new Agent("cube");
+            cube.moveTo(x, y, z);
+            return cube;
+        }
+    }
+}

@@ -1,0 +1,388 @@
+package starlogo.terrain
+{
+    import flash.geom.Vector3D;
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import support.GroundReference;
+    import support.RandomGround;
+    import support.assertThrows;
+
+    use namespace engine;
+
+    /** Heights, both surfaces, mounds and walls, and what is refused. */
+    public class TerrainTest
+    {
+        private var _terrain:Terrain;
+
+        [Before]
+        public function makeTerrain():void
+        {
+            // 0 1 2 along x, 10 more each row
+            _terrain = new Terrain(3, 3, 2, -2, -2);
+            _terrain.setHeights(0, 0, 3, 3, new <Number>[0, 1, 2, 10, 11, 12, 20, 21, 22]);
+        }
+
+        [Test]
+        public function beginsFlat():void
+        {
+            var terrain:Terrain = new Terrain(2, 3);
+            assertEquals(2, terrain.columns);
+            assertEquals(3, terrain.rows);
+            assertEquals(1, terrain.cellWidth);
+            assertEquals(0, terrain.heightAt(0.5, 2));
+            assertFalse(terrain.isBlocky);
+        }
+
+        [Test]
+        public function heightsAreWhereTheyWereSet():void
+        {
+            for (var row:int = 0; row < 3; row++)
+            {
+                for (var column:int = 0; column < 3; column++)
+                {
+                    assertEquals(column + 10 * row, _terrain.heightAt(2 * column - 2, 2 * row - 2));
+                    assertEquals(column + 10 * row, _terrain.getHeight(column, row));
+                }
+            }
+        }
+
+        [Test]
+        public function slopesAreCutFromTheLeastCornerToTheGreatest():void
+        {
+            var terrain:Terrain = new Terrain(2, 2);
+            terrain.setHeight(1, 0, 1);
+            assertEquals(0, terrain.heightAt(0.5, 0.5));
+            assertEquals(0.5, terrain.heightAt(0.75, 0.25));
+            assertEquals(0, terrain.heightAt(0.25, 0.75));
+            terrain.setHeight(1, 0, 0);
+            terrain.setHeight(0, 1, 1);
+            assertEquals(0, terrain.heightAt(0.5, 0.5));
+            assertEquals(0.5, terrain.heightAt(0.25, 0.75));
+            terrain.setHeight(0, 1, 0);
+            terrain.setHeight(1, 1, 1);
+            assertEquals(0.5, terrain.heightAt(0.5, 0.5));
+        }
+
+        [Test]
+        public function columnsAreAroundTheirHeights():void
+        {
+            _terrain.isBlocky = true;
+            assertEquals(11, _terrain.heightAt(0.9, -0.9));
+            assertEquals(0, _terrain.heightAt(-2.9, -2.9));
+            assertEquals(22, _terrain.heightAt(3, 3));
+            assertEquals("the higher one at a border", 12, _terrain.heightAt(1, 0));
+            assertEquals("the highest of four", 22, _terrain.heightAt(1, 1));
+            assertTrue(isNaN(_terrain.heightAt(3.1, 0)));
+            _terrain.setHeight(1, 0, 30);
+            assertEquals("to the left as well", 30, _terrain.heightAt(1, -2));
+        }
+
+        [Test]
+        public function thereIsNothingOutside():void
+        {
+            for each (var place:Array in [[-2.001, 0], [2.001, 0], [0, -2.001], [0, 2.001]])
+            {
+                assertTrue(place.join(), isNaN(_terrain.heightAt(place[0], place[1])));
+                assertNull(_terrain.normalAt(place[0], place[1]));
+            }
+            assertEquals(22, _terrain.heightAt(2, 2));
+        }
+
+        [Test]
+        public function normalsPointOutOfTheGround():void
+        {
+            var out:Vector3D = new Vector3D();
+            assertStrictlyEquals(out, _terrain.normalAt(0.5, 0.25, out));
+            // 0.5 up along x, 5 up along y
+            var length:Number = Math.sqrt(0.25 + 25 + 1);
+            assertTrue(Math.abs(-0.5 / length - out.x) < 1e-15);
+            assertTrue(Math.abs(-5 / length - out.y) < 1e-15);
+            assertTrue(Math.abs(1 / length - out.z) < 1e-15);
+            _terrain.isBlocky = true;
+            assertEquals(1, _terrain.normalAt(0.5, 0.25).z);
+            _terrain.isBlocky = false;
+            assertTrue(_terrain.normalAt(2, 2).z > 0);
+        }
+
+        [Test]
+        public function normalsAreThoseOfTheTriangles():void
+        {
+            var random:SeededRandom = new SeededRandom(5);
+            for (var i:int = 0; i < 200; i++)
+            {
+                var terrain:Terrain = RandomGround.make("rough", random);
+                terrain.isBlocky = false;
+                var x:Number = terrain.x + random.between(0, (terrain.columns - 1) * terrain.cellWidth);
+                var y:Number = terrain.y + random.between(0, (terrain.rows - 1) * terrain.cellWidth);
+                var step:Number = 1e-7;
+                var normal:Vector3D = terrain.normalAt(x, y);
+                var alongX:Number = (terrain.heightAt(x + step, y) - terrain.heightAt(x, y)) / step;
+                var alongY:Number = (terrain.heightAt(x, y + step) - terrain.heightAt(x, y)) / step;
+                if (!isNaN(alongX + alongY))
+                {
+                    assertTrue("across x", Math.abs(normal.x + alongX * normal.z) < 1e-5);
+                    assertTrue("across y", Math.abs(normal.y + alongY * normal.z) < 1e-5);
+                }
+            }
+        }
+
+        [Test]
+        public function anAgentIsUnderIfItsPlaceIs():void
+        {
+            var agent:Agent = new Agent("any");
+            agent.moveTo(0, 0, 10.9);
+            assertTrue(_terrain.isUnder(agent));
+            agent.z = 11;
+            assertFalse(_terrain.isUnder(agent));
+            agent.moveTo(5, 0, -1);
+            assertFalse("outside", _terrain.isUnder(agent));
+        }
+
+        [Test]
+        public function moundsAreRoundAndAddToWhatIsThere():void
+        {
+            var terrain:Terrain = new Terrain(11, 11);
+            terrain.setHeight(5, 5, 1);
+            terrain.raiseMound(5, 5, 8, 2);
+            assertEquals(3, terrain.getHeight(5, 5));
+            assertEquals(0, terrain.getHeight(9, 5));
+            assertEquals(2 * 0.75 * 0.75, terrain.getHeight(7, 5));
+            assertEquals(terrain.getHeight(7, 5), terrain.getHeight(5, 3));
+            assertEquals(0, terrain.getHeight(8, 8));
+            terrain.raiseMound(0, 0, 4, -1);
+            assertEquals("cut off at the border", -1, terrain.getHeight(0, 0));
+        }
+
+        [Test]
+        public function wallsRaiseTheNearestHeight():void
+        {
+            _terrain.raiseWall(0.9, 0.9, 4);
+            assertEquals(15, _terrain.getHeight(1, 1));
+            _terrain.raiseWall(-3, -3, 4);
+            assertEquals(4, _terrain.getHeight(0, 0));
+            _terrain.reset();
+            assertEquals(0, _terrain.getHeight(1, 1));
+            assertEquals(0, _terrain.heightAt(0.3, 1.2));
+        }
+
+        [Test]
+        public function aRegionIsSetRowByRow():void
+        {
+            _terrain.setHeights(1, 1, 2, 2, new <Number>[1, 2, 3, 4]);
+            assertEquals(1, _terrain.getHeight(1, 1));
+            assertEquals(2, _terrain.getHeight(2, 1));
+            assertEquals(3, _terrain.getHeight(1, 2));
+            assertEquals(4, _terrain.getHeight(2, 2));
+            assertEquals(10, _terrain.getHeight(0, 1));
+        }
+
+        [Test]
+        public function blocksKnowTheirBounds():void
+        {
+            var random:SeededRandom = new SeededRandom(6);
+            for (var i:int = 0; i < 30; i++)
+            {
+                var terrain:Terrain = new Terrain(random.integer(2, 40), random.integer(2, 40));
+                for (var k:int = 0; k < 12; k++)
+                {
+                    var column:int = random.integer(0, terrain.columns - 1);
+                    var row:int = random.integer(0, terrain.rows - 1);
+                    if (random.chance(0.5))
+                    {
+                        terrain.setHeight(column, row, random.between(-9, 9));
+                    }
+                    else
+                    {
+                        terrain.raiseMound(column, row, random.between(1, 30), random.between(-9, 9));
+                    }
+                    checkBounds(terrain);
+                }
+                terrain.reset();
+                checkBounds(terrain);
+            }
+        }
+
+        [Test]
+        public function aPictureHasItsTopInTheNorth():void
+        {
+            // as an ImageData: white and grey above black and red
+            var picture:Object = {width: 2, height: 2, data: [255, 255, 255, 255, 51, 51, 51, 255, 0, 0, 0, 255, 255, 0, 0, 255]};
+            var terrain:Terrain = Terrain.fromPicture(picture, 3, 2, -1, -1);
+            assertEquals(3, terrain.heightAt(-1, 1));
+            assertEquals(0.6, terrain.heightAt(1, 1));
+            assertEquals(0, terrain.heightAt(-1, -1));
+            assertEquals(1, terrain.heightAt(1, -1));
+            checkBounds(terrain);
+            assertThrows(ArgumentError, /./, function():void
+                {
+                    Terrain.fromPicture(null, 1);
+                });
+            assertThrows(RangeError, /./, function():void
+                {
+                    Terrain.fromPicture(picture, NaN);
+                });
+        }
+
+        [Test]
+        public function itsAgentIsOfItsOwnBreed():void
+        {
+            assertEquals("*terrain", _terrain.agent.breed);
+            assertThrows(ArgumentError, /./, function():void
+                {
+                    _terrain.agent.breed = "turtles";
+                });
+            assertThrows(ArgumentError, /./, function():void
+                {
+                    new Agent("any", "*terrain");
+                });
+            assertThrows(ArgumentError, /./, function():void
+                {
+                    new Agent("any").breed = "*terrain";
+                });
+        }
+
+        [Test]
+        public function badGridsAreRefusedWithTheValue():void
+        {
+            for each (var bad:Array in [[0, 5, 1, 0, 0, "0"], [5, 1, 1, 0, 0, "1"], [-3, 5, 1, 0, 0, "-3"], [4002, 4001, 1, 0, 0, "4002"], [2, 2, 0, 0, 0, "0"],
+                        [2, 2, -1, 0, 0, "-1"], [2, 2, NaN, 0, 0, "NaN"], [2, 2, 1, NaN, 0, "NaN"], [2, 2, 1, 0, Infinity, "Infinity"], [2, 2, 1e9, 1e9, 0, ""]])
+            {
+                assertThrows(RangeError, containing(bad[5]), function():void
+                    {
+                        new Terrain(bad[0], bad[1], bad[2], bad[3], bad[4]);
+                    });
+            }
+        }
+
+        [Test]
+        public function badHeightsAndRegionsAreRefusedAndNothingChanges():void
+        {
+            var bad:Array = [
+                    function():void
+                    {
+                        _terrain.setHeight(0, 0, NaN);
+                    }, "NaN",
+                    function():void
+                    {
+                        _terrain.setHeight(0, 0, Infinity);
+                    }, "Infinity",
+                    function():void
+                    {
+                        _terrain.setHeight(0, 0, 2e9);
+                    }, "2000000000",
+                    function():void
+                    {
+                        _terrain.setHeight(3, 0, 1);
+                    }, "(3, 0)",
+                    function():void
+                    {
+                        _terrain.setHeight(0, -1, 1);
+                    }, "(0, -1)",
+                    function():void
+                    {
+                        _terrain.getHeight(0, 3);
+                    }, "(0, 3)",
+                    function():void
+                    {
+                        _terrain.setHeights(1, 1, 3, 1, new <Number>[1, 2, 3]);
+                    }, "3 by 1",
+                    function():void
+                    {
+                        _terrain.setHeights(0, 0, 0, 1, new <Number>[]);
+                    }, "0 by 1",
+                    function():void
+                    {
+                        _terrain.setHeights(0, 0, 2, 2, new <Number>[1, 2, 3]);
+                    }, "3",
+                    function():void
+                    {
+                        _terrain.setHeights(0, 0, 2, 1, new <Number>[1, NaN]);
+                    }, "NaN",
+                    function():void
+                    {
+                        _terrain.raiseMound(0, 0, 0, 1);
+                    }, "0",
+                    function():void
+                    {
+                        _terrain.raiseMound(0, 0, NaN, 1);
+                    }, "NaN",
+                    function():void
+                    {
+                        _terrain.raiseMound(0, 0, 4, Infinity);
+                    }, "Infinity",
+                    function():void
+                    {
+                        _terrain.raiseMound(NaN, 0, 4, 1);
+                    }, "NaN",
+                    function():void
+                    {
+                        _terrain.raiseMound(9, 0, 4, 1);
+                    }, "(9, 0)",
+                    function():void
+                    {
+                        _terrain.raiseMound(0, 0, 4, 1e9);
+                    }, "1000000011",
+                    function():void
+                    {
+                        _terrain.raiseWall(5, 0, 1);
+                    }, "(5, 0)",
+                    function():void
+                    {
+                        _terrain.raiseWall(0, NaN, 1);
+                    }, "(0, NaN)",
+                    function():void
+                    {
+                        _terrain.raiseWall(0, 0, NaN);
+                    }, "NaN"];
+            for (var i:int = 0; i < bad.length; i += 2)
+            {
+                assertThrows(RangeError, containing(bad[i + 1]), bad[i]);
+            }
+            assertThrows(ArgumentError, /./, function():void
+                {
+                    _terrain.setHeights(0, 0, 1, 1, null);
+                });
+            assertThrows(ArgumentError, /./, function():void
+                {
+                    _terrain.isUnder(null);
+                });
+            heightsAreWhereTheyWereSet();
+            checkBounds(_terrain);
+        }
+
+        private static function containing(text:String):RegExp
+        {
+            return new RegExp(text.replace(/[()]/g, "\\$&"));
+        }
+
+        // The bounds of every block are those of its cells' corners.
+        private function checkBounds(terrain:Terrain):void
+        {
+            var size:int = 1 << Terrain.BLOCK;
+            for (var blockRow:int = 0; blockRow * size < terrain.rows; blockRow++)
+            {
+                for (var blockColumn:int = 0; blockColumn * size < terrain.columns; blockColumn++)
+                {
+                    var least:Number = Infinity;
+                    var greatest:Number = -Infinity;
+                    for (var row:int = blockRow * size; row <= blockRow * size + size && row < terrain.rows; row++)
+                    {
+                        for (var column:int = blockColumn * size; column <= blockColumn * size + size && column < terrain.columns; column++)
+                        {
+                            least = Math.min(least, terrain.getHeight(column, row));
+                            greatest = Math.max(greatest, terrain.getHeight(column, row));
+                        }
+                    }
+                    assertEquals(least, terrain.leasts[blockRow * terrain.blockColumns + blockColumn]);
+                    assertEquals(greatest, terrain.greatests[blockRow * terrain.blockColumns + blockColumn]);
+                }
+            }
+        }
+    }
+}

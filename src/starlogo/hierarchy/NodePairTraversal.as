@@ -90,7 +90,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Whether two nodes touch that are leaves or at their depth limit. Sets <code>time</code>.
+         * Whether two trees touch, and when: sets <code>time</code>. The nodes that decide are leaves or at their depth limit.
          *
          * @param a the root of the first model's hierarchy
          * @param depthA how many of its levels are visited

@@ -10,7 +10,6 @@
  */
 import { execFileSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { install } from "../adapters/peers.mjs";
@@ -18,7 +17,6 @@ import { AgentCells } from "./agent-cells.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
 
-const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
 const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, CookedModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 10000, 100000];
@@ -47,7 +45,8 @@ function measure(tasks, rounds) {
 }
 
 function print(title, head, rows) {
-	const cells = [head, ...rows.map((row) => row.map((cell) => (typeof cell === "number" ? cell.toPrecision(3) : String(cell))))];
+	const textOf = (cell) => (typeof cell !== "number" ? String(cell) : cell >= 1000 ? Math.round(cell).toLocaleString("en") : cell.toPrecision(3));
+	const cells = [head, ...rows.map((row) => row.map(textOf))];
 	const widths = head.map((_, column) => Math.max(...cells.map((row) => row[column].length)));
 	console.log(`\n${title}\n${cells.map((row) => `  ${row.map((cell, i) => (i === 0 ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join("  ")}`).join("\n")}`);
 }
@@ -114,11 +113,15 @@ function cold() {
 	print("The first frame of 10,000 new agents, ms", ["", "median of 5", "least", "most"], rows);
 }
 
-/** The same pairs of dragons for the exact test and for three-mesh-bvh. */
-function exact() {
+/** The same pairs of dragons for the exact test, for three-mesh-bvh and for Rapier. */
+async function exact() {
+	const { makeRapierMeshes } = await import("./peers.mjs");
 	const dragon = new ColladaModel("dragon", asset("dragon.dae"));
 	greatLand.addModel(dragon);
 	const { three, geometry, bvh } = makeBvh(dragon);
+	const inRapier = makeRapierMeshes(dragon);
+	const treeless = geometry.clone();
+	treeless.boundsTree = undefined;
 	const random = randomNumbers(7);
 	const collider = new HierarchicalCollider(greatLand);
 	collider.exact = true;
@@ -129,46 +132,32 @@ function exact() {
 		b.pitch = 360 * random();
 		b.roll = 360 * random();
 		b.moveTo(1.2 * random() - 0.6, 1.2 * random() - 0.6, 0.4 * random() - 0.2);
-		return { a, b, matrix: new three.Matrix4().fromArray(b.transform.rawData) };
+		return { a, b, turn: b.getQuaternion(), matrix: new three.Matrix4().fromArray(b.transform.rawData) };
 	});
-	const isHit = pairs.map(({ a, b }) => collider.areColliding(a, b));
-	const meets = pairs.map(({ matrix }) => bvh.intersectsGeometry(geometry, matrix));
-	const same = pairs.filter((_, i) => isHit[i] === meets[i]).length;
-	const rows = [true, false].map((wanted) => {
-		const chosen = pairs.filter((_, i) => isHit[i] === wanted && meets[i] === wanted);
-		const [own, other] = measure([
-			{ prepare: () => chosen.forEach(({ b }) => b.jumpTo(b.x, b.y, b.z)), run: () => chosen.forEach(({ a, b }) => collider.areColliding(a, b)) },
-			{ run: () => chosen.forEach(({ matrix }) => bvh.intersectsGeometry(geometry, matrix)) },
-		], 15);
-		return [wanted ? "touching" : "not touching", chosen.length, 1000 * own / chosen.length, 1000 * other / chosen.length, other / own];
-	});
-	print(`Dragons, exact, microseconds a pair (${same} of ${pairs.length} verdicts the same: three-mesh-bvh knows no inside)`, ["", "pairs", "engine", "three-mesh-bvh", "times"], rows);
-}
-
-/** What cannon-es does to find the contacts of spheres. It counts pairs in 31 bits, and so has no room for 100,000 of them. */
-function askCannon(cannon, agents) {
-	const space = new cannon.World();
-	space.broadphase = new cannon.SAPBroadphase(space);
-	const bodies = agents.map((agent) => {
-		const body = new cannon.Body({ mass: 1, shape: new cannon.Sphere(0.5), collisionResponse: false });
-		body.position.set(agent.x, agent.y, 0.5);
-		space.addBody(body);
-		return body;
-	});
-	const prepare = () => agents.forEach((agent, i) => {
-		bodies[i].position.set(agent.x, agent.y, 0.5);
-		bodies[i].aabbNeedsUpdate = true;
-	});
-	const run = () => {
-		const first = [];
-		const second = [];
-		space.broadphase.collisionPairs(space, first, second);
-		space.narrowphase.getContacts(first, second, space, [], [], [], []);
+	const ask = {
+		engine: ({ a, b }) => collider.areColliding(a, b),
+		bvhcast: ({ matrix }) => bvh.bvhcast(bvh, matrix, { intersectsTriangles: (one, other) => one.intersectsTriangle(other) }),
+		intersectsGeometry: ({ matrix }) => bvh.intersectsGeometry(geometry, matrix),
+		rapier: ({ b, turn }) => inRapier(b, turn),
 	};
-	return { prepare, run };
+	const [isHit, ...others] = Object.values(ask).map((test) => pairs.map(test));
+	const same = others.map((verdicts) => verdicts.filter((verdict, i) => verdict === isHit[i]).length);
+	const rows = [true, false].map((wanted) => {
+		const chosen = pairs.filter((_, i) => isHit[i] === wanted && others.every((verdicts) => verdicts[i] === wanted));
+		const jump = () => chosen.forEach(({ b }) => b.jumpTo(b.x, b.y, b.z));
+		const times = measure(Object.values(ask).map((test) => ({ prepare: jump, run: () => chosen.forEach(test) })), 10).map((ms) => 1000 * ms / chosen.length);
+		// 60,000 times as long as the engine: three pairs say enough
+		const start = performance.now();
+		chosen.slice(0, 3).forEach(({ matrix }) => bvh.intersectsGeometry(treeless, matrix));
+		const slow = 1000 * (performance.now() - start) / 3;
+		return [wanted ? "touching" : "not touching", String(chosen.length), ...times, slow, ...times.slice(1).map((time) => time / times[0]), slow / times[0]];
+	});
+	const head = ["", "pairs", "engine", "bvhcast", "intersectsGeometry", "Rapier", "no second tree", "times", "times", "times", "times"];
+	print(`Two dragons of ${dragon.triangles.length / 3} triangles, exact, microseconds a pair. bvhcast and intersectsGeometry are three-mesh-bvh's, with a tree ` +
+		`on both geometries; the last without one on the second. Of ${pairs.length} verdicts the same as the engine's: ${same.join(", ")}`, head, rows);
 }
 
-/** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh. */
+/** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh with a tree on both geometries. */
 function distances() {
 	const { Vector3D } = engine;
 	const models = [new ObjModel("bear", asset("bear.obj")), new ColladaModel("dragon", asset("dragon.dae"))];
@@ -204,13 +193,15 @@ function distances() {
 }
 
 /** First hits of rays at one model, and what is kept for them. */
-function rays() {
+async function rays() {
+	const { makeCrashcatMesh } = await import("./peers.mjs");
 	const rows = [];
 	for (const model of rayModels(1000, 200)) {
 		const land = new GreatLand();
 		land.loadTightestFit = false;
 		land.addModel(model);
 		const { three, bvh, ms } = makeBvh(model, Float64Array);
+		const castInCrashcat = makeCrashcatMesh(model);
 		const agent = new Agent(model.name);
 		const collider = new HierarchicalCollider(land);
 		collider.exact = true;
@@ -230,73 +221,53 @@ function rays() {
 		aimed.forEach(({ origin, direction }, i) => { found[i] = queries.cast(origin, direction)?.distance ?? Infinity; });
 		aimed.forEach(({ ray }, i) => { expected[i] = bvh.raycastFirst(ray, three.DoubleSide)?.distance ?? Infinity; });
 		const same = found.filter((distance, i) => distance === expected[i] || Math.abs(distance - expected[i]) < 1e-6).length;
-		const [own, other] = measure([
+		const sameInCrashcat = aimed.filter(({ ray }, i) => {
+			const distance = castInCrashcat(ray.origin, ray.direction, 10);
+			return found[i] === distance || Math.abs(found[i] - distance) < 1e-6;
+		}).length;
+		const times = measure([
 			{ run: () => aimed.forEach(({ origin, direction }) => queries.cast(origin, direction, Infinity, null, hit)) },
 			{ run: () => aimed.forEach(({ ray }) => bvh.raycastFirst(ray, three.DoubleSide)) },
-		], 10);
-		rows.push([model.name, model.triangles.length / 3, 1000 * own / aimed.length, 1000 * other / aimed.length, other / own, ms, `${same} of ${aimed.length}`]);
+			{ run: () => aimed.forEach(({ ray }) => castInCrashcat(ray.origin, ray.direction, 10)) },
+		], 10).map((each) => 1000 * each / aimed.length);
+		const [own, ...others] = times;
+		rows.push([model.name, String(model.triangles.length / 3), ...times, ...others.map((other) => other / own), ms, String(same), String(sameInCrashcat)]);
 	}
-	print("First hits of rays, exact, microseconds a ray", ["", "triangles", "engine", "three-mesh-bvh", "times", "its tree, ms", "the same"], rows);
+	const head = ["", "triangles", "engine", "three-mesh-bvh", "crashcat", "times", "times", "three-mesh-bvh's tree, ms", "its hits the same", "crashcat's"];
+	print("First hits of 20,000 rays, exact, microseconds a ray", head, rows);
 }
 
 /** Spheres that move, all at once: who touches whom. */
 async function peers() {
-	const rapier = await import(pathToFileURL(tools.resolve("@dimforge/rapier3d-compat")));
-	const RAPIER = rapier.default ?? rapier;
-	await RAPIER.init();
-	const cannon = await import(pathToFileURL(tools.resolve("cannon-es")));
-	const { default: KDBush } = await import(pathToFileURL(tools.resolve("kdbush")));
+	const { askCannon, askCrashcat, askKdbush, askRapier } = await import("./peers.mjs");
 	const rows = COUNTS.map((count) => {
 		// as dense as 10,000 on SpaceLand
 		const halfWidth = HALF_WIDTH * Math.sqrt(Math.max(1, count / 10000));
 		const { agents, walk } = scatter(count, ["sphere"], { halfWidth });
-		const own = [BinCollider, TightestFitCollider].map((System) => new System(greatLand));
+		const [bins, fits] = [new BinCollider(greatLand), new TightestFitCollider(greatLand)];
 		const out = [];
-		const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
-		const handles = agents.map((agent) => {
-			const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased().setTranslation(agent.x, agent.y, 0.5));
-			const types = RAPIER.ActiveCollisionTypes.ALL;
-			const collider = world.createCollider(RAPIER.ColliderDesc.ball(0.5).setSensor(true).setActiveCollisionTypes(types), body);
-			return { body, collider };
-		});
-		let near = 0;
-		const askTree = () => {
-			const tree = new KDBush(count, 64, Float64Array);
-			for (const agent of agents) tree.add(agent.x, agent.y);
-			tree.finish();
-			near = 0;
-			for (const agent of agents) near += tree.within(agent.x, agent.y, 1).length - 1;
-		};
-		let touching = 0;
-		const askRapier = () => {
-			world.step();
-			touching = 0;
-			for (const { collider } of handles) world.intersectionPairsWith(collider, () => touching++);
-		};
 		const isLarge = count > 10000;
-		const cannonTask = isLarge ? null : askCannon(cannon, agents);
-		const tasks = [
-			{ prepare: walk, run: () => own[0].findCollisions(agents, out) },
-			{ run: () => own[1].findCollisions(agents, out), prepare: () => agents.forEach((agent) => agent.moveTo(agent.x + 1e-9, agent.y, 0)) },
-			{ run: askTree },
-			{
-				prepare: () => agents.forEach((agent, i) => handles[i].body.setNextKinematicTranslation({ x: agent.x, y: agent.y, z: 0.5 })),
-				run: askRapier,
-			},
-			...(cannonTask ? [cannonTask] : []),
-		];
-		const [bins, tightest, tree, wasm, js] = measure(tasks, isLarge ? 3 : 20);
-		askRapier(); // it finds what touched before a step
-		world.free();
-		return [count.toLocaleString("en"), bins, tightest, tree, wasm, js ?? "-", out.length / 2, near / 2, touching / 2];
+		const rapier = askRapier(agents);
+		const others = [askKdbush(agents), rapier, askCrashcat(agents), ...(isLarge ? [] : [askCannon(agents)])];
+		const times = measure([
+			{ prepare: walk, run: () => bins.findCollisions(agents, out) },
+			{ run: () => fits.findCollisions(agents, out), prepare: () => agents.forEach((agent) => agent.moveTo(agent.x + 1e-9, agent.y, 0)) },
+			...others,
+		], isLarge ? 3 : 20);
+		rapier.run(); // it finds what touched before a step
+		const pairs = [out.length / 2, ...others.map((each) => each.count())];
+		rapier.free();
+		return [count.toLocaleString("en"), ...times, ...(isLarge ? ["-"] : []), ...times.slice(2).map((time) => time / times[0]), ...(isLarge ? ["-"] : []),
+			pairs.every((each) => each === pairs[0]) ? String(pairs[0]) : `DIFFER: ${pairs.join()}`];
 	});
-	const head = ["spheres, all moving, ms a frame", "bins", "tightest fit", "kdbush (2D, built anew)", "Rapier (WebAssembly)", "cannon-es", "pairs", "kdbush's", "Rapier's"];
+	const names = ["kdbush (2D, built anew)", "Rapier (WebAssembly)", "crashcat", "cannon-es"];
+	const head = ["spheres, all moving, ms a frame", "bins", "tightest fit", ...names, ...names.map(() => "times"), "pairs"];
 	print("Beside other engines", head, rows);
 }
 
 /** Questions of each of 10,000 agents that all move, with the update, against a kd-tree that is made anew in every frame. */
 async function queries() {
-	const { default: KDBush } = await import(pathToFileURL(tools.resolve("kdbush")));
+	const { KDBush } = await import("./peers.mjs");
 	const { agents, walk } = scatter(10000, ["sphere"]);
 	const asked = new AgentQueries(new TightestFitCollider(greatLand));
 	let tree;

@@ -14,15 +14,15 @@ package starlogo.hierarchy
 
     /**
      * Finds the distance of two trees: branch and bound, depth-first, the nearer of two pairs first (Larsen, Gottschalk, Lin and Manocha,
-     * "Fast proximity queries with swept sphere volumes", 1999). The distance is that of the nearest two nodes that are leaves or at their
-     * depth limit. A pair is skipped if nothing below it can be nearer than the result so far.
+     * "Fast proximity queries with swept sphere volumes", 1999). The result is the distance of the nearest two nodes that are leaves or at
+     * their depth limit. A pair is skipped if nothing below it can be nearer than the result so far.
      *
-     * <p>The distances are nested, to the last bit: a distance is never greater than the one of greater depths, or of the leaves' contents.
-     * Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances. To outweigh
-     * the rounding of long ones, a measured distance is reduced a little, and less so the deeper the nodes are.</p>
+     * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the leaves'
+     * contents. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
+     * To outweigh the rounding of long ones, a measured distance is reduced a little, and less so the deeper the nodes are.</p>
      *
-     * <p>This class takes all structures. A pair's distance is at least that of its ancestors, as in a StructureTraversal. BoxDistances has
-     * a faster way for boxes.</p>
+     * <p>This class takes all structures. A pair's distance is at least its ancestors' distance, as in a StructureTraversal. BoxDistances
+     * has a faster way for boxes.</p>
      *
      * @private
      */

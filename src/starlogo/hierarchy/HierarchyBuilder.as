@@ -51,8 +51,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * Makes a stored tree's nodes again if that tree divides these items. Otherwise the items are divided anew. Must be called before
-         * the first step.
+         * Makes a stored tree's nodes again if that tree divides these items. Otherwise the items are divided as usual. Must be called
+         * before the first step.
          */
         public function useStored(tree:StoredTree):void
         {

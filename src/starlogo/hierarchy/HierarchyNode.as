@@ -15,8 +15,8 @@ package starlogo.hierarchy
      * but not its children's structures: a child's sphere or capsule may extend beyond its parent's. All coordinates are in the model's
      * space.</p>
      *
-     * <p>Below the thesis's leaves, the tree has more nodes for exact tests, down to a few triangles. Clients do not see these nodes. No
-     * visit with a depth limit reaches them.</p>
+     * <p>The engine's tree goes on below the leaves that clients see, down to a few triangles, for exact tests. No visit with a depth limit
+     * reaches these nodes.</p>
      */
     public final class HierarchyNode
     {

@@ -21,7 +21,7 @@ package starlogo.intersection
      */
     internal final class BoxPair extends PairKernel
     {
-        /** How far a capsule's surface is from its axis. 0 for boxes. */
+        /** The radius around a capsule's axis; 0 for boxes. Input of findContact. */
         public var radius:Number = 0;
 
         private var _a:SegmentSum = new SegmentSum();

@@ -67,8 +67,8 @@ package starlogo.intersection
         }
 
         /**
-         * Whether two triangles are no farther apart than <code>reach</code>. The parameters are those of add. Earlier pairs are forgotten,
-         * and the points found are not always the closest ones.
+         * Whether two triangles are no farther apart than <code>reach</code>. The parameters are the same as for add. Earlier pairs are
+         * forgotten, and the points found are not always the closest ones.
          */
         public function areWithin(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):Boolean
         {

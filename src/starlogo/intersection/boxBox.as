@@ -20,7 +20,7 @@ package starlogo.intersection
      *
      * @param a in the space of b; half-extents may be 0
      * @param b in the space of a; the answer is the same, to the last bit, for (b, a)
-     * @param faceAxesOnly leaves out the nine axes of the edges (the optimisation that §3.6.4 considers). The test is then conservative: it
+     * @param faceAxesOnly leaves out the nine axes of the edges (an optimisation of thesis §3.6.4). The test is then conservative: it
      *     misses no collision, but it also reports boxes that pass each other edge to edge
      */
     public function boxBox(a:Box, b:Box, faceAxesOnly:Boolean = false):Boolean

@@ -12,9 +12,9 @@ package starlogo.intersection
      * Whether a capsule and a box touch or overlap: compares the distance from the capsule's segment to the box with the radius. Touching
      * counts, to within Tolerances.TOUCHING. Allocates nothing.
      *
-     * <p>The six axes of thesis §3.6.7 report false collisions near the box's corners and near the ends of its edges. Here the box's axes
-     * only reject capsules that are far away. The squared distance to the box is convex along the segment, and quadratic between the points
-     * where the segment crosses the planes of the box's faces. So its minimum has a closed form.</p>
+     * <p>The test with six axes (thesis §3.6.7) reports false collisions near the box's corners and near the ends of its edges. Here the
+     * box's axes only reject capsules that are far away. The squared distance to the box is convex along the segment, and quadratic between
+     * the points where the segment crosses the planes of the box's faces. So its minimum has a closed form.</p>
      *
      * <p>The steps are: transform the segment into the box's axes, and reject it if it is far away; find where its line enters and leaves
      * the slabs; find the point of it that is nearest to the box; compare that point's distance.</p>

@@ -11,7 +11,7 @@ package starlogo.intersection
      * counts, to within Tolerances.TOUCHING. Allocates nothing.
      *
      * <p>The thesis finds the closest points of the two lines and clamps both parameters. That does not always give the closest points of
-     * the segments, so here the other parameter is computed again after one is clamped (Ericson, "Real-Time Collision Detection", §5.1.9).
+     * the segments, so here the other parameter is computed again after one is clamped (Ericson, "Real-Time Collision Detection", 5.1.9).
      * Nearly parallel segments cost a little more, because the lines' closest points then come from cross products, which do not
      * cancel.</p>
      *

@@ -35,7 +35,7 @@ package starlogo.solid
      *
      * <p>The answers are nested: a collision of triangles is found by nodes at any depth, and a greater depth finds no more than a smaller
      * one. Nodes are not enough for solids: the leaves cover only the surface, and a model well inside of a closed one touches none of
-     * them. So a ContainmentTest is added, whose answer no depth changes.</p>
+     * them. So a ContainmentTest is added. Its answer is the same at all depths.</p>
      *
      * @private
      */

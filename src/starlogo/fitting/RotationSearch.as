@@ -227,8 +227,8 @@ package starlogo.fitting
             return (highX - lowX) * (highY - lowY);
         }
 
-        // Finds the corner that is farthest in a direction of a plane: 0 for the plane of x and y, 1 for y and z. The search spends nearly
-        // all its time here. The hull's support() would read a third coordinate of every neighbour.
+        // Finds the corner that is farthest in a direction of a plane. Plane 0 is the plane of x and y, and plane 1 that of y and z. The
+        // search spends nearly all its time here. The hull's support() would read a third coordinate of every neighbour.
         private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
             var turned:Vector.<Number> = _turned;

@@ -38,8 +38,8 @@ package starlogo.hierarchy
         private var _high:int;
         private var _isOrdered:Boolean;
 
-        // The current division: the last item not looked at yet. The first such item is the middle, or the one after it if the item in the
-        // middle waits to be put last.
+        // The current division. The last item not looked at yet is at _last. The first one is at middle + _waiting, because the item at the
+        // middle may wait to be put last.
         private var _last:int;
         private var _waiting:int;
         private var _split:Number;

@@ -70,7 +70,7 @@ package starlogo.intersection
         }
 
         /**
-         * Whether no other point of the box is nearer. This is so if the whole box is beyond the plane through the point that is
+         * Whether no other point of the box is nearer. This is so if the whole box is beyond one plane: the plane through the point,
          * perpendicular to the line between the closest points.
          */
         public function isLeast():Boolean

@@ -7,8 +7,8 @@ package starlogo.intersection
      * Finds the closest points of two triangles, or of the closest pair among many. They are a corner of one and a point of the other's
      * face, or points of two edges, or the place where an edge of one passes through the other.
      *
-     * <p>The result is exact except for rounding, which is 1e-15 of the triangles' size and of the distance. Needles, whose normals are
-     * imprecise, are as exact as other triangles: a point over a triangle is located along the triangle's longest edge first and then
+     * <p>The result is exact except for rounding, which is 1e-15 of the triangles' size and of the distance. Needles have imprecise
+     * normals, but their results are as exact: a point over a triangle is located along the triangle's longest edge first and then
      * perpendicular to it. A triangle that is no wider than rounding (Tolerances.FLAT_TRIANGLE) counts as its edges.</p>
      *
      * @private

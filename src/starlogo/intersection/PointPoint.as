@@ -8,8 +8,8 @@ package starlogo.intersection
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * The kernel of two spheres. Their time of impact has a closed form: the path of one centre enters a sphere around the other centre,
-     * whose radius is the sum of both radii.
+     * The kernel of two spheres. Their time of impact has a closed form: the path of one centre enters a sphere around the other centre.
+     * The radius of that sphere is the sum of both radii.
      *
      * @private
      */

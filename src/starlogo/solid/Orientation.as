@@ -17,8 +17,7 @@ package starlogo.solid
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // Three entries for each triangle, one for each edge: the neighbour over it, counted from 1, or 0; and whether exactly one of the
-        // two must be reversed.
+        // For each edge of each triangle: the neighbour over it, counted from 1, or 0; and whether exactly one of the two must be reversed.
         private var _neighbours:Vector.<int>;
         private var _differs:Vector.<Boolean>;
         private var _isKnown:Vector.<Boolean>;

@@ -168,9 +168,9 @@ package starlogo.solid
         /**
          * Whether two standing models overlap. Afterwards, the pair must be set again for other questions.
          *
-         * <p>The arguments are those of <code>setTo()</code>, but triangles may decide for a tree and a structure too: whether one touches
-         * the solid structure. The arguments are not kept, because keeping them would take a tenth of the time for two models that are
-         * apart.</p>
+         * <p>The arguments are the same as for <code>setTo()</code>. In addition, triangles may decide for a tree and a structure: the two
+         * collide if a triangle touches the solid structure. The arguments are not kept, because keeping them would take a tenth of the
+         * time for two models that are apart.</p>
          */
         public function areOverlapping(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):Boolean
@@ -237,8 +237,8 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of two models that collide: of the first two triangles that touch, or of the first two nodes that are leaves or
-         * at their depth limit. If one model is inside of the other, it is the contact of the structures around both.
+         * Finds the contact of two models that collide. It is the contact of the first two triangles that touch, or of the first two nodes
+         * that are leaves or at their depth limit. If one model is inside of the other, the structures around both have the contact.
          *
          * @param motion of the first model, relative to the second; its time is the time of impact
          * @param out receives the contact, in the world
@@ -273,8 +273,8 @@ package starlogo.solid
         }
 
         /**
-         * Finds the distance of the two models as they were set, and their closest points: of the nodes that <code>areOverlapping()</code>
-         * tests, or of the triangles.
+         * Finds the distance and the closest points of the two models as they were set. It measures the nodes that
+         * <code>areOverlapping()</code> tests, or the triangles.
          *
          * @param areTouching whether the two overlap: then a point of both is found
          * @param out receives the distance and the points, in the world

@@ -17,7 +17,7 @@ package starlogo.geometry.hull
         private var _next:Vector.<int>;
         private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
 
-        // The lists that are being redistributed, except for one point: the next list, and the next point of the list before it, or -1.
+        // The current redistribution: the lists, the next list, the next point on the list before it or -1, and the point that is left out.
         private var _lists:Vector.<HullFace> = null;
         private var _nextList:int;
         private var _point:int;

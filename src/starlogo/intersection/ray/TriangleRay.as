@@ -31,8 +31,8 @@ package starlogo.intersection.ray
         private var _v:int;
         private var _w:int;
 
-        // A point of the line. How far the line goes along the first two axes in a length of 1 along the last one. 1 over its speed along
-        // the last axis.
+        // A point of the line. The line's slopes: how far it goes along the first two axes while it goes 1 along the last. 1 over its speed
+        // along the last axis.
         private var _x:Number = 0;
         private var _y:Number = 0;
         private var _z:Number = 0;

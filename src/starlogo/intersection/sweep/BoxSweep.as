@@ -200,7 +200,7 @@ package starlogo.intersection.sweep
          * Finds when the boxes touch. Call meetFaces first, with the same boxes.
          *
          * <p>The boxes are projected in full on the cross product of an edge of each. So even a short cross product of nearly parallel
-         * edges is an axis like any other, and no identity between axes is needed that rounding would break.</p>
+         * edges is an axis like any other. The test uses no identity between axes, because rounding would break it.</p>
          */
         public function meetEdges():void
         {

@@ -225,7 +225,7 @@ package starlogo.libraries
             var random:SeededRandom = new SeededRandom(19);
             var refused:int = 0;
             var played:int = 0;
-            var count:int = Effort.choose(400, 10000, 120);
+            var count:int = Effort.choose(200, 10000, 120);
             var forging:Slices = new Slices(count, 1, function(first:int, end:int):void
                 {
                     var land:GreatLand = new GreatLand();

@@ -178,7 +178,7 @@ package starlogo.models
             var random:SeededRandom = new SeededRandom(seed);
             var longest:int = 0;
             var loaded:int = 0;
-            count = Effort.choose(count, count, count / 4);
+            count = Effort.choose(count / 2, count, count / 4);
             for (var i:int = 0; i < count; i++)
             {
                 var start:int = getTimer();

@@ -3,7 +3,7 @@ import { readFileSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { partsInside } from './parts.mjs';
 import { NAME, VERSION, inRoot } from './project.mjs';
-import { normaliseSwc } from './swc.mjs';
+import { normaliseSwc, normaliseSwf } from './swc.mjs';
 
 const ASDOC_DATE = /<br\/>\w{3} \w{3} \d+ \d{4}, \d\d:\d\d [AP]M \w+ */g;
 const MPL = 'node_modules/flex-sdk/lib/flex_sdk/license-mpl.htm';
@@ -34,6 +34,7 @@ export function contents(bin, baked, seconds) {
 	addFolder('playground', path.join(bin, 'playground'));
 	addFolder('assets', baked);
 	addFolder('examples', inRoot('examples'));
+	addFolder('examples/flash', path.join(bin, 'dist/examples/flash'));
 	add('licences/MPL-1.1.html', inRoot(MPL));
 	files.set('licences/README.md', Buffer.from(licences()));
 	return files;
@@ -47,6 +48,9 @@ function filesIn(folder) {
 function normalised(name, content, seconds) {
 	if (name.endsWith('.swc')) {
 		return normaliseSwc(content, seconds, { LICENSE: readFileSync(inRoot('LICENSE')), VERSION: Buffer.from(`${NAME} ${VERSION}\n`) });
+	}
+	if (name.endsWith('.swf')) {
+		return normaliseSwf(content, seconds);
 	}
 	if (name.startsWith('docs/asdoc/') && name.endsWith('.html')) {
 		return Buffer.from(content.toString('utf8').replaceAll(ASDOC_DATE, ''));

@@ -4,7 +4,7 @@
  * examples/README.md, in the order of EXAMPLES in examples/shared/page.js.
  *
  *   node build/examples/index.mjs            all pictures
- *   node build/examples/index.mjs ray        the picture of one example, and the cards
+ *   node build/examples/index.mjs ray exact  the pictures of some, and the cards
  *   node build/examples/index.mjs --cards    the cards alone
  */
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -15,7 +15,7 @@ import { root, serveExamples } from './site.mjs';
 
 /** The frame of which a picture is taken: when there is something to see. */
 const FRAMES = 260;
-const FRAMES_OF = { 'first-collision': 200, bullet: 197, distance: 60, exact: 225, falling: 1100, filters: 400, snapshot: 262 };
+const FRAMES_OF = { 'first-collision': 200, bullet: 197, distance: 60, exact: 247, falling: 900, filters: 400, snapshot: 262, OwnModel: 400, Sweeps: 130 };
 const WIDTH = 480;
 const CARDS = /(<!-- cards: .*-->\n)[^]*(<!-- end of cards -->)/;
 
@@ -80,7 +80,7 @@ async function takePictures(examples) {
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-	const [chosen] = process.argv.slice(2);
-	await takePictures(groups().flatMap(({ examples }) => examples).filter(({ name }) => chosen === undefined || name === chosen));
+	const chosen = process.argv.slice(2);
+	await takePictures(groups().flatMap(({ examples }) => examples).filter(({ name }) => chosen.length === 0 || chosen.includes(name)));
 	for (const [name, text] of pages()) writeFileSync(path.join(folder, name), text);
 }

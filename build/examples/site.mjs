@@ -2,7 +2,7 @@
  * The examples on loopback as a release has them: beside the module and the models, with the SWFs that were compiled. What their pages take from a
  * content delivery network, three.js and the Flash player, comes from where npm put it here, so that no page needs more than this machine.
  */
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -12,16 +12,25 @@ export const root = fileURLToPath(new URL('../..', import.meta.url));
 
 const NETWORK = /https:\/\/cdn\.jsdelivr\.net\/npm\/((?:@[\w-]+\/)?[\w-]+)@[\d.]+/g;
 
+/** Where SWFs are compiled to: by ./antw examples, and for a release. */
+const SWFS = ['bin/examples', 'bin/dist/examples'];
+
 /** Which folder has what is below a path; of several, the first that has the file. */
 const FOLDERS = [
 	['/examples', 'examples'],
-	['/examples', 'bin/examples'],
+	['/examples', newest(SWFS)],
 	['/module', 'bin/module'],
 	['/assets', 'assets'],
 	['/docs', 'docs'],
 	['/npm/three', 'js/adapters/three/node_modules/three-r187'],
 	['/npm/@ruffle-rs/ruffle', 'node_modules/@ruffle-rs/ruffle'],
 ];
+
+/** The folder whose SWFs were compiled last. */
+function newest(folders) {
+	const timeOf = (folder) => statSync(path.join(root, folder, 'flash'), { throwIfNoEntry: false })?.mtimeMs ?? 0;
+	return folders.reduce((one, other) => (timeOf(other) > timeOf(one) ? other : one));
+}
 
 /**
  * Serves them.

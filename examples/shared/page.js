@@ -3,9 +3,10 @@
 
 /** All examples, by groups, in the order of the index. Names of pages are those of their files; a name with a capital is a SWF's in flash/. */
 const EXAMPLES = {
-	"Touching": ["first-collision", "start-and-end", "separate", "bullet", "exact", "models"],
+	"Touching": ["first-collision", "start-and-end", "separate", "bullet", "filters"],
 	"Asking and moving": ["nearest-and-cone", "ray", "distance", "slide", "falling"],
-	"Whole games": ["filters", "snapshot", "own-system", "ten-thousand", "three-instances"],
+	"Models and whole games": ["exact", "models", "three-instances", "ten-thousand", "snapshot", "own-system"],
+	"In Flash": ["FirstCollision", "Contacts", "Sweeps", "Questions", "OwnModel"],
 };
 
 const KEYWORDS = "as|async|await|break|case|class|const|continue|else|export|extends|false|for|from|function|get|if|implements|import|in|"

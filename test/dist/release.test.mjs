@@ -40,7 +40,7 @@ test('its checksums are right, and there is one of every file', () => {
 
 test('everything is in it', () => {
 	for (const name of ['swc/starlogo-collision.swc', 'swc/starlogo-collision-away3d.swc', 'module/package.json', 'module/index.d.ts', 'playground/index.html',
-		'docs/asdoc/index.html', 'docs/release.md', 'assets/bear.obj', 'assets/bear.obj.cooked', 'assets/manifest.json', 'assets/LICENSE', 'examples/client/Client.as', 'examples/page/index.html', 'examples/three/index.html', 'examples/three/bear.glb', 'module/three/index.d.ts',
+		'docs/asdoc/index.html', 'docs/release.md', 'assets/bear.obj', 'assets/bear.obj.cooked', 'assets/manifest.json', 'assets/LICENSE', 'examples/client/Client.as', 'examples/index.html', 'examples/ray.html', 'examples/pictures/ray.webp', 'examples/flash/Sweeps.swf', 'examples/page/index.html', 'examples/three/index.html', 'examples/three/bear.glb', 'module/three/index.d.ts',
 		'README.md', 'CHANGELOG.md', 'LICENSE', 'licences/README.md', 'sbom.cdx.json']) {
 		assert.ok(files.get(name)?.length > 300, name);
 	}

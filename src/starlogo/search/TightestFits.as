@@ -9,16 +9,14 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Every agent is the tightest fitting structure of its model, or the one that it collides as (§7.3), put through the agent's whole
-     * transform (thesis §3).
+     * The shape of every agent is its model's tightest fit, or the structure that its trait <code>collideAs</code> names (thesis §7.3). The
+     * agent's rotation and size apply to it (thesis §3).
      *
      * @private
      */
     public final class TightestFits extends ShapeChoice
     {
-        /**
-         * @param greatLand has the structures
-         */
+        /** @param greatLand the models' structures */
         public function TightestFits(greatLand:GreatLand)
         {
             super(greatLand);

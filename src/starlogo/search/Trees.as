@@ -7,15 +7,13 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Every agent is the hierarchy of its model (thesis §4).
+     * The shape of every agent is its model's hierarchy (thesis §4).
      *
      * @private
      */
     public final class Trees extends ShapeChoice
     {
-        /**
-         * @param greatLand has the hierarchies
-         */
+        /** @param greatLand the models' hierarchies */
         public function Trees(greatLand:GreatLand)
         {
             super(greatLand);

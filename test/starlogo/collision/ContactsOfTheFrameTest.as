@@ -270,28 +270,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function ofOneThatTheLastFrameSawAndOneThatItDidNot():void
-        {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                for (var round:int = 0; round < _rounds; round++)
-                {
-                    var collider:Collider = EachCollider.make(name, sGreatLand);
-                    makeAgents(false);
-                    collider.findCollisions(_agents);
-                    var left:Agent = _agents.pop();
-                    collider.findCollisions(_agents);
-                    // the agents that stayed have not moved
-                    change("position", [left]);
-                    change("size", [left]);
-                    _agents.push(left);
-                    compareWithNow(name, "one that left", collider);
-                }
-            }
-            assertEnough(0);
-        }
-
-        [Test]
         public function ofOneWhoseModelWasLoadingInTheLastFrameTheyAreThoseOfNow():void
         {
             for each (var name:String in EachCollider.NAMES)

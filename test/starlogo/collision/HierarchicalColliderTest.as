@@ -75,47 +75,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function theThesissHierarchyOfVerticesLetsItThrough():void
-        {
-            // a wall of many vertices at its border, none in its middle
-            var border:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i <= 20; i++)
-            {
-                border.push(0, i / 20 - 0.5, 0, 0, i / 20 - 0.5, 1, 0, -0.5, i / 20, 0, 0.5, i / 20);
-            }
-            _greatLand.addModel(new Model("wall", border));
-            _collider.maxDepth = 5;
-            assertEquals(-1, whereItStops("wall"));
-        }
-
-        [Test]
-        public function touchingCountsAtEveryDepth():void
-        {
-            var a:Agent = new Agent("cube");
-            var b:Agent = new Agent("cube");
-            for each (var heading:Number in [0, 90, 180, 270])
-            {
-                for each (var size:Number in [0.1, 1, 3])
-                {
-                    for (var depth:int = 1; depth <= 10; depth += 3)
-                    {
-                        _collider.maxDepth = depth;
-                        b.heading = heading;
-                        b.size = size;
-                        b.moveTo(0.5 + size / 2, 0.3, 0.2);
-                        assertTrue(_collider.areColliding(a, b));
-                        b.moveTo(0.5 + size / 2 + 1e-9, 0.3, 0.2);
-                        assertFalse(_collider.areColliding(a, b));
-                        b.moveTo(0, 0.2, 1);
-                        assertTrue("on top", _collider.areColliding(a, b));
-                        b.moveTo(0, 0.2, 1 + 1e-9);
-                        assertFalse("over it", _collider.areColliding(a, b));
-                    }
-                }
-            }
-        }
-
-        [Test]
         public function theAgentsOwnDepthCounts():void
         {
             var a:Agent = new Agent("blades");

@@ -47,27 +47,9 @@ package starlogo.models
         }
 
         [Test]
-        public function moreObjText():void
-        {
-            mutate("OBJ", 6000, 102, objOf);
-        }
-
-        [Test]
         public function colladaText():void
         {
-            mutate("COLLADA", 2500, 201, colladaOf);
-        }
-
-        [Test]
-        public function moreColladaText():void
-        {
-            mutate("COLLADA", 2500, 202, colladaOf);
-        }
-
-        [Test]
-        public function yetMoreColladaText():void
-        {
-            mutate("COLLADA", 2500, 203, colladaOf);
+            mutate("COLLADA", 3000, 201, colladaOf);
         }
 
         [Test]

@@ -80,28 +80,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function boxesThatTouchByTheirFacesAloneAreAtDistanceNull():void
-        {
-            var collider:TightestFitCollider = new TightestFitCollider(sGreatLand);
-            var queries:AgentQueries = new AgentQueries(collider);
-            var changed:int = 0;
-            for (var i:int = 0; i < 4000; i++)
-            {
-                var agents:Vector.<Agent> = world(2, 0.8);
-                agents[0].shape = agents[1].shape = "cube";
-                queries.update(agents);
-                collider.structureTests.boxFacesOnly = false;
-                var distance:Number = queries.distance(agents[0], agents[1]);
-                collider.structureTests.boxFacesOnly = true;
-                var byFaces:Number = queries.distance(agents[0], agents[1]);
-                assertEquals(collider.areColliding(agents[0], agents[1]), byFaces == 0);
-                assertTrue(byFaces == 0 || byFaces == distance);
-                changed += byFaces == distance ? 0 : 1;
-            }
-            assertTrue("of other answers: " + changed, changed > 10);
-        }
-
-        [Test]
         public function refusals():void
         {
             var queries:AgentQueries = new AgentQueries(new TightestFitCollider(sGreatLand));

@@ -211,41 +211,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function whatIsFreeInOthersIsFreeByTriangles():void
-        {
-            var exact:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
-            var shorter:int = 0;
-            for each (var name:String in ["tightest fits", "hierarchies", "combinations"])
-            {
-                var collider:Collider = EachCollider.make(name, sGreatLand);
-                var other:AgentQueries = new AgentQueries(collider);
-                for (var i:int = Effort.choose(150, 20000); i > 0; i--)
-                {
-                    var agents:Vector.<Agent> = anyAgents(5, 3);
-                    var mover:Agent = agents[0];
-                    if (touchesAny(collider, mover, agents))
-                    {
-                        continue;
-                    }
-                    exact.update(agents);
-                    other.update(agents);
-                    var d:Array = [_random.between(-4, 4), _random.between(-4, 4), _random.between(-2, 2)];
-                    var from:Array = [mover.x, mover.y, mover.z];
-                    var part:Number = other.moveUntilTouch(mover, d[0], d[1], d[2]);
-                    mover.moveTo(from[0], from[1], from[2]);
-                    var most:Number = exact.moveUntilTouch(mover, d[0], d[1], d[2]);
-                    shorter += part < most ? 1 : 0;
-                    if (part > most)
-                    {
-                        _wrong.add(name, part + " of " + most);
-                    }
-                }
-            }
-            _wrong.assertNone();
-            assertTrue(String(shorter), shorter > 30);
-        }
-
-        [Test]
         public function motionsMustBeNumbersAndNoneIsNone():void
         {
             var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));

@@ -163,38 +163,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function thinAndWide():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    for each (var shape:String in isBins ? [] : ["plate", "sheet", "board"])
-                    {
-                        var size:Number = _random.pick([1, 30]);
-                        var way:Array = _random.pick([[0.3, 0, -0.1], [0.3, 0, 0], [0.3, 0.02, -1]]);
-                        var mover:Agent = put(shape, 0, 0, 0, _random.pick([0, 30]));
-                        mover.size = size;
-                        floor(8, 2);
-                        step(mover, way, 10);
-                        expect(Math.abs(mover.x - 3) < 1e-4 * size && mover.z > -1e-8 * size, "stuck", mover, way);
-                        expectShallow(mover);
-                        mover.moveTo(0, 0, 0);
-                        expect(step(mover, [4, 0.3, 0], 1, false) == 1, "stops", mover, [size]);
-                    }
-                    if (!isBins)
-                    {
-                        // in a slot exactly as thick
-                        mover = put("board", 0, 0, 0, 0);
-                        for (var k:int = -2; k < 8; k++)
-                        {
-                            add(cube(0.5005, k, 0), cube(-0.5005, k, 0));
-                        }
-                        step(mover, [0.02, 0.3, 0], 15);
-                        expect(Math.abs(mover.y - 4.5) < 1e-4 && Math.abs(mover.x) < 1e-9, "stuck in a slot", mover, []);
-                    }
-                });
-        }
-
-        [Test]
         public function neverCreeps():void
         {
             eachSystem(function(isBins:Boolean):void

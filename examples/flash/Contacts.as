@@ -5,7 +5,7 @@ package
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
 
-    /** Contacts that separate: Marbles roll to the middle. Where two overlap, each gives way by half of the contact's depth. Push them. */
+    /** Contacts that separate: Marbles roll to the middle. When two overlap, each moves back by half of the contact's depth. Push them. */
     [SWF(width="600", height="400", frameRate="60", backgroundColor="#eef1ee")]
     public class Contacts extends Land
     {
@@ -23,12 +23,12 @@ package
             _agents.push(_pusher);
             for each (var agent:Agent in _agents)
             {
-                agent.z = -agent.size / 2; // all middles are equally high
+                agent.z = -agent.size / 2; // the middles of all agents are at z = 0
             }
             _collision.onCollision("marbles", Collision.ANY_BREED, giveWay);
         }
 
-        // The normal points to the marble. Of two marbles each is called for, and goes half of the way.
+        // The normal points to the marble. Two marbles make two calls, so each moves half of the way.
         private function giveWay(marble:Agent, other:Agent, contact:Contact):void
         {
             var way:Number = other == _pusher ? contact.depth : contact.depth / 2;

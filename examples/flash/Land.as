@@ -8,7 +8,7 @@ package
     import flash.text.TextFormat;
     import starlogo.agents.Agent;
 
-    /** What the examples are drawn with: 24 by 16 patches of land, seen from above, and the mouse on it. Nothing of it collides. */
+    /** Draws an example: 24 by 16 patches of land, seen from above. It also moves agents and follows the mouse. It finds no collisions. */
     public class Land extends Sprite
     {
         public static const RED:uint = 0xe4572e;
@@ -19,17 +19,17 @@ package
         public static const GREY:uint = 0xa3adb8;
         public static const COLOURS:Vector.<uint> = new <uint>[RED, ORANGE, GREEN, BLUE, PURPLE];
 
-        /** How long a patch is in what is drawn: Flash rounds to twentieths there. */
+        /** The length of a patch in drawings. Flash rounds what is drawn to twentieths. */
         protected static const PATCH:Number = 100;
 
         private static const PIXELS:Number = 25; // a patch, on a stage of 600 by 400
         private static const RIGHT:Number = 12;
         private static const TOP:Number = 8;
 
-        /** Which frame it is, from 1. */
+        /** The number of this frame, from 1. */
         protected var frame:int = 0;
 
-        /** Where the mouse is, in patches. Until it comes, this goes round by itself. */
+        /** The place of the mouse, in patches. While the mouse is elsewhere, this place moves by itself. */
         protected var pointerX:Number = 0;
         protected var pointerY:Number = 0;
 
@@ -65,14 +65,14 @@ package
             _words.text = text;
         }
 
-        /** A number by chance between two, the same ones each time. */
+        /** A random number between two. Each run gets the same numbers. */
         protected function random(from:Number, to:Number):Number
         {
             _seed = _seed * 16807 % 2147483647;
             return from + (to - from) * _seed / 2147483647;
         }
 
-        /** An agent of a colour at a place by chance. */
+        /** Makes an agent at a random place. */
         protected function make(shape:String, breed:String, size:Number, color:uint):Agent
         {
             var agent:Agent = new Agent(shape, breed);
@@ -83,7 +83,7 @@ package
             return agent;
         }
 
-        /** Goes on along the agent's heading, and turns back at the edges. */
+        /** Moves an agent along its heading. It turns back at the edges. */
         protected function walk(agent:Agent, distance:Number):void
         {
             var angle:Number = agent.heading * Math.PI / 180;
@@ -101,13 +101,13 @@ package
             agent.moveTo(agent.x + distance * dx, agent.y + distance * dy, agent.z);
         }
 
-        /** Lets an agent look along a direction. */
+        /** Turns an agent to a direction. */
         protected function turn(agent:Agent, dx:Number, dy:Number):void
         {
             agent.heading = Math.atan2(dy, dx) * 180 / Math.PI;
         }
 
-        /** Goes to the pointer, no farther than a distance. */
+        /** Moves an agent towards the pointer, by at most a distance. */
         protected function follow(agent:Agent, distance:Number):void
         {
             var dx:Number = pointerX - agent.x;
@@ -167,7 +167,7 @@ package
             world.graphics.endFill();
         }
 
-        /** Draws lines of the engine's own kind: six numbers each, two points in space. */
+        /** Draws lines as the engine gives them: six numbers each, for two points. */
         protected function drawLines(lines:Vector.<Number>, color:uint):void
         {
             world.graphics.lineStyle(5, color);
@@ -178,7 +178,7 @@ package
             }
         }
 
-        /** The page may want so many frames at once, and then a picture that stands still. */
+        /** Plays as many frames at once as the page asks for, and then stops. Without a number it plays on. */
         private function begin(event:Event):void
         {
             var wanted:int = int(loaderInfo.parameters["frames"]);

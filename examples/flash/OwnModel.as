@@ -6,7 +6,7 @@ package
     import starlogo.debug.CollisionLines;
     import starlogo.models.Model;
 
-    /** A model of your own: Two spirals of triangles. The boxes are what the collider tests: a level more every two seconds. Red is touching. */
+    /** A model of your own: Two spirals of triangles. The collider tests the boxes, one level more every two seconds. Red means that they touch. */
     [SWF(width="600", height="400", frameRate="60", backgroundColor="#eef1ee")]
     public class OwnModel extends Land
     {

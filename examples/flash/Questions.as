@@ -25,7 +25,7 @@ package
         override protected function step():void
         {
             follow(_wolf, 0.1);
-            _queries.update(_agents); // once a frame: where everybody is
+            _queries.update(_agents); // once a frame, after the agents have moved
 
             var seen:Vector.<Agent> = _queries.inCone(_wolf, 7, 70, _sheep); // within 7 patches, 35 degrees to either side
             var near:Vector.<Agent> = _queries.near(_wolf, 3, _sheep);

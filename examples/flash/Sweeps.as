@@ -4,7 +4,7 @@ package
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
 
-    /** A bullet that sweeps: Orange bullets sweep, and hit the thin fence every time. Blue ones do not, and mostly fly through. Aim. */
+    /** A bullet that sweeps: Orange bullets sweep, and hit the thin fence every time. Blue ones do not sweep, and often fly through. Aim. */
     [SWF(width="600", height="400", frameRate="60", backgroundColor="#eef1ee")]
     public class Sweeps extends Land
     {
@@ -30,7 +30,7 @@ package
 
         private function load(bullet:Agent, x:Number):void
         {
-            bullet.jumpTo(x, pointerY + (bullet.sweeps ? 1 : -1), 0); // it has not come from anywhere
+            bullet.jumpTo(x, pointerY + (bullet.sweeps ? 1 : -1), 0); // no motion leads there
         }
 
         private function hit(bullet:Agent, post:Agent):void

@@ -1,7 +1,7 @@
-/** Puts the page around an example: its name, its picture, and its own code beside that. A classic script, so that it runs in a file that is opened without a server too. */
+/** Builds the page around an example: its title, its picture, its code. It is no module, so it also runs where a page is opened as a file. */
 "use strict";
 
-/** All examples, by groups, in the order of the index. Names of pages are those of their files; a name with a capital is a SWF's in flash/. */
+/** All examples by groups, in the order of the index. A name with a capital is that of a SWF in flash/, the others are those of pages. */
 const EXAMPLES = {
 	"Touching": ["first-collision", "start-and-end", "separate", "bullet", "filters"],
 	"Asking and moving": ["nearest-and-cone", "ray", "distance", "slide", "falling"],
@@ -13,7 +13,7 @@ const KEYWORDS = "as|async|await|break|case|class|const|continue|else|export|ext
 	+ "let|new|null|of|override|package|private|protected|public|return|set|static|super|this|throw|true|var|while";
 const TOKENS = new RegExp(`(/\\*[^]*?\\*/|//.*)|("(?:[^"\\\\\\n]|\\\\.)*"|'(?:[^'\\\\\\n]|\\\\.)*'|\`[^\`]*\`)|\\b(${KEYWORDS})\\b|(\\b\\d[\\w.]*)`, "g");
 
-/** An element with properties and children. */
+/** Makes an element. */
 function element(name, properties, ...children) {
 	const made = Object.assign(document.createElement(name), properties);
 	made.append(...children);

@@ -1,4 +1,4 @@
-/** What the examples are drawn with: a piece of land on a canvas, in patches, with the pointer and keys on it, and frames. Nothing of it collides. */
+/** Draws an example on a canvas, in patches. It also moves agents, follows the pointer and calls each frame. It finds no collisions. */
 export const red = 0xe4572e, orange = 0xf3a712, yellow = 0xf7d154, green = 0x4caf6e, blue = 0x3f88c5, purple = 0x8f5fbf, grey = 0xa3adb8, white = 0xffffff;
 
 const FRAMES_A_SECOND = 60;
@@ -7,9 +7,9 @@ const degrees = (y, x) => (Math.atan2(y, x) * 180) / Math.PI;
 const css = (colour) => (typeof colour === "number" ? `#${colour.toString(16).padStart(6, "0")}` : colour);
 
 export class Stage {
-	/** What the keys are that are held down, as KeyboardEvent names them. */
+	/** The keys that are held down, by the names of KeyboardEvent. */
 	keys = new Set();
-	/** Where the pointer is, in patches. Until it comes, it goes round by itself. */
+	/** The place of the pointer, in patches. While the pointer is elsewhere, this place moves by itself. */
 	pointer = { x: 0, y: 0, isDown: false };
 
 	#context = null;
@@ -23,14 +23,14 @@ export class Stage {
 	/**
 	 * @param {object} options
 	 * @param {number} options.width patches from left to right
-	 * @param {boolean} options.isAside whether the land is seen from aside, z up, and not from above
-	 * @param {boolean} options.hasKeys whether arrow keys are the example's own, and do not scroll the page
+	 * @param {boolean} options.isSideView whether the land is seen from the side, z up, and not from above
+	 * @param {boolean} options.hasKeys whether the example uses the arrow keys, so that they do not scroll the page
 	 * @param {boolean} options.isEmpty whether something else draws on the canvas
 	 */
-	constructor({ width = 24, isAside = false, hasKeys = false, isEmpty = false } = {}) {
+	constructor({ width = 24, isSideView = false, hasKeys = false, isEmpty = false } = {}) {
 		this.width = width;
 		this.height = (width * 2) / 3;
-		this.isAside = isAside;
+		this.isSideView = isSideView;
 		this.canvas = document.createElement("canvas");
 		this.canvas.setAttribute("role", "img");
 		this.canvas.setAttribute("aria-label", document.title);
@@ -44,8 +44,9 @@ export class Stage {
 		this.#listen(hasKeys);
 	}
 
-	/** Half of what is seen, in patches. */
+	/** The right edge, in patches. */
 	get right() { return this.width / 2; }
+	/** The upper edge, in patches. */
 	get top() { return this.height / 2; }
 
 	/** Says something below the picture. */
@@ -53,13 +54,13 @@ export class Stage {
 		if (this.output.textContent !== text) this.output.textContent = text;
 	}
 
-	/** A number by chance between two, the same ones each time that the page is opened. */
+	/** A random number between two. Each run gets the same numbers. */
 	random(from, to) {
 		this.#seed = (this.#seed * 16807) % 2147483647;
 		return from + ((to - from) * this.#seed) / 2147483647;
 	}
 
-	/** One of some values, by chance. */
+	/** A random one of some values. */
 	pick(...values) {
 		return values[Math.floor(this.random(0, values.length))];
 	}
@@ -87,7 +88,7 @@ export class Stage {
 		return tick;
 	}
 
-	/** Goes on along the agent's heading, and turns back at the edges, as a ball from a cushion. */
+	/** Moves an agent along its heading. It turns back at the edges. */
 	walk(agent, distance) {
 		const [right, top] = [this.right - agent.size / 2, this.top - agent.size / 2];
 		let [dx, dy] = [Math.cos(radians(agent.heading)), Math.sin(radians(agent.heading))];
@@ -97,21 +98,22 @@ export class Stage {
 		agent.moveTo(agent.x + distance * dx, agent.y + distance * dy, agent.z);
 	}
 
-	/** Goes to the pointer, no farther than a distance, and looks there. Gives the way. */
+	/** The way from an agent to the pointer, no longer than a distance. */
 	wayToPointer(agent, distance) {
-		const [dx, dy] = [this.pointer.x - agent.x, this.pointer.y - (this.isAside ? agent.z : agent.y)];
+		const [dx, dy] = [this.pointer.x - agent.x, this.pointer.y - (this.isSideView ? agent.z : agent.y)];
 		const part = Math.min(1, distance / (Math.hypot(dx, dy) || 1));
 		return [dx * part, dy * part];
 	}
 
+	/** Moves an agent towards the pointer, by at most a distance. */
 	follow(agent, distance = 0.3) {
 		const [dx, dy] = this.wayToPointer(agent, distance);
-		if (this.isAside) agent.moveTo(agent.x + dx, agent.y, agent.z + dy);
+		if (this.isSideView) agent.moveTo(agent.x + dx, agent.y, agent.z + dy);
 		else agent.moveTo(agent.x + dx, agent.y + dy, agent.z);
-		if (!this.isAside && Math.hypot(dx, dy) > 0.01) agent.heading = degrees(dy, dx);
+		if (!this.isSideView && Math.hypot(dx, dy) > 0.01) agent.heading = degrees(dy, dx);
 	}
 
-	/** Calls a function sixty times a second. With ?frames=100 in the address it calls it as often at once, and stops. */
+	/** Calls a function sixty times a second. With ?frames=100 in the address it makes 100 calls at once, and stops. */
 	run(step) {
 		const wanted = Number(new URLSearchParams(location.search).get("frames"));
 		const isStill = wanted > 0 || matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -138,7 +140,7 @@ export class Stage {
 
 	// drawing: places are in patches
 
-	/** Draws agents: balls, cubes, and the models that were added. With `faces` balls look where they go. On an endless land edges show what is behind the opposite ones. */
+	/** Draws agents: balls, cubes, and the models that were added. With `faces` balls have eyes. With `isEndless` opposite edges are joined. */
 	draw(agents, { faces = false, alpha = 1, isEndless = false } = {}) {
 		const context = this.#context;
 		context.globalAlpha = alpha;
@@ -156,7 +158,7 @@ export class Stage {
 		context.globalAlpha = 1;
 	}
 
-	/** Draws agents as small squares: for very many. */
+	/** Draws very many agents, as small squares. */
 	drawDots(agents) {
 		const paths = new Map();
 		for (const { x, y, size, color } of agents) {
@@ -174,9 +176,9 @@ export class Stage {
 		const faces = [];
 		for (let i = 0; i < triangles.length; i += 3) {
 			const corners = [0, 1, 2].map((k) => vertices.slice(3 * triangles[i + k], 3 * triangles[i + k] + 3));
-			const near = this.isAside ? ([, y]) => -y : ([, , z]) => z;
-			const light = nearOf(corners, this.isAside);
-			if (light > 0) faces.push({ corners: corners.map(([x, y, z]) => [x, this.isAside ? z : y]), light, near: Math.max(...corners.map(near)) });
+			const near = this.isSideView ? ([, y]) => -y : ([, , z]) => z;
+			const light = nearOf(corners, this.isSideView);
+			if (light > 0) faces.push({ corners: corners.map(([x, y, z]) => [x, this.isSideView ? z : y]), light, near: Math.max(...corners.map(near)) });
 		}
 		this.#faces.set(name, faces.sort((a, b) => a.near - b.near));
 	}
@@ -188,9 +190,9 @@ export class Stage {
 		});
 	}
 
-	/** Lines of the engine's own kind: six numbers each. An agent's are moved to it. */
+	/** Draws lines as the engine gives them: six numbers each, for two points. */
 	lines(numbers, colour, width = 0.05) {
-		const up = this.isAside ? 2 : 1;
+		const up = this.isSideView ? 2 : 1;
 		this.#stroke(colour, width, (path) => {
 			for (let i = 0; i < numbers.length; i += 6) {
 				path.moveTo(numbers[i], numbers[i + up]);
@@ -203,7 +205,7 @@ export class Stage {
 		this.#stroke(colour, width, (path) => path.arc(place.x, this.#up(place), radius, 0, 7));
 	}
 
-	/** Fills the area within some places. */
+	/** Fills a polygon. */
 	area(places, colour, alpha = 1) {
 		const context = this.#context;
 		context.globalAlpha = alpha;
@@ -242,7 +244,7 @@ export class Stage {
 	}
 
 	#up(place) {
-		return this.isAside ? place.z : place.y;
+		return this.isSideView ? place.z : place.y;
 	}
 
 	#step(step) {
@@ -283,7 +285,7 @@ export class Stage {
 	#drawBall(agent, hasFace) {
 		const context = this.#context;
 		const radius = agent.size / 2;
-		const y = this.#up(agent) + (this.isAside ? radius : 0);
+		const y = this.#up(agent) + (this.isSideView ? radius : 0);
 		context.beginPath();
 		context.arc(agent.x, y, radius, 0, 7);
 		context.fillStyle = css(agent.color);
@@ -311,8 +313,8 @@ export class Stage {
 		const context = this.#context;
 		const { x, size } = agent;
 		context.save();
-		context.translate(x, this.#up(agent) + (this.isAside ? size / 2 : 0));
-		context.rotate(this.isAside ? 0 : radians(agent.heading));
+		context.translate(x, this.#up(agent) + (this.isSideView ? size / 2 : 0));
+		context.rotate(this.isSideView ? 0 : radians(agent.heading));
 		context.fillStyle = css(agent.color);
 		context.fillRect(-size / 2, -size / 2, size, size);
 		context.strokeStyle = "rgb(0 0 0 / 28%)";
@@ -326,8 +328,8 @@ export class Stage {
 		const picture = this.#pictureOf(agent.shape, css(agent.color), Math.ceil(agent.size * this.scale));
 		context.save();
 		context.translate(agent.x, this.#up(agent));
-		context.rotate(this.isAside ? 0 : radians(agent.heading));
-		// a picture is three models wide and high: models may be taller than they are wide
+		context.rotate(this.isSideView ? 0 : radians(agent.heading));
+		// a picture is three times as wide as the model, because models may be taller than they are wide
 		context.scale(agent.size * 3, -agent.size * 3);
 		context.drawImage(picture, -0.5, -0.5, 1, 1);
 		context.restore();
@@ -342,7 +344,7 @@ export class Stage {
 			context.setTransform(pixels, 0, 0, -pixels, 1.5 * pixels, 1.5 * pixels);
 			context.lineWidth = 1 / pixels;
 			for (const { corners, light } of this.#faces.get(shape)) {
-				// the steeper, the darker; a line of the same colour closes the seams between neighbours
+				// steep faces are darker. A line of the same colour closes the seam to the next face
 				context.fillStyle = context.strokeStyle = `color-mix(in srgb, ${colour} ${Math.round(45 + 55 * light)}%, #1c2a30)`;
 				context.beginPath();
 				for (const [x, y] of corners) context.lineTo(x, y);
@@ -380,9 +382,9 @@ export class Stage {
 	}
 }
 
-/** How far a triangle faces whoever looks: 1 for straight at him, less than 0 for away. */
-function nearOf([a, b, c], isAside) {
+/** How much a triangle faces the viewer: 1 fully, less than 0 if it faces away. */
+function nearOf([a, b, c], isSideView) {
 	const [u, v] = [b, c].map((corner) => corner.map((value, axis) => value - a[axis]));
 	const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-	return (isAside ? -normal[1] : normal[2]) / (Math.hypot(...normal) || 1);
+	return (isSideView ? -normal[1] : normal[2]) / (Math.hypot(...normal) || 1);
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env node
 /**
- * Times the ES module in Node, beside a floor written by hand and beside other engines.
+ * Times the ES module in Node beside other engines, and what only the module has: bindings, snapshots' bytes, memory. The benchmarks that players run
+ * too are those of benchmarks.mjs.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings,
- *                                                  snapshots
+ *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, queries, bindings, snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * It is the time of the processors, of all threads of this process, so that other programs count as little as possible.
@@ -14,11 +14,10 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { install } from "../adapters/peers.mjs";
-import { AgentCells } from "./agent-cells.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
-import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
+import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, scatter } from "./games.mjs";
 
-const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, CookedModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+const { Agent, AgentQueries, BinCollider, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 10000, 100000];
 
@@ -56,42 +55,6 @@ function print(title, head, rows) {
 	const cells = [head, ...rows.map((row) => row.map(textOf))];
 	const widths = head.map((_, column) => Math.max(...cells.map((row) => row[column].length)));
 	console.log(`\n${title}\n${cells.map((row) => `  ${row.map((cell, i) => (i === 0 ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join("  ")}`).join("\n")}`);
-}
-
-/** Each pair by its agents' ids, the smaller first, in order: searches have their own. */
-function namesOf(pairs) {
-	const names = Array.from({ length: pairs.length / 2 }, (_, i) => [pairs[2 * i].id, pairs[2 * i + 1].id].sort((a, b) => a - b).join());
-	return names.sort().join(";");
-}
-
-/** BinCollider beside the fastest that could be written for these spheres alone; what moves the agents is part of either's frame. */
-function floor() {
-	const grounds = [
-		["10,000 agents", 10000, HALF_WIDTH, 100],
-		["30,000 agents", 30000, HALF_WIDTH, 30],
-		["100,000 as dense as 10,000", 100000, HALF_WIDTH * Math.sqrt(10), 20],
-	];
-	const rows = grounds.flatMap(([name, count, halfWidth, rounds]) => {
-		const game = scatter(count, ["sphere"], { halfWidth });
-		const { agents } = game;
-		const move = rehearse(game);
-		const collider = new BinCollider(greatLand);
-		const cells = new AgentCells(halfWidth, count);
-		const [found, foundByFloor] = [[], []];
-		const find = () => collider.findCollisions(agents, found);
-		const findByFloor = () => cells.find(agents, foundByFloor);
-		const movesAnd = (search) => () => {
-			move();
-			search();
-		};
-		return [["all moving", movesAnd], ["none moving", (search) => search]].map(([how, frame]) => {
-			const [bins, least] = measure([{ run: frame(find) }, { run: frame(findByFloor) }], rounds);
-			find();
-			findByFloor();
-			return [`${name}, ${how}`, bins, least, bins / least, namesOf(found) === namesOf(foundByFloor) ? String(found.length / 2) : "DIFFER"];
-		});
-	});
-	print("BinCollider beside the floor, ms a frame", ["", "bins", "floor", "times", "pairs"], rows);
 }
 
 /** What a measure of fresh.mjs comes to in a process of its own. */
@@ -316,89 +279,6 @@ async function queries() {
 	print(`Questions, all moving, microseconds an agent (${same} nearest the same)`, ["", "engine", "kdbush", "times"], rows);
 }
 
-/** Motions of agents among others, a patch long, each in another direction, beside a ray along the same way and the standing test. */
-function moves() {
-	const MOVERS = 100;
-	const land = makeGreatLand();
-	land.addModel(new ObjModel("fortress", asset("fortress.obj")));
-	const random = randomNumbers(2260);
-	const between = (low, high) => low + (high - low) * random();
-	const collider = (system) => Object.assign(new SYSTEMS[system === "triangles" ? "hierarchical" : system](land), system === "triangles" ? { exact: true } : {});
-	const until = (count, make, isFree) => {
-		const agents = [];
-		while (agents.length < count) {
-			const agent = make();
-			agent.heading = between(0, 360);
-			if (isFree(agent, agents)) agents.push(agent);
-		}
-		return agents;
-	};
-	const at = (agent, x, y, z) => (agent.moveTo(x, y, z), agent);
-	const crowd = (shape, apart) => until(1000, () => at(new Agent(shape), between(-32, 32), between(-32, 32), 0),
-		(agent, agents) => agents.every((other) => Math.hypot(agent.x - other.x, agent.y - other.y) > apart));
-	const fortress = Object.assign(new Agent("fortress"), { size: 40 });
-	const exact = collider("triangles");
-	const inFortress = () => [...until(MOVERS, () => Object.assign(at(new Agent("cube"), between(-20, 20), between(-20, 20), between(0, 5)), { size: 0.5 }),
-		(agent) => !exact.areColliding(agent, fortress)), fortress];
-	const hit = new engine.RayHit();
-	const origin = new engine.Vector3D();
-	const way = new engine.Vector3D();
-	const rows = [
-		["spheres in a crowd", "bins", crowd("sphere", 1.02)], ["a maze of boxes", "tightest fit", crowd("cube", 1.45)],
-		["a maze of boxes", "hierarchical", crowd("cube", 1.45)], ["in a fortress", "triangles", inFortress()],
-	].map(([name, system, agents]) => {
-		const asked = new AgentQueries(collider(system));
-		const homes = agents.map(({ x, y, z }) => [x, y, z]);
-		const filters = agents.slice(0, MOVERS).map((agent) => Object.assign(new engine.AgentFilter(), { except: [agent] }));
-		const found = [];
-		const ask = (question) => ({
-			prepare: () => {
-				agents.forEach((agent, i) => agent.moveTo(...homes[i]));
-				asked.update(agents);
-				asked.touching(agents[0]);
-			},
-			run: () => {
-				for (let round = 0; round < 50; round++) {
-					for (let i = 0; i < MOVERS; i++) {
-						const angle = i + 2.4 * round;
-						question(agents[i], Math.cos(angle), Math.sin(angle), i);
-					}
-				}
-			},
-		});
-		const times = measure([
-			ask((agent, dx, dy) => asked.slide(agent, dx, dy, 0)),
-			ask((agent, dx, dy) => asked.moveUntilTouch(agent, dx, dy, 0)),
-			ask((agent, dx, dy, i) => {
-				origin.setTo(agent.x, agent.y, agent.z + 0.2);
-				way.setTo(dx, dy, 0);
-				asked.cast(origin, way, 1, filters[i], hit);
-			}),
-			ask((agent) => asked.touching(agent, null, found)),
-		], 10).map((ms) => 1000 * ms / 50 / MOVERS);
-		return [name, system, ...times, times[0] / times[3]];
-	});
-	print("Motions of a patch, microseconds", ["", "system", "slide", "moveUntilTouch", "cast", "touching", "slide of touching"], rows);
-}
-
-/** The twelve models of the thesis's table: cooked, and read and computed. */
-function cooked() {
-	const files = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
-	const read = (file) => (file.endsWith(".obj") ? new ObjModel(file, asset(file)) : new ColladaModel(file, asset(file)));
-	const readAll = () => [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), ...files.map(read)];
-	const cooked = readAll().map((model) => [model.name, greatLand.bake(model)]);
-	const rows = [false, true].map((isExact) => {
-		const land = new GreatLand();
-		land.prepareExact = isExact;
-		const [known, computed] = measure([
-			{ run: () => cooked.forEach(([name, bytes]) => land.addModel(CookedModel.fromBytes(name, bytes))) },
-			{ run: () => readAll().forEach((model) => land.addModel(model)) },
-		], 40);
-		return [isExact ? "all of it" : "until they are there", known, computed, computed / known];
-	});
-	print("Twelve models, ms", ["", "cooked", "read and computed", "times"], rows);
-}
-
 /** Agents bound to three.js's objects: each frame what moves them, untimed, and then the bindings. */
 async function bindings() {
 	const entry = join(install("benchmark"), "entry.mjs");
@@ -481,4 +361,4 @@ function snapshots() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [memory, cold, exact, distances, rays, peers, queries, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, drawNothing, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, drawNothing, drop, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -557,21 +557,16 @@ test('a crowd in ever new colours is drawn at once', async () => {
 
 test('refused storage, another tab, and dropped files are said in words', async () => {
 	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
-	const drop = async (name, text) => {
-		const data = await page.evaluateHandle(([file, content]) => {
-			const transfer = new DataTransfer();
-			transfer.items.add(new File([content], file));
-			return transfer;
-		}, [name, text]);
-		await page.dispatchEvent('header', 'drop', { dataTransfer: data });
+	const dropped = async (name, text) => {
+		await drop(page, [name, Buffer.from(text)]);
 		await settle(page);
 	};
-	await drop('mine.json', program(start(create('walls', 'wall'))));
+	await dropped('mine.json', program(start(create('walls', 'wall'))));
 	assert.deepEqual(await own(page), ['mine']);
-	await drop('picture.png', 'x');
+	await dropped('picture.png', 'x');
 	await told(page, /^picture\.png is neither a program/);
 	// a model of one's own is a shape
-	await drop('cone.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+	await dropped('cone.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
 	await told(page, /^Agents can have the shape “cone” now/);
 	assert.equal(await page.evaluate(() => {
 		const [made] = globalThis.playground.editor.workspace.getBlocksByType('starlogo_create');
@@ -583,9 +578,9 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	await press(page, 'Step');
 	assert.equal(await page.evaluate(() => globalThis.playground.world.agents[0].shape), 'cone');
 	// the same file again is the same model
-	await drop('again.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+	await dropped('again.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
 	await told(page, /“cone” now.*This browser keeps it/);
-	await drop('broken.obj', 'v 1 2 x\n');
+	await dropped('broken.obj', 'v 1 2 x\n');
 	await told(page, /^This model cannot be read: model "broken", line 1/);
 	const other = await page.context().newPage();
 	await other.goto(page.url());
@@ -612,7 +607,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 			throw new DOMException('full', 'QuotaExceededError');
 		};
 	});
-	await drop('cone.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n');
+	await dropped('cone.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n');
 	await told(page, /^Agents can have the shape “cone 2” now, as long as this page is open: this browser keeps no models/);
 	// what is kept can be looked at, and forgotten
 	await press(page, 'Lessons and games');

@@ -62,33 +62,18 @@ package starlogo.collision
         }
 
         [Test]
-        public function aHierarchyMeetsSpheres():void
+        public function aHierarchyMeetsEachKind():void
         {
             compareOneHierarchical("ball", 403);
-        }
-
-        [Test]
-        public function aHierarchyMeetsCapsules():void
-        {
             compareOneHierarchical("post", 404);
-        }
-
-        [Test]
-        public function aHierarchyMeetsBoxes():void
-        {
             compareOneHierarchical("crate", 405);
         }
 
         [Test]
-        public function aHierarchyOfSpheresMeetsEachKind():void
+        public function aHierarchyOfEachKindMeetsEachKind():void
         {
             _greatLand.hierarchies.boundsKind = BoundingStructure.SPHERE;
             checkOneHierarchicalMissesNothing(406);
-        }
-
-        [Test]
-        public function aHierarchyOfCapsulesMeetsEachKind():void
-        {
             _greatLand.hierarchies.boundsKind = BoundingStructure.CAPSULE;
             checkOneHierarchicalMissesNothing(407);
         }

@@ -269,25 +269,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function whoIsAskedAboutButWasInNoFrameHasNoMotion():void
-        {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                var collider:Collider = EachCollider.make(name, _greatLand);
-                _ball.sweeps = true;
-                _ball.jumpTo(0, 0, 0.4);
-                assertFalse(collider.areColliding(_ball, _wall));
-                collider.contactOf(_ball, _wall);
-                _ball.moveTo(10, 0, 0.4);
-                if (found(collider) != 0)
-                {
-                    _wrong.add(name, "found");
-                }
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
         public function whoseModelWasLoadingHasNoMotion():void
         {
             for each (var name:String in EachCollider.NAMES)

@@ -6,7 +6,6 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
-    import support.assertThrows;
 
     use namespace engine;
 
@@ -52,21 +51,6 @@ package starlogo.collision
             assertTrue("the inner one ran", innerCalls >= alone.length);
         }
 
-        [Test]
-        public function aFrameThatThrowsDoesNotShowInTheCollider():void
-        {
-            var collider:BinCollider = new BinCollider(_greatLand);
-            var collision:Collision = new Collision(collider);
-            collision.onCollision("bears", "balls", function(a:Agent, b:Agent):void
-                {
-                });
-            collision.update(_agents);
-            assertThrows(ArgumentError, /nothing/, collision.update, _agents.concat(new <Agent>[new Agent("nothing", "balls")]));
-            var out:Vector.<Agent> = _agents.concat(_agents);
-            collider.findCollisions(_agents.slice(0, 2), out);
-            assertEquals("one pair, and nothing that was there before", _agents[0].id + "," + _agents[1].id, textOf(out));
-        }
-
         // The calls of a frame; an action runs in each.
         private function callsOf(system:CollisionSystem, action:Function):Array
         {
@@ -85,16 +69,6 @@ package starlogo.collision
                     action();
                 }
             }
-        }
-
-        private static function textOf(pairs:Vector.<Agent>):String
-        {
-            var ids:Array = [];
-            for (var i:int = 0; i < pairs.length; i++)
-            {
-                ids.push(pairs[i].id);
-            }
-            return ids.join();
         }
     }
 }

@@ -88,7 +88,7 @@ package starlogo.intersection
                 {
                     _finder.find(cylinder, cylinder, _touch);
                 });
-            assertThrows(ArgumentError, /motion/, function():void
+            assertThrows(ArgumentError, /sweep/, function():void
                 {
                     findTimeOfImpact(cylinder, cylinder, new RelativeMotion());
                 });

@@ -10,21 +10,21 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
-     * sizes, tightest fits, trees or triangles.
+     * Answers questions about agents in space: which agents are near, which is the nearest, which touch, what a ray meets, and how far an agent
+     * can go. It sees agents as a collision system does: as spheres of their sizes, tightest fits, trees or triangles.
      *
-     * <p>Agents are those of the last <code>update()</code>, where and how they were then, or at their last <code>moved()</code>; but an agent
-     * that asks is where it is now, and it need not be in the list. It is never in an answer to its own question. Nothing of a Collision or of a
-     * collision system changes by asking.</p>
+     * <p>Call <code>update()</code> once a frame. Questions see the agents of that call, as they were then. <code>moved()</code> reads one agent
+     * again. The agent that asks is always seen where it is now. It need not be in the list, and it is never in its own answer. A question
+     * changes nothing in a Collision or a collision system.</p>
      *
-     * <p>Every list is sorted by distance, those that are equally far by their order in the list of agents, and it is complete, however long. The
-     * distance of two agents is that of their places, <code>(x, y, z)</code>; a border belongs to what it encloses. With <code>out</code> given
-     * nothing is allocated. An agent whose model is loading has a place, and touches nothing.</p>
+     * <p>Every list is complete, and sorted by distance. Agents at the same distance keep the order of the list given to <code>update()</code>.
+     * The distance of two agents is the distance of their places <code>(x, y, z)</code>. An agent exactly on a border is inside it. If you pass
+     * <code>out</code>, nothing is allocated. An agent whose model is loading has a place, but touches nothing.</p>
      *
-     * <p>An agent's breed and what a filter's <code>accepts</code> looks at are of the moment of the question.</p>
+     * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
-     * <p>The cost of an update is a few tenths of a microsecond for each agent; the first question after it makes a tree of the places, or of the
-     * extents. A question takes time in proportion to the logarithm of the number of agents, and to its answer.</p>
+     * <p>An update takes a few tenths of a microsecond per agent. The first question after it builds a tree of the places, or of the extents.
+     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer.</p>
      */
     public class AgentQueries
     {
@@ -36,11 +36,11 @@ package starlogo.queries
         private var _moves:MoveQuestions;
 
         /**
-         * Questions about no agents yet.
+         * Begins without agents. Call <code>update()</code> before you ask.
          *
-         * @param collisionOrSystem a Collision, whose collision system says what agents look like: when it is exchanged, questions follow at the
-         *     next update; or one of the engine's collision systems
-         * @throws ArgumentError if it is neither, or the Collision has a system that is not one of the engine's
+         * @param collisionOrSystem a Collision, or one of the engine's collision systems. Its collision system decides how agents are seen. If a
+         *     Collision gets another system, questions use it after the next update
+         * @throws ArgumentError if it is neither, or if the Collision's system is not one of the engine's
          */
         public function AgentQueries(collisionOrSystem:Object)
         {
@@ -53,11 +53,11 @@ package starlogo.queries
         }
 
         /**
-         * Takes the agents that questions are about, as they are now.
+         * Sets the agents that questions are about, and reads each of them as it is now.
          *
-         * @param agents the list; it may change afterwards, without consequence
-         * @throws ArgumentError if the list or an agent is null, an agent is listed twice, or a model is unknown or lacks what the
-         *     collision system needs; or if a Collision's system is not one of the engine's; questions are then about what they were before
+         * @param agents the list. You may change it afterwards; questions do not see the change
+         * @throws ArgumentError if the list or an agent is null, if an agent is listed twice, if a model is unknown or lacks data that the
+         *     collision system needs, or if a Collision's system is not one of the engine's. Questions are then still about the old agents
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function update(agents:Vector.<Agent>):void
@@ -66,11 +66,11 @@ package starlogo.queries
         }
 
         /**
-         * Takes one agent anew, as it is now.
+         * Reads one agent again, as it is now.
          *
-         * @param agent one of the last update's list
-         * @throws ArgumentError if it is null or not in that list, or its model is unknown or lacks what the collision system needs; it is then
-         *     seen as before
+         * @param agent an agent of the last update's list
+         * @throws ArgumentError if it is null or not in that list, or if its model is unknown or lacks data that the collision system needs.
+         *     Questions then see it as before
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function moved(agent:Agent):void
@@ -79,13 +79,13 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that are near an agent.
+         * Lists the agents near an agent.
          *
-         * @param agent in the middle
-         * @param radius the greatest distance, not negative; may be Infinity
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param agent the agent in the middle
+         * @param radius the largest distance in patches, not negative; may be Infinity
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          * @throws ArgumentError if the agent is null
          * @throws RangeError if the radius is negative or not a number
          */
@@ -96,11 +96,11 @@ package starlogo.queries
         }
 
         /**
-         * Counts the agents that are near an agent; parameters and errors as in <code>near()</code>.
+         * Counts the agents near an agent. It throws the errors of <code>near()</code>.
          *
-         * @param agent in the middle
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param agent the agent in the middle
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
@@ -109,11 +109,12 @@ package starlogo.queries
         }
 
         /**
-         * The agent that is nearest to an agent: the first of those that <code>near()</code> lists, found without listing them.
+         * The agent nearest to an agent: the first one in the list of <code>near()</code>. This question takes less time, because it does not
+         * make the list.
          *
-         * @param agent to which
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param agent the agent that asks
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          * @return null if there is none
          */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
@@ -123,14 +124,15 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that are nearest to an agent: the first of those that <code>near()</code> lists, found without listing them all.
+         * Lists the agents nearest to an agent: the first ones in the list of <code>near()</code>. This question takes less time, because it
+         * does not make the whole list.
          *
-         * @param agent to which
-         * @param count how many, at most
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param agent the agent that asks
+         * @param count the largest number of agents in the list
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          * @throws ArgumentError if the agent is null
          * @throws RangeError if count or radius is negative or not a number
          */
@@ -145,13 +147,13 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that are near a point; else as <code>near()</code>.
+         * Lists the agents near a point. It works like <code>near()</code>, but measures distances from the point.
          *
          * @param point in the world, finite
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
@@ -160,11 +162,11 @@ package starlogo.queries
         }
 
         /**
-         * Counts the agents that are near a point; else as <code>near()</code>.
+         * Counts the agents near a point. It works like <code>countNear()</code>, but measures distances from the point.
          *
          * @param point in the world, finite
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
@@ -173,11 +175,11 @@ package starlogo.queries
         }
 
         /**
-         * The agent that is nearest to a point; else as <code>nearest()</code>.
+         * The agent nearest to a point. It works like <code>nearest()</code>, but measures distances from the point.
          *
          * @param point in the world, finite
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          * @return null if there is none
          */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
@@ -187,15 +189,16 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents in a cone in front of an agent: about the x axis of its rotation, pitch included. Agents at its very place are in
-         * every cone.
+         * Lists the agents in a cone in front of an agent. The cone's axis is the x axis of the agent's rotation, including its pitch. Agents at
+         * the same place as the agent are in every cone.
          *
-         * @param agent at the cone's tip
-         * @param radius the greatest distance
-         * @param degrees the angle of the cone's opening, half of it to either side, not negative; from 360 on the answer is that of near()
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param agent the agent at the cone's tip
+         * @param radius the largest distance in patches
+         * @param degrees the full angle of the cone, not negative: half of it lies on either side of the axis. From 360 on, the answer is the
+         *     same as that of near()
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          * @throws ArgumentError if the agent is null
          * @throws RangeError if the radius or the angle is negative or not a number
          */
@@ -205,13 +208,14 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that touch an agent: those that the collision system's findCollisions pairs it with if all stand where they are.
+         * Lists the agents that touch an agent. The collision system's findCollisions would find these pairs if all agents stood where questions
+         * see them.
          *
-         * @param agent which; its shape is of now too
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @param agent the agent that asks. Its shape is read now too
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
@@ -219,11 +223,12 @@ package starlogo.queries
         }
 
         /**
-         * Whether an agent touches any other: whether <code>touching()</code> would list one. It looks no further than to the first.
+         * Whether an agent touches another: whether <code>touching()</code> would list any agent. The search ends at the first one.
          *
-         * @param agent which; its shape is of now too
-         * @param filter which agents count; null for all. <code>accepts</code> is asked of those that it touches, the nearest first
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @param agent the agent that asks. Its shape is read now too
+         * @param filter the agents that count; null for all. <code>accepts</code> is called for the agents that it touches, beginning with the
+         *     nearest
+         * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
@@ -247,23 +252,26 @@ package starlogo.queries
         }
 
         /**
-         * How far two agents are apart, between their surfaces as the collision system sees them: 0 if they touch, and only then.
+         * The distance between the surfaces of two agents, as the collision system sees them. It is 0 if they touch, and only then.
          *
-         * <p>A tree is the nodes at which a test of it ends; in exact mode, where both have triangles, these count. Greater depths never give less,
-         * and exact mode never less than any other but the BinCollider. The first agent is where it is now, the second where and how it was in the
-         * last update, or at its last <code>moved()</code>; if it is not in the list, it is where it is now too. As both are now,
-         * <code>distance(b, a)</code> is the same number.</p>
+         * <p>For a tree it is the distance to the nodes at which a test of the tree ends. In exact mode it is the distance to the triangles, if
+         * both models have some. A greater depth never gives a smaller distance. Exact mode never gives a smaller distance than any system but
+         * the BinCollider. The first agent is seen where it is now. The second is seen as of the last update, or of its last
+         * <code>moved()</code>. If it is not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b,
+         * a)</code> is the same number.</p>
          *
-         * <p>Exact but for rounding: 1e-12 of the agents' sizes, and of the coordinates what Numbers leave. It takes a tenth to one microsecond
-         * for structures, some ten for trees at depth 5 and hundreds in exact mode. Allocates nothing.</p>
+         * <p>The distance is exact, except for rounding errors: 1e-12 of the agents' sizes, and the precision of Numbers at the coordinates. It
+         * takes 0.1 to 1 microsecond for structures, about 10 for trees at depth 5, and hundreds in exact mode. It allocates nothing.</p>
          *
-         * @param a the one
-         * @param b another one
-         * @param pointA takes the point of the first that is nearest to the second, in the world; or null. Of several, one. Where the two touch, a
-         *     point of both: in their overlap, or on the inner one of two of which one is inside of the other
-         * @param pointB takes that of the second; where the two touch, the same point
-         * @return in patches; Infinity while the model of one is loading, and then no point is written
-         * @throws ArgumentError if an agent is null, or both are one, or a model is unknown or lacks what the collision system needs
+         * @param a the first agent
+         * @param b the second agent
+         * @param pointA receives the first agent's point that is nearest to the second, in the world; or null. If several points are equally
+         *     near, it is one of them. If the two touch, it is a point of their overlap; if one is inside the other, it is a point of the inner
+         *     one
+         * @param pointB receives the second agent's nearest point; if the two touch, the same point
+         * @return in patches. While one of the models is loading, it is Infinity and no point is written
+         * @throws ArgumentError if an agent is null, if both are the same, or if a model is unknown or lacks data that the collision system
+         *     needs
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
@@ -297,16 +305,16 @@ package starlogo.queries
         }
 
         /**
-         * Lists every agent that a ray meets, where it first meets it; else as <code>cast()</code>.
+         * Lists every agent that a ray meets, with the point where the ray first meets it. The rules of <code>cast()</code> apply.
          *
          * @param origin where the ray begins, in the world
          * @param direction of any length but 0
          * @param maxDistance how far the ray goes, in patches
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one. The hits in it are written anew, and those that it has no use for are taken out, for
-         *     later lists: copy what is to stay
-         * @return out
-         * @throws ArgumentError if origin or direction is null or not finite, or the direction is 0
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list. The hits in it are overwritten, and surplus hits are removed and used again later.
+         *     Copy a hit that you want to keep
+         * @return out, or the new list
+         * @throws ArgumentError if origin or direction is null or not finite, or if the direction is 0
          * @throws RangeError if maxDistance is negative or not a number
          */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
@@ -316,13 +324,13 @@ package starlogo.queries
         }
 
         /**
-         * Whether nothing is between two agents: the line between the middles of their extents meets no other agent. Both are where they are now,
-         * and need not be in the list; of an agent whose model is loading its place is the middle.
+         * Whether no agent is between two agents. It tests the line between the middles of their extents. Both agents are seen where they are
+         * now, and need not be in the list. While an agent's model is loading, its place is used as its middle.
          *
          * @param a one of them
          * @param b the other
-         * @param filter which agents may be in the way; null for all
-         * @throws ArgumentError if one is null, or its model is unknown or lacks what the collision system needs
+         * @param filter the agents that can be in the way; null for all
+         * @throws ArgumentError if one is null, or if its model is unknown or lacks data that the collision system needs
          */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
@@ -357,16 +365,17 @@ package starlogo.queries
         }
 
         /**
-         * Moves an agent as <code>moveUntilTouch()</code> does, and where it touches another it goes on along that: with what is left of the
-         * motion, projected on the plane of the contact, or on the line in which two planes meet. All that it has touched in this motion counts, so
-         * that it ends in corners. It ends half a hair from what it touches, if there is room, so that the next motion along it is free.
+         * Moves an agent, and lets it slide along what it touches. It begins like <code>moveUntilTouch()</code>. When the agent touches another,
+         * the rest of the motion is projected on the plane of the contact, or on the line where two such planes meet. All contacts of this
+         * motion count, so the agent stops in a corner. If there is room, it ends half a hair (1e-11 of the larger extent) away from what it
+         * touches, so that the next motion along it is free.
          *
-         * @param agent moves
+         * @param agent the agent that moves
          * @param dx how far along x, in patches
-         * @param dy how far along y
-         * @param dz how far along z
-         * @param filter which agents count; null for all
-         * @return the length of its way, bends included, as a part of the length of the motion, from 0 to 1
+         * @param dy how far along y, in patches
+         * @param dz how far along z, in patches
+         * @param filter the agents that count; null for all
+         * @return the length of the agent's way, including its bends, as a part of the length of the motion, from 0 to 1
          * @throws ArgumentError as moveUntilTouch does
          * @throws RangeError as moveUntilTouch does
          * @throws flash.errors.IllegalOperationError as moveUntilTouch does

@@ -33,15 +33,15 @@ package starlogo.queries
         private var _rowPlacement:Placement = new Placement();
         private var _pair:TreePair = new TreePair();
 
-        /** No structure yet. */
+        /** Begins without a structure. */
         public function AskedStructure()
         {
         }
 
         /**
-         * Takes a structure.
+         * Sets the structure.
          *
-         * @throws ArgumentError if it is null, or no sphere, box or capsule
+         * @throws ArgumentError if it is null, or not a sphere, box or capsule
          * @throws RangeError if it is not finite
          */
         public function setTo(structure:BoundingStructure):void

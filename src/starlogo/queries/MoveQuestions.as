@@ -15,18 +15,18 @@ package starlogo.queries
      */
     public final class MoveQuestions
     {
-        /** The motion of the next question: of Numbers that are passed V8 makes objects. */
+        /** The motion of the next question. It is a field because V8 makes an object for each Number that is passed. */
         public var way:Vector3D = new Vector3D();
 
         private var _seen:SeenAgents;
         private var _mover:Mover = null;
 
-        // What is near the way, with a squared distance of 0, and of these the agents that count.
+        // The rows near the way, all with distance 0; and their agents that count.
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function MoveQuestions(seen:SeenAgents)
         {
             _seen = seen;
@@ -34,11 +34,11 @@ package starlogo.queries
         }
 
         /**
-         * As AgentQueries.moveUntilTouch, or slide, with the motion that was set.
+         * Moves an agent by the motion that was set. See AgentQueries.moveUntilTouch and AgentQueries.slide.
          *
-         * @param contact takes how it touches; or null
-         * @param slides whether it goes on along what it meets
-         * @return how much of the motion was free
+         * @param contact receives the contact; or null
+         * @param slides whether the agent slides along what it meets
+         * @return the free part of the motion
          */
         public function move(agent:Agent, filter:AgentFilter, contact:Contact, slides:Boolean):Number
         {

@@ -9,7 +9,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * The questions about which agents touch an agent or a structure.
+     * Answers which agents touch an agent or a structure.
      *
      * @private
      */
@@ -20,21 +20,21 @@ package starlogo.queries
         private var _found:FoundRows;
         private var _structure:AskedStructure = new AskedStructure();
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function TouchQuestions(seen:SeenAgents)
         {
             _seen = seen;
             _found = new FoundRows(seen);
         }
 
-        /** As AgentQueries.touching. */
+        /** See AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             findTouching(agent, filter, FoundRows.ALL);
             return _found.list(out);
         }
 
-        /** As AgentQueries.touchesAny. */
+        /** See AgentQueries.touchesAny. */
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
             if (filter == null || filter.accepts == null)
@@ -47,7 +47,7 @@ package starlogo.queries
             return _found.keepAccepted(0, 1).length > 0;
         }
 
-        /** As AgentQueries.overlapping. */
+        /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             _structure.setTo(structure);

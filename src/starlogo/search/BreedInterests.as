@@ -148,8 +148,7 @@ package starlogo.search
         }
 
         /**
-         * Keeps a member's candidates whose breeds are of interest together with the member's own breed. It moves them to the beginning of the
-         * list.
+         * Keeps a member's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
          * @param others the slots of the candidates
          * @param count the number of candidates

@@ -65,7 +65,7 @@ package starlogo.search
             out.boxBoxTests = testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
         }
 
-        /** As RowPairs.areTouching. */
+        /** See RowPairs.areTouching. */
         public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var structureA:BoundingStructure = table.structureOf(a);
@@ -83,7 +83,7 @@ package starlogo.search
             return intersects(structureA, structureB);
         }
 
-        /** As RowPairs.findTime. */
+        /** See RowPairs.findTime. */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             var structureA:BoundingStructure = table.structureOf(a);
@@ -104,14 +104,14 @@ package starlogo.search
             }
         }
 
-        /** As RowPairs.findContact. */
+        /** See RowPairs.findContact. */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             _finder.displacement.stopAt(motion);
             _finder.find(table.structureOf(a), table.structureOf(b), out);
         }
 
-        /** As RowPairs.hasExactContact. */
+        /** See RowPairs.hasExactContact. */
         public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
             if ((spheresFirst || capsulesFirst) && haveOuter(table, a, b))

@@ -7,7 +7,7 @@ package evaluation
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.Model;
 
-    /** The thesis's collider to the letter beside each collider. */
+    /** For each collider, the thesis's own algorithm, written literally. */
     public final class LiteralColliders
     {
         private var _bins:LiteralBinCollider = new LiteralBinCollider();
@@ -16,12 +16,12 @@ package evaluation
 
         /**
          * @param greatLand has the tightest fits
-         * @param models those of which hierarchies are built
+         * @param models the models whose hierarchies are built
          */
         public function LiteralColliders(greatLand:GreatLand, models:Array)
         {
             _tightest = new LiteralTightestFitCollider(greatLand.boundingStructures);
-            // of vertices alone, as in the thesis
+            // from vertices alone, as in the thesis
             var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
             for each (var model:Model in models)
             {
@@ -31,7 +31,7 @@ package evaluation
         }
 
         /**
-         * The function that tells whether two agents collide, or null where the thesis leaves out how that goes.
+         * The function that decides whether two agents collide, or null if the thesis does not describe the algorithm.
          *
          * @param name one of Settings.COLLIDERS
          */

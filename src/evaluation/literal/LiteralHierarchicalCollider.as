@@ -8,9 +8,9 @@ package evaluation.literal
     import starlogo.hierarchy.HierarchyNode;
 
     /**
-     * The HierarchicalCollider as the thesis describes it (§4.5, §4.6): for each pair of nodes that is visited, both boxes are
-     * copied and put through scale, rotation and translation, then tested by eight corners on fifteen axes; where they
-     * intersect, each child of the one is visited with each of the other.
+     * The HierarchicalCollider as the thesis describes it (§4.5, §4.6). For each visited pair of nodes, both boxes are copied, scaled,
+     * rotated and translated. Then their eight corners are tested on fifteen axes. If the boxes intersect, each child of one is visited
+     * with each child of the other.
      */
     public final class LiteralHierarchicalCollider
     {
@@ -21,7 +21,7 @@ package evaluation.literal
 
         /**
          * @param library has the hierarchies
-         * @param maxDepth how many levels are visited
+         * @param maxDepth the number of levels to visit
          */
         public function LiteralHierarchicalCollider(library:HierarchiesLibrary, maxDepth:int = 5)
         {

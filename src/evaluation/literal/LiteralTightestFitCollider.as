@@ -9,8 +9,8 @@ package evaluation.literal
     import starlogo.libraries.BoundingStructuresLibrary;
 
     /**
-     * The TightestFitCollider as the thesis describes it (§3.2, §3.5, §3.6.4): for each pair of agents, both structures are
-     * copied and put through scale, rotation and translation, then two boxes are tested by eight corners on fifteen axes.
+     * The TightestFitCollider as the thesis describes it (§3.2, §3.5, §3.6.4). For each pair of agents, both structures are copied, scaled,
+     * rotated and translated. Two boxes are then tested by their eight corners on fifteen axes.
      */
     public final class LiteralTightestFitCollider
     {
@@ -36,7 +36,7 @@ package evaluation.literal
             return intersects(structureA, structureB);
         }
 
-        /** The structure of an agent, copied and transformed. */
+        /** A transformed copy of an agent's structure. */
         public function inWorld(agent:Agent):BoundingStructure
         {
             var structure:BoundingStructure = _library.tightestFit(agent.shape).clone();

@@ -1,19 +1,19 @@
-/** The project's documentation and examples as pages beside the playground, which links to them. */
+/** Writes the project's documentation and examples as pages beside the playground, which links to them. */
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { Marked, Renderer } from "marked";
 
-/** The pages that are not in docs/, each with its name there. */
+/** Pages outside of docs/, with their names among the pages. */
 const OTHERS = { "README.md": "project", "CONTRIBUTING.md": "contributing", "js/module/README.md": "package" };
-/** The examples, each with the files that its page lists. */
+/** The examples, with the files that each page lists. */
 const EXAMPLES = { page: ["page.js", "pictures.js"], three: ["page.js"], client: ["Client.as", "Pictures.as"] };
 const STARTS = { js: "js", as: "actionscript" };
 
 /**
- * Writes them.
+ * Writes the pages.
  *
  * @param {string} root the project's folder
- * @param {string} out where they are put
+ * @param {string} out the output folder
  */
 export function writeDocs(root, out) {
 	const pages = new Map(readdirSync(path.join(root, "docs")).filter((file) => file.endsWith(".md")).map((file) => [`docs/${file}`, file === "README.md" ? "index" : file.slice(0, -".md".length)]));
@@ -31,10 +31,10 @@ export function writeDocs(root, out) {
 
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll("\"", "&quot;");
 
-/** A heading's place in its page, as links name it. */
+/** The id of a heading, as links name it. */
 const placeOf = (text) => text.toLowerCase().replaceAll(/[^\p{L}\p{N} _-]/gu, "").replaceAll(" ", "-");
 
-/** A text in Markdown as HTML. Links lead to the other pages, pictures are copied, and what is not there is no link. */
+/** A Markdown text as HTML. Links lead to the other pages, pictures are copied, and a link to something missing becomes text. */
 function htmlOf(file, text, { root, out, pages }) {
 	const marked = new Marked({ renderer: {
 		heading({ tokens, depth, text: words }) {
@@ -53,7 +53,7 @@ function htmlOf(file, text, { root, out, pages }) {
 			cpSync(from, path.join(out, path.basename(href)));
 			return `<img src="${path.basename(href)}" alt="${escaped(words)}" loading="lazy">`;
 		},
-		// what scrolls is reached by keys
+		// keys can reach elements that scroll
 		code({ text: words }) {
 			return `<pre tabindex="0"><code>${escaped(words)}</code></pre>\n`;
 		},

@@ -74,6 +74,12 @@ export async function serveExamples(port = 0) {
 	};
 }
 
+/** Opens an example in a browser's page, and waits until so many frames have been. */
+export async function open(page, site, { name, address }, frames) {
+	await page.goto(`${site.url}${address}${address.includes('?') ? '&' : '?'}frames=${frames}`);
+	await page.waitForFunction((wanted) => Number(document.documentElement.dataset.frame) >= wanted, frames);
+}
+
 /** A page of the examples, which names this machine in place of the network; null for what is none. */
 function pageAt(pathname) {
 	const file = path.join(root, pathname.endsWith('/') ? `${pathname}index.html` : pathname);

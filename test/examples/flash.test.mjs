@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { folder, groups, isSwf, open } from '../../build/examples/index.mjs';
-import { root, serveExamples } from '../../build/examples/site.mjs';
+import { folder, groups, isSwf } from '../../build/examples/list.mjs';
+import { open, root, serveExamples } from '../../build/examples/site.mjs';
 import { launch } from '../headless/browsers.mjs';
 
 const examples = groups().flatMap((group) => group.examples).filter(({ name }) => isSwf(name));

@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { folder, groups, open, pages } from '../../build/examples/index.mjs';
-import { root, serveExamples } from '../../build/examples/site.mjs';
+import { folder, groups, pages } from '../../build/examples/list.mjs';
+import { open, root, serveExamples } from '../../build/examples/site.mjs';
 import { launch } from '../headless/browsers.mjs';
 
 const examples = groups().flatMap((group) => group.examples);

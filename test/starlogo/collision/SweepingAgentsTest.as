@@ -187,7 +187,7 @@ package starlogo.collision
                 assertNear("normal", -1, contact.normal.x);
                 assertNear("point", 4.525, contact.point.x);
             }
-            assertThrows(ArgumentError, /two agents/, collider.contactOf, _ball, _ball);
+            assertThrows(ArgumentError, /two different agents/, collider.contactOf, _ball, _ball);
             assertThrows(ArgumentError, /two agents/, collider.contactOf, null, _ball);
         }
 

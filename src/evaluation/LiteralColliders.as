@@ -1,6 +1,7 @@
 package evaluation
 {
     import evaluation.literal.LiteralBinCollider;
+    import evaluation.literal.LiteralCombinationCollider;
     import evaluation.literal.LiteralHierarchicalCollider;
     import evaluation.literal.LiteralTightestFitCollider;
     import starlogo.GreatLand;
@@ -13,6 +14,7 @@ package evaluation
         private var _bins:LiteralBinCollider = new LiteralBinCollider();
         private var _tightest:LiteralTightestFitCollider;
         private var _hierarchical:LiteralHierarchicalCollider;
+        private var _combination:LiteralCombinationCollider;
 
         /**
          * @param greatLand has the tightest fits
@@ -28,10 +30,11 @@ package evaluation
                 hierarchies.add(model.name, model.vertices);
             }
             _hierarchical = new LiteralHierarchicalCollider(hierarchies);
+            _combination = new LiteralCombinationCollider(_tightest, _hierarchical, hierarchies);
         }
 
         /**
-         * The function that decides whether two agents collide, or null if the thesis does not describe the algorithm.
+         * The function that decides whether two agents collide.
          *
          * @param name one of Settings.COLLIDERS
          */
@@ -45,8 +48,10 @@ package evaluation
                     return _tightest.areColliding;
                 case "HierarchicalCollider":
                     return _hierarchical.areColliding;
+                case "CombinationCollider":
+                    return _combination.areColliding;
                 default:
-                    return null;
+                    throw new ArgumentError("the thesis has no collider of this name: " + name);
             }
         }
     }

@@ -162,7 +162,7 @@ package evaluation
         private function addGame(figure:String, subject:String, variant:String, collider:String, scene:Scene, thesis:*):void
         {
             tasks.push(new GameTask(figure, subject, variant, scene, Colliders.make(collider, _greatLand),
-                        figure == "crowds" ? _literal.pairTest(collider) : null, thesis, _settings, _results));
+                        figure == "scattered" ? null : _literal.pairTest(collider), thesis, _settings, _results));
         }
 
         private static function makeSomeHierarchical(scene:Scene, count:int):void

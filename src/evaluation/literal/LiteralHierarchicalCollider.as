@@ -1,7 +1,5 @@
 package evaluation.literal
 {
-    import flash.geom.Matrix3D;
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.libraries.HierarchiesLibrary;
@@ -39,7 +37,7 @@ package evaluation.literal
 
         private function nodesMeet(a:HierarchyNode, b:HierarchyNode, depth:int):Boolean
         {
-            if (!boxBox(inWorld(a.bounds as Box, _agentA), inWorld(b.bounds as Box, _agentB)))
+            if (!boxBox(LiteralTightestFitCollider.placed(a.bounds, _agentA) as Box, LiteralTightestFitCollider.placed(b.bounds, _agentB) as Box))
             {
                 return false;
             }
@@ -57,17 +55,6 @@ package evaluation.literal
             }
             return nodesMeet(a.left, b.left, depth + 1) || nodesMeet(a.left, b.right, depth + 1)
                 || nodesMeet(a.right, b.left, depth + 1) || nodesMeet(a.right, b.right, depth + 1);
-        }
-
-        private static function inWorld(box:Box, agent:Agent):Box
-        {
-            var copy:Box = box.clone() as Box;
-            var rotation:Matrix3D = new Matrix3D();
-            rotation.appendRotation(agent.heading, Vector3D.Z_AXIS);
-            copy.scale(agent.size);
-            copy.rotate(rotation);
-            copy.translate(new Vector3D(agent.x, agent.y, agent.z));
-            return copy;
         }
     }
 }

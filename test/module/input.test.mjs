@@ -393,7 +393,7 @@ test("errors name structures, elements of lists, functions and settings as their
 	refused(() => (filter.breeds = [3]), "AgentFilter.breeds[0] must be a string, not 3");
 	refused(() => (filter.breeds = "bears"), 'AgentFilter.breeds must be an array of strings, not "bears"');
 	refused(() => (land.boundingStructures.fitters = [3]), "fitters[0] must be a Fitter, not 3");
-	refused(() => new engine.AgentQueries({}), "which say what agents look like, not a plain object");
+	refused(() => new engine.AgentQueries({}), "one of the engine's collision systems, not a plain object");
 	refused(() => new Collision(new BinCollider()).onCollision("", "b", () => 0), 'not "", "b" and the function without a name');
 	refused(() => (land.hierarchyBounds = 77), "hierarchyBounds, must be BoundingStructure.BOX, SPHERE or CAPSULE");
 	const one = new Agent("cube");

@@ -18,8 +18,8 @@ package starlogo.queries
      * changes nothing in a Collision or a collision system.</p>
      *
      * <p>Every list is complete, and sorted by distance. Agents at the same distance keep the order of the list given to <code>update()</code>.
-     * The distance of two agents is the distance of their places <code>(x, y, z)</code>. An agent exactly on a border is inside it. If you pass
-     * <code>out</code>, nothing is allocated. An agent whose model is loading has a place, but touches nothing.</p>
+     * The distance of two agents is the distance of their places <code>(x, y, z)</code>. An agent exactly on the border of a radius or a cone is
+     * in the answer. If you pass <code>out</code>, nothing is allocated. An agent whose model is loading has a place, but touches nothing.</p>
      *
      * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
@@ -38,7 +38,7 @@ package starlogo.queries
         /**
          * Begins without agents. Call <code>update()</code> before you ask.
          *
-         * @param collisionOrSystem a Collision, or one of the engine's collision systems. Its collision system decides how agents are seen. If a
+         * @param collisionOrSystem a Collision, or one of the engine's collision systems. The collision system decides how agents are seen. If a
          *     Collision gets another system, questions use it after the next update
          * @throws ArgumentError if it is neither, or if the Collision's system is not one of the engine's
          */
@@ -208,8 +208,8 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that touch an agent. The collision system's findCollisions would find these pairs if all agents stood where questions
-         * see them.
+         * Lists the agents that touch an agent. The collision system's findCollisions would report the same pairs, for agents that stand where
+         * questions see them.
          *
          * @param agent the agent that asks. Its shape is read now too
          * @param filter the agents that count; null for all
@@ -254,21 +254,22 @@ package starlogo.queries
         /**
          * The distance between the surfaces of two agents, as the collision system sees them. It is 0 if they touch, and only then.
          *
-         * <p>For a tree it is the distance to the nodes at which a test of the tree ends. In exact mode it is the distance to the triangles, if
-         * both models have some. A greater depth never gives a smaller distance. Exact mode never gives a smaller distance than any system but
-         * the BinCollider. The first agent is seen where it is now. The second is seen as of the last update, or of its last
-         * <code>moved()</code>. If it is not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b,
-         * a)</code> is the same number.</p>
+         * <p>A tree's surface is the nodes at which a test of the tree ends. In exact mode it is the triangles, if both models have some. A
+         * greater depth never gives a smaller distance. Exact mode never gives a smaller distance than any system but the BinCollider.</p>
+         *
+         * <p>The first agent is seen where it is now. The second is seen as of the last update, or of its last <code>moved()</code>. If it is
+         * not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b, a)</code> is the same number.</p>
          *
          * <p>The distance is exact, except for rounding errors: 1e-12 of the agents' sizes, and the precision of Numbers at the coordinates. It
-         * takes 0.1 to 1 microsecond for structures, about 10 for trees at depth 5, and hundreds in exact mode. It allocates nothing.</p>
+         * takes 0.1 to 1 microsecond for structures, about 10 microseconds for trees at depth 5, and hundreds of microseconds in exact mode. It
+         * allocates nothing.</p>
          *
          * @param a the first agent
          * @param b the second agent
          * @param pointA receives the first agent's point that is nearest to the second, in the world; or null. If several points are equally
-         *     near, it is one of them. If the two touch, it is a point of their overlap; if one is inside the other, it is a point of the inner
-         *     one
-         * @param pointB receives the second agent's nearest point; if the two touch, the same point
+         *     near, it is one of them. If the two touch, it is a point of their overlap. If one agent is inside the other, it is a point of the
+         *     inner one
+         * @param pointB receives the second agent's nearest point; or null. If the two touch, it is the same point
          * @return in patches. While one of the models is loading, it is Infinity and no point is written
          * @throws ArgumentError if an agent is null, if both are the same, or if a model is unknown or lacks data that the collision system
          *     needs

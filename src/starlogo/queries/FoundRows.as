@@ -143,7 +143,7 @@ package starlogo.queries
          * again.
          *
          * @param first how many rows to leave out at the beginning
-         * @param most stops when so many agents are accepted
+         * @param most the number of accepted agents after which it stops
          * @return the accepted agents. The next call overwrites the list
          */
         public function keepAccepted(first:int, most:int):Vector.<Agent>

@@ -21,7 +21,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _mover:Mover = null;
 
-        // The rows near the way, all with distance 0; and their agents that count.
+        // The rows near the way, all with the distance 0; and their agents, without those that accepts refuses.
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();

@@ -29,8 +29,8 @@ package starlogo.queries
         // The number of places that are tried for an end in which the two touch.
         private static const STEPS_INTO_TOUCH:int = 6;
 
-        // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. Behind an edge, the contact
-        // that stops the motion is looked for at this distance.
+        // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. If a contact at an edge
+        // does not tell what stops the motion, the contact at this distance behind it is used.
         private static const NEXT:Number = 1e-4;
 
         // Between two walls the row may be lifted to and fro. After this many rounds, the planes of the remaining contacts stand for the walls.
@@ -221,7 +221,8 @@ package starlogo.queries
             }
         }
 
-        // Tries several places, and begins half of the touching gap away. Returns whether the two touch at one of them.
+        // Tries several places, from half a gap before the contact on. The gap is the distance across which the two still touch. Returns whether
+        // they touch at one of the places.
         private function stepIntoTouch():Boolean
         {
             var gap:Number = _sweep.gapAt(at);
@@ -275,8 +276,8 @@ package starlogo.queries
             return !isStuck;
         }
 
-        // Removes planes that are not needed. At the edges of tiles, a contact's plane may belong to a side that the next tile hides. If the
-        // motion meets nothing in this corner without a plane, this plane is removed.
+        // Removes planes that are not needed. At the edges of tiles, a contact's plane may belong to a side that the next tile hides. A plane is
+        // removed if the motion meets nothing in this corner without it.
         private function dropNeedless():void
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
@@ -294,7 +295,7 @@ package starlogo.queries
             return _sweep.time * _rest.length < NEXT * _sweep.extent;
         }
 
-        // Lifts the row half a hair off the rows that it touched on the last part of its way and still touches, if there is room.
+        // The row may still touch rows that it touched on the last part of its way. It is lifted half a hair off them, if there is room.
         private function leaveTouches():void
         {
             _before.copyFrom(at);

@@ -32,8 +32,8 @@ package starlogo.queries
         private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
         private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
 
-        // The smaller row's smallest half-extent is a hair shorter. For slim rows a tenth of the largest half-extent counts in its place, so
-        // that corners move by at most ten hairs. A row loses at most half of its size.
+        // In a trial the smallest half-extent of the smaller row loses a hair, and the others lose in proportion. For a slim row a tenth of its
+        // largest half-extent loses the hair. So no half-extent loses more than ten hairs. A row loses at most half of its size.
         private static const SLIMMEST:Number = 10;
         private static const MOST_SHARE:Number = 0.5;
 

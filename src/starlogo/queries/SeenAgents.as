@@ -191,7 +191,7 @@ package starlogo.queries
             var collider:Collider = Collider.behind(system);
             if (collider == null)
             {
-                throw new ArgumentError("questions need a Collision or one of the engine's collision systems, which say what agents look like, not "
+                throw new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
                         + textOf(system, "a Collision or a Collider"));
             }
             return collider;

@@ -27,7 +27,7 @@ package starlogo.queries
         /** The number of planes. */
         public var count:int = 0;
 
-        /** The index of the first plane of the present corner. */
+        /** The index of the first plane of the current corner. */
         public var corner:int = 0;
 
         private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
@@ -52,7 +52,9 @@ package starlogo.queries
             beginCorner();
         }
 
-        /** Begins a corner. The planes that are added from now on belong to it. The present rest of the motion is projected on them. */
+        /**
+         * Begins a corner. All planes that are added from now on belong to it. <code>project()</code> then projects the motion that is left now.
+         */
         public function beginCorner():void
         {
             corner = count;

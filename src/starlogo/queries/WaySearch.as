@@ -35,7 +35,7 @@ package starlogo.queries
         // Where on the way the box meets the box that was tested last.
         private var _entry:Number = 0;
 
-        // The slots of the present leaf whose boxes overlap the box around the way; the next of them; and their number.
+        // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
         private var _slots:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
         private var _end:int = 0;
@@ -228,8 +228,8 @@ package starlogo.queries
             }
         }
 
-        // Whether the box meets another within the limit. _entry receives where (the method of slabs: Kay and Kajiya, "Ray Tracing Complex
-        // Scenes", 1986).
+        // Whether the box meets another within the limit. Writes the place on the way to _entry (the method of slabs: Kay and Kajiya, "Ray
+        // Tracing Complex Scenes", 1986).
         private function isOnWay(boxes:Vector.<Number>, box:int):Boolean
         {
             var enters:Number = 0;

@@ -38,7 +38,7 @@ package starlogo.search
         private var _list:RowList;
         private var _bins:Bins;
 
-        // The number of the last list after which the rows of all other agents were freed.
+        // The number of the list after which rows were last freed.
         private var _freedList:int = 0;
 
         /**

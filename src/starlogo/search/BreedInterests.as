@@ -49,7 +49,10 @@ package starlogo.search
         {
         }
 
-        /** The number of breeds with a number. Each named breed has one. If a pair has ANY_BREED, all breeds without a name share one more. */
+        /**
+         * The number of breeds that are told apart. Each breed in a pair counts. If a pair has ANY_BREED, all other breeds together count as one
+         * more.
+         */
         public function get breedCount():int
         {
             return _hasAny ? _named.length + 1 : _named.length;

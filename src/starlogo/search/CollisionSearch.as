@@ -260,7 +260,7 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var otherRow:int = _bins.rowAt[other];
-                // the time is that of the first agent's motion relative to the second; the first in the list is first
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = member < _bins.memberAt[other];
                 var time:Number = isFirst ? impactTime(row, otherRow) : impactTime(otherRow, row);
                 if (time != RelativeMotion.NEVER)

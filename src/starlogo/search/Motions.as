@@ -10,8 +10,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Finds the motions of a table's rows between the last two searches, and when and how two moving rows touch. It is used only for searches in
-     * which an agent sweeps.
+     * Finds the motions of a table's rows between the last two searches, and when and how two moving rows touch. The motions are found only if
+     * an agent sweeps.
      */
     internal final class Motions
     {

@@ -138,8 +138,8 @@ package starlogo.search
             _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
         }
 
-        // Handles two rows that do not touch at the time, because of rounding. The depth is 0. The normal is the motion's direction, unless the
-        // two touch a little way along the contact's normal.
+        // Handles two rows that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
+        // two touch if the row moves a little against the given normal.
         private function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;

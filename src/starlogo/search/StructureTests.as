@@ -26,7 +26,7 @@ package starlogo.search
          */
         public var boxFacesOnly:Boolean = false;
 
-        /** For the engine's colliders only: each has one. At first the spheres are tested, then the exact test follows. */
+        /** For the engine's colliders only. Each of them has one. */
         public function StructureTests()
         {
         }

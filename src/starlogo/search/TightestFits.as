@@ -35,7 +35,7 @@ package starlogo.search
             var model:String = shape.model;
             if (!library.has(model))
             {
-                throw new ArgumentError(agent + ": its model was added while loadTightestFit was off; set it, and add the model again");
+                throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set it to true, and add the model again");
             }
             if (shape.kind != Agent.ANY_KIND)
             {

@@ -30,7 +30,7 @@ package starlogo.search
         {
             if (!greatLand.hierarchies.has(shape.model))
             {
-                throw new ArgumentError(agent + ": its model was added while loadHierarchies was off; set it, and add the model again");
+                throw new ArgumentError(agent + ": its model was added while loadHierarchies was false; set it to true, and add the model again");
             }
             shape.setTree(greatLand.hierarchies.hierarchy(shape.model));
         }

@@ -20,9 +20,9 @@ package starlogo.search
         public var capsulesFirst:Boolean = false;
 
         /**
-         * Whether two boxes count as colliding as soon as their extents along x, y and z overlap and none of their faces separates them (thesis
-         * §3.6.4). No collision is missed. But boxes that are separated by edges alone count as colliding too. The thesis estimates that this
-         * happens in 7.5 % of the tests. The setting saves about a third of the time for boxes that meet.
+         * Whether two boxes count as colliding as soon as their extents along x, y and z overlap and none of their faces separates them. No
+         * collision is missed. But boxes that are separated by edges alone count as colliding too, in an estimated 7.5 % of the tests (thesis
+         * §3.6.4). The setting saves about a third of the time for boxes that meet.
          */
         public var boxFacesOnly:Boolean = false;
 

@@ -23,13 +23,13 @@ package starlogo.queries
 
         /**
          * A function that decides about one agent: <code>function(agent:Agent):Boolean</code>. It returns true if the agent counts. It is called
-         * last.
+         * last, after all other properties.
          *
          * <p>A question calls it for as few agents as the answer needs. If the answer is sorted by distance, it begins with the nearest agent. A
          * Collision calls it once a frame for each agent that the other properties do not exclude.</p>
          *
-         * <p>The function may ask questions itself. It must not change what the AgentQueries sees: it must not call <code>update()</code> or
-         * <code>moved()</code>, and it must not call <code>moveUntilTouch()</code> or <code>slide()</code> for an agent in the list.</p>
+         * <p>The function may ask questions itself. It must not change what the AgentQueries sees. So it must not call <code>update()</code> or
+         * <code>moved()</code>. It must not call <code>moveUntilTouch()</code> or <code>slide()</code> for an agent in the list.</p>
          */
         public var accepts:Function = null;
 

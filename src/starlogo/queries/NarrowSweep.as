@@ -14,7 +14,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Finds what a moving row of a table would go into. A row that it only touches, leaves or runs along does not stop it.
+     * Finds the rows that a moving row of a table would go into. A row that it only touches, leaves or runs along does not stop it.
      *
      * <p>Two rows meet if they touch in both of two trials. In the first trial the moving row is a hair smaller than it is, about the middle of
      * its extents. In the second trial the other row is a hair smaller. A hair is 2e-11 of the larger extent, plus rounding errors.</p>

@@ -77,7 +77,7 @@ package starlogo.queries
             return _found.count > 0 ? _seen.table.agents[_found.rows[0]] : null;
         }
 
-        /** As AgentQueries.inCone. */
+        /** See AgentQueries.inCone. */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             if (!(degrees >= 0))

@@ -325,7 +325,7 @@ package starlogo.search
         {
             if (_bins != null && shapes[row] != null && _bins.levels.fit(extents, row))
             {
-                // it needs a finer level once it comes back, so every search computes its extents until then
+                // the row needs a finer level when its agent comes back, so every search computes its extents until then
                 extentsRevisions[row] = STALE;
             }
         }

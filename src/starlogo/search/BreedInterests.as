@@ -25,7 +25,7 @@ package starlogo.search
          */
         engine var areOfInterest:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** @private Whether every pair of the breeds that have numbers is of interest. */
+        /** @private Whether all pairs of the breeds that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
         /**

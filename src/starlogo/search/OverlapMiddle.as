@@ -16,8 +16,8 @@ package starlogo.search
         }
 
         /**
-         * Moves a contact's point along its normal, into the middle of the overlap, if a row is shorter along the normal than the contact is
-         * deep. For example, the row may be inside the other one.
+         * Moves a contact's point along its normal, into the middle of the overlap. This is needed if a row is shorter along the normal than the
+         * contact is deep. For example, the row may be inside the other one.
          *
          * @param a the first row of the contact
          * @param b the second row

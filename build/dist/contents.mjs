@@ -29,6 +29,7 @@ export function contents(bin, baked, seconds) {
 	}
 	addFolder('docs', inRoot('docs'));
 	addFolder('docs/asdoc', path.join(bin, 'dist/asdoc'));
+	addFolder('docs/typedoc', path.join(bin, 'typedoc'));
 	addFolder('swc', path.join(bin, 'dist'), (file) => file.endsWith('.swc'));
 	addFolder('module', path.join(bin, 'module'));
 	addFolder('playground', path.join(bin, 'playground'));
@@ -36,6 +37,7 @@ export function contents(bin, baked, seconds) {
 	addFolder('examples', inRoot('examples'));
 	addFolder('examples/flash', path.join(bin, 'dist/examples/flash'));
 	add('licences/MPL-1.1.html', inRoot(MPL));
+	for (const name of ['typedoc', 'lunr']) add(`licences/${name}.txt`, inRoot(`js/module/node_modules/${name}/LICENSE`));
 	files.set('licences/README.md', Buffer.from(licences()));
 	return files;
 }
@@ -73,7 +75,8 @@ Of others:
 ${rows.join('\n')}
 
 The texts: \`playground/LICENSES.txt\` for the playground, \`licences/MPL-1.1.html\` for ASDoc's templates,
-which are as the Flex SDK has them in its folder \`asdoc/templates\`. The SWCs and the module have nothing of others in them. \`sbom.cdx.json\` lists all of
+which are as the Flex SDK has them in its folder \`asdoc/templates\`, but for what is added at the end of \`asdoc.js\`;
+\`licences/typedoc.txt\` and \`licences/lunr.txt\` for the JavaScript API's pages. The SWCs and the module have nothing of others in them. \`sbom.cdx.json\` lists all of
 this for programs, and the tools that made it.
 `;
 }

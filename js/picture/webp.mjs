@@ -21,12 +21,12 @@ function numbers(...pairs) {
 	}));
 }
 
-/** The chunks of a still, by their names. */
-function chunksOf(still) {
-	const chunks = new Map();
-	for (let at = 12; at < still.length; ) {
-		const length = still.readUInt32LE(at + 4);
-		chunks.set(still.toString('latin1', at, at + 4), still.subarray(at + 8, at + 8 + length));
+/** The chunks of a picture: [name, bytes], in their order. */
+export function chunksOf(picture) {
+	const chunks = [];
+	for (let at = 12; at < picture.length; ) {
+		const length = picture.readUInt32LE(at + 4);
+		chunks.push([picture.toString('latin1', at, at + 4), picture.subarray(at + 8, at + 8 + length)]);
 		at += 8 + length + length % 2;
 	}
 	return chunks;
@@ -34,7 +34,7 @@ function chunksOf(still) {
 
 /** The chunk of a still that has its pixels, compressed with loss and without transparency, and its size. */
 function frameOf(still) {
-	const chunks = chunksOf(still);
+	const chunks = new Map(chunksOf(still));
 	const pixels = chunks.get('VP8 ');
 	if (!pixels || chunks.has('ALPH')) throw new Error(`expected a WebP picture with a chunk "VP8 " and no transparency, not ${[...chunks.keys()]}`);
 	return { pixels, width: pixels.readUInt16LE(6) & 0x3fff, height: pixels.readUInt16LE(8) & 0x3fff };

@@ -244,7 +244,8 @@ package starlogo.agents
 
         /**
          * Moves, turns and scales the agent by a matrix. <code>transform</code> returns such a matrix. Flash Player stores a Matrix3D in
-         * single precision, which rounds each number by up to 1e-7 of its size. setQuaternion, moveTo and size keep full precision.
+         * single precision, which rounds each number by up to 1e-7 of its size. The methods setQuaternion and moveTo and the property size keep
+         * full precision.
          *
          * @param matrix from the model's space to the world; it may rotate, scale evenly and translate
          * @throws ArgumentError if it is null, or mirrors, shears, or scales unevenly

@@ -363,7 +363,7 @@ package flash.geom
         }
 
         /**
-         * The translation, rotation and scale. recompose makes the same matrix from them, if it has no shear. A matrix that mirrors has a
+         * The translation, rotation and scale. The method recompose makes the same matrix from them, if it has no shear. A matrix that mirrors has a
          * negative z scale. Angles are in radians.
          *
          * <p>Ruffle differs in three points. Here half a turn has an axis, an angle is never NaN if its cosine is rounded to more than 1,

@@ -18,10 +18,10 @@ package
     import starlogo.diagnostics.CollisionMonitor;
 
     /**
-     * The client in small: a game on Away3D, with nothing of the engine but its public names.
+     * A small client: a game on Away3D that uses only the engine's public names.
      *
-     * <p>Parameters: <code>scene</code> is "game" or "models"; <code>keys</code> are key codes with commas between, which are held
-     * down from the start; with <code>frames</code> it ends after as many, and traces what they took.</p>
+     * <p>Parameters: <code>scene</code> is "game" or "models". <code>keys</code> are key codes, separated by commas, that are held down
+     * from the start. With <code>frames</code> it ends after that many frames and traces their times.</p>
      */
     public class Client extends Sprite
     {

@@ -20,16 +20,16 @@ package
     import evaluation.Task;
 
     /**
-     * The timing harness: the thesis's evaluation (§6), run in the player a step a frame. What was measured goes to the
-     * runner as results.json; test/timing makes tables and the report of it. For the parameters, see Settings.
+     * The timing harness: the thesis's evaluation (§6), one step per player frame. The measurements go to the runner as results.json, and
+     * test/timing makes tables and a report from it. Settings lists the parameters.
      */
     public class Timing extends Sprite
     {
-        // drawing the stage takes the player a good part of a shorter step
+        // Drawing the stage takes the player a good part of a shorter step.
         private static const STEP_MS:int = 150;
         private static const VIEW_MS:int = 250;
         private static const FRAME_RATE:int = 60;
-        // the player takes longer to draw more than to collide them
+        // Drawing more agents takes the player longer than colliding them.
         private static const MOST_SHOWN:int = 1000;
         private static const USAGE:int = 64;
 
@@ -87,7 +87,7 @@ package
             var task:Task = _tasks[_current];
             _progress.report(_current);
             var isDone:Boolean = false;
-            // a monitored game gets its frames one by one
+            // a MonitorTask gets its frames one at a time
             var end:int = getTimer() + (task is MonitorTask ? 0 : STEP_MS);
             do
             {

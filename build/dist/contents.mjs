@@ -3,7 +3,7 @@ import { readFileSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { partsInside } from './parts.mjs';
 import { NAME, VERSION, inRoot } from './project.mjs';
-import { normaliseSwc } from './swc.mjs';
+import { normaliseSwc, normaliseSwf } from './swc.mjs';
 
 const ASDOC_DATE = /<br\/>\w{3} \w{3} \d+ \d{4}, \d\d:\d\d [AP]M \w+ */g;
 const MPL = 'node_modules/flex-sdk/lib/flex_sdk/license-mpl.htm';
@@ -29,12 +29,15 @@ export function contents(bin, baked, seconds) {
 	}
 	addFolder('docs', inRoot('docs'));
 	addFolder('docs/asdoc', path.join(bin, 'dist/asdoc'));
+	addFolder('docs/typedoc', path.join(bin, 'typedoc'));
 	addFolder('swc', path.join(bin, 'dist'), (file) => file.endsWith('.swc'));
 	addFolder('module', path.join(bin, 'module'));
 	addFolder('playground', path.join(bin, 'playground'));
 	addFolder('assets', baked);
 	addFolder('examples', inRoot('examples'));
+	addFolder('examples/flash', path.join(bin, 'dist/examples/flash'));
 	add('licences/MPL-1.1.html', inRoot(MPL));
+	for (const name of ['typedoc', 'lunr']) add(`licences/${name}.txt`, inRoot(`js/module/node_modules/${name}/LICENSE`));
 	files.set('licences/README.md', Buffer.from(licences()));
 	return files;
 }
@@ -47,6 +50,9 @@ function filesIn(folder) {
 function normalised(name, content, seconds) {
 	if (name.endsWith('.swc')) {
 		return normaliseSwc(content, seconds, { LICENSE: readFileSync(inRoot('LICENSE')), VERSION: Buffer.from(`${NAME} ${VERSION}\n`) });
+	}
+	if (name.endsWith('.swf')) {
+		return normaliseSwf(content, seconds);
 	}
 	if (name.startsWith('docs/asdoc/') && name.endsWith('.html')) {
 		return Buffer.from(content.toString('utf8').replaceAll(ASDOC_DATE, ''));
@@ -69,7 +75,8 @@ Of others:
 ${rows.join('\n')}
 
 The texts: \`playground/LICENSES.txt\` for the playground, \`licences/MPL-1.1.html\` for ASDoc's templates,
-which are as the Flex SDK has them in its folder \`asdoc/templates\`. The SWCs and the module have nothing of others in them. \`sbom.cdx.json\` lists all of
+which are as the Flex SDK has them in its folder \`asdoc/templates\`, but for what is added at the end of \`asdoc.js\`;
+\`licences/typedoc.txt\` and \`licences/lunr.txt\` for the JavaScript API's pages. The SWCs and the module have nothing of others in them. \`sbom.cdx.json\` lists all of
 this for programs, and the tools that made it.
 `;
 }

@@ -12,6 +12,8 @@ const INSIDE = {
 	'@blockly/keyboard-navigation': { folder: 'js/playground/', where: ['playground'], what: 'reaches blocks by keys' },
 	blockly: { folder: 'js/playground/', where: ['playground'], what: 'shows blocks' },
 	three: { folder: 'js/playground/', where: ['playground'], what: 'draws' },
+	typedoc: { folder: 'js/module/', where: ['docs/typedoc'], what: 'the style sheets and scripts of the JavaScript API\'s pages' },
+	lunr: { folder: 'js/module/', where: ['docs/typedoc'], what: 'finds names in these pages' },
 };
 
 /** What Maven's packages say of their licences, by organisation. */

@@ -38,7 +38,13 @@ function sortMatches(text, pattern) {
 	return text.replaceAll(pattern, () => sorted.shift());
 }
 
-function normaliseSwf(file, seconds) {
+/**
+ * The same SWF with the time of the release in place of when it was compiled.
+ *
+ * @param {Buffer} file the SWF
+ * @param {number} seconds the time of the release, of the Unix epoch
+ */
+export function normaliseSwf(file, seconds) {
 	const swf = readSwf(file);
 	const { content } = swf.tags.find(({ code }) => code === PRODUCT_INFO);
 	content.writeBigUInt64LE(BigInt(seconds) * 1000n, PRODUCT_INFO_TIME);

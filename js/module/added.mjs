@@ -1,7 +1,9 @@
-/** Methods that return a ByteArray in ActionScript, and a Uint8Array in JavaScript: it can be copied and sent like all of the platform's own. */
+/**
+ * Methods that return a ByteArray in ActionScript and a Uint8Array in JavaScript, which can be copied and sent by the platform's functions.
+ */
 export const PLAIN_BYTES = new Set(["starlogo.GreatLand.bake", "starlogo.collision.Collision.snapshot"]);
 
-/** Members that classes have in JavaScript alone: what they do, and how index.d.ts declares them. */
+/** Members that classes have only in JavaScript: their code, and their declaration in index.d.ts. */
 export const ADDED = {
 	"starlogo.models.ModelLoader": {
 		text: `loadAsync(name, url, options = {}) {

@@ -1,4 +1,4 @@
-/** Puts a program together: the stand-ins and the translated classes, in one scope. */
+/** Joins the stand-ins and the translated classes to one program in one scope. */
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -9,7 +9,7 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
 const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
 
-/** What the compiler wrote into a folder. */
+/** Translates the compiler's output in a folder. */
 export function translate(folder, signatures, externals = {}, hasAllStatics = false) {
 	const files = readdirSync(folder, { recursive: true })
 		.filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b/.test(file))

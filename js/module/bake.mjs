@@ -80,7 +80,7 @@ const counts = [`${files.length - failures - kept} cooked`, kept > 0 ? `${kept} 
 console.log(counts.filter((text) => text !== "").join(", "));
 process.exitCode = failures > 0 ? 1 : 0;
 
-/** The options and the folder; what is wrong with them ends the program with a sentence. */
+/** The options and the folder. Wrong arguments end the program with a message. */
 function readArguments() {
 	let read;
 	try {
@@ -108,7 +108,7 @@ function fail(problem) {
 	process.exit(2);
 }
 
-/** What was cooked before; nothing if there is no list, or it is damaged. */
+/** The list of the last bake; an empty one if there is none, or it is damaged. */
 function readList() {
 	try {
 		return JSON.parse(readFileSync(list, "utf8")).models ?? {};
@@ -117,7 +117,7 @@ function readList() {
 	}
 }
 
-/** What a model is made of: bytes that need nothing beside them, the transform beside it or null, and the files of all that. */
+/** The source of a model: bytes that contain everything, the transform or null, and the files that were read. */
 function readSource(file) {
 	const parts = [file];
 	let bytes = readFileSync(file);
@@ -153,7 +153,7 @@ function copy(file) {
 	copyFileSync(file, to);
 }
 
-/** A GreatLand with the settings that the game will have. */
+/** A GreatLand with the game's settings. */
 function newGame() {
 	const greatLand = new GreatLand();
 	greatLand.orientedBoxDegIncrement = Number(values.increment);
@@ -163,7 +163,7 @@ function newGame() {
 	return greatLand;
 }
 
-/** Reads a model as a game will, from a file of any kind. */
+/** Reads a model from a file of any kind, as a game does. */
 function read(name, bytes, upAxis) {
 	const receiver = new GreatLand();
 	receiver.loadTightestFit = false;

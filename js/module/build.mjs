@@ -2,7 +2,7 @@
 /**
  * Writes the npm package of the engine.
  *
- *   node js/module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
+ * node js/module/build.mjs TRANSPILED OUT TRANSPILED is the output of Apache's compiler
  */
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
@@ -62,7 +62,10 @@ buildSync({
 });
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
 
-/** The text without Flash's numbers of errors (a stream's the engine takes off itself), and with escapes for what makes tools take it for no text. */
+/**
+ * The text without Flash's error numbers (the engine itself removes those of streams), and with escapes for characters that make tools
+ * treat the file as binary.
+ */
 function cleaned(code) {
 	return code.replaceAll(/(["`])Error #\d{4}: (?!Stream)/g, "$1")
 		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);

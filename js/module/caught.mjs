@@ -1,11 +1,11 @@
-/** Which classes of errors the sources catch: the compiler drops them, so that what it writes catches everything. */
+/** Finds which classes of errors the sources catch. The compiler drops the classes, so its output catches everything. */
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { ROOT, SOURCES } from "./names.mjs";
 
 const FOLDERS = [...SOURCES, join(ROOT, "test")];
 
-/** Of each catch of what the compiler wrote of a file, in order: what the error is called, and its class; null for every error. */
+/** For each catch in a file, in order: the error's variable and its class; null for every error. */
 export function caughtIn(file, written) {
 	const path = FOLDERS.map((folder) => join(folder, file.replace(/js$/, "as"))).find(existsSync);
 	const source = path ? readFileSync(path, "utf8") : "";

@@ -1,28 +1,29 @@
 /**
- * Writes the statements by which the module's public members refuse what ActionScript's types refuse: JavaScript has no types, so that
- * without them a string in place of a number would be stored. language.mjs has what they call.
+ * Writes the statements that check arguments of the module's public members. They refuse the values that ActionScript's types refuse.
+ * JavaScript has no types, so without checks a string could be stored in place of a number. The functions that they call are in
+ * language.mjs.
  *
- * Numbers, strings, Booleans and functions are tested in place: such a test costs next to nothing once a function is optimised, and no
- * Number is passed on. null is let through where the documentation speaks of it, and for names, agents, models and files; numbers that are
- * not finite, where it speaks of errors: there the engine has its own answer.
+ * Numbers, strings, Booleans and functions are checked in place. Such a check costs almost nothing in an optimised function, and passes no
+ * Number on. null is accepted if the documentation mentions it, and for names, agents, models and files. Numbers that are not finite are
+ * accepted if the documentation mentions errors. In these cases the engine itself throws the error.
  */
 
-/** Classes that are told by a mark of their own, as naming them would bring all of theirs into every bundle. */
+/** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore"]);
 
-/** Classes of many methods of several numbers, in every bundle, whose speed does not matter. */
+/** Classes with many methods of several numbers, which are in every bundle, and whose speed does not matter. */
 const COMPACT = new Set(["flash.geom.Matrix3D"]);
 
-/** Classes whose fields are written in the engine's own loops, or by it alone: they are what they are. */
+/** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
 const PLAIN = new Set([
 	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
 	"RayHit", "SearchCounts", "Sphere", "TextEvent", "Vector3D",
 ]);
 
-/** Types of whose null the engine says itself what is wrong. */
+/** Types for which the engine itself throws an error about null. */
 const ANSWERED = new Set(["Agent", "ByteArray", "Function", "Model", "String"]);
 
-/** Functions that the engine calls in its loops: what the module exports is a checked one around them. */
+/** Functions that the engine calls in its loops. The module exports a checked function around them. */
 export const isWrapped = (type) => type?.kind === "function";
 
 /** The checks of a program's public members. */
@@ -32,8 +33,8 @@ export class Checks {
 	#byName;
 
 	/**
-	 * @param signatures of the public declarations, by qualified name
-	 * @param reference what the text calls a class, by its qualified name
+	 * @param signatures the signatures of the public declarations, by qualified name
+	 * @param reference gives the name of a class in the text, for its qualified name
 	 */
 	constructor(signatures, reference) {
 		this.#signatures = signatures;
@@ -41,7 +42,7 @@ export class Checks {
 		this.#byName = new Map([...signatures.values()].map((type) => [type.name, type]));
 	}
 
-	/** The statements that a member begins with. */
+	/** The statements at the beginning of a member. */
 	of(qname, name, kind) {
 		const type = this.#signatures.get(qname);
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
@@ -67,19 +68,19 @@ export class Checks {
 		return this.#check(this.#signatures.get(qname), member, { name: "value", type: field.result, value: field.initial, isRest: false });
 	}
 
-	/** Whether a class is told by its mark. */
+	/** Whether a class is recognised by its mark. */
 	isMarked(qname) {
 		return MARKED.has(qname);
 	}
 
 	#check(type, given, parameter) {
 		const { name } = parameter;
-		// a setter's documentation is its getter's
+		// a setter's documentation stands at its getter
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
 		const member = { ...given, doc: `${this.#docOf(type, given)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
 		const isStatic = member.isStatic || member.kind === "function";
-		// before super() there is no this
+		// there is no this before super()
 		const isNamed = !isStatic && !type.qname.startsWith("flash.") && type.members.some((each) => each.name === "toString") && !(member.kind === "constructor" && type.bases.length > 0);
 		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
 		const what = member.kind === "set" ? member.name : name;
@@ -87,7 +88,7 @@ export class Checks {
 		const refuse = (kind) => `$refuse(${isNamed ? where : `null, ${where}`}, ${name}, ${kind});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
-		// as the platform's own listeners: on more than Flash's class
+		// options as for the platform's own listeners, not only for Flash's class
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
 		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`);
@@ -108,7 +109,7 @@ export class Checks {
 		}
 	}
 
-	// What an override takes, its base says.
+	// An override without documentation has its base's.
 	#docOf(type, member) {
 		if (!/@inheritDoc/.test(member.doc)) return member.doc;
 		const owners = [...type.bases, ...type.interfaces].map((name) => this.#byName.get(name)).filter((owner) => owner);
@@ -116,7 +117,8 @@ export class Checks {
 		return [...texts, member.doc].join("\n");
 	}
 
-	// What language.mjs has for it, the same in place, and what is wanted. Agents are told apart, and are moved in loops: they get the latter.
+	// The function of language.mjs for a type, the same check in place, and the required kind. Agents get the check in place, because they are
+	// checked and moved in loops.
 	#simpleCheck({ name, type: wanted, value }, member, type) {
 		switch (wanted) {
 			case "Number":
@@ -145,7 +147,7 @@ export class Checks {
 
 	#vectorCheck({ name }, element, isNullable, where) {
 		const unlessNull = isNullable ? `if (${name} != null) ` : "";
-		// agents are looked at as the engine meets them, which is once as long as a list stays the same
+		// The engine checks agents when it first meets them. That is once, as long as a list stays the same.
 		if (name === "out" || element === "Agent") return [`${unlessNull}$checkList(${where}, ${name});`];
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
 		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "a string", (each) => typeof each === "string");`];
@@ -164,15 +166,15 @@ function article(name) {
 	return `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
 }
 
-/** Whether a parameter takes null: if it says so, or what it belongs to. */
+/** Whether a parameter may be null: the documentation of the parameter or of its member says so. */
 export function mayBeNull(parameter, member, type) {
 	if (parameter.value === "null") return true;
-	// Flash's own answer to a listener that is null is a number
+	// Flash's own error for a null listener has only a number
 	if (parameter.type === "Function" && type.qname.startsWith("flash.")) return false;
 	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
 }
 
-/** Whether a number may be infinite, a distance without an end, say, or is looked at by the engine. */
+/** Whether a number may be infinite, for example a distance without limit, or is checked by the engine. */
 export function takesInfinity(parameter, member, type) {
 	const isInfinite = (each) => each.name === parameter.name && /Infinity/.test(each.value ?? "");
 	if (type.members.some((each) => each.parameters.some(isInfinite))) return true;

@@ -1,12 +1,12 @@
-/** Writes index.d.ts: TypeScript's view of the public classes, with their documentation. */
+/** Writes index.d.ts: the TypeScript declarations of the public classes, with their documentation. */
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
 import { PLATFORM_NAMES } from "./names.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
 
-/** What ActionScript's types do not say, by the names of parameters and members. */
+/** TypeScript types that ActionScript's types do not express, by the names of parameters and members. */
 const BY_NAME = new Map([
-	["accepts", '{ accept(agent: Agent): boolean }["accept"] | null'], // a method's parameter may be of a class of agents
+	["accepts", '{ accept(agent: Agent): boolean }["accept"] | null'], // a method's parameter may be a subclass of Agent
 	["buffers", "Record<string, ByteArray>"],
 	["collisionOrSystem", "Collision<A> | CollisionSystem"],
 	["scaling", "Scaling"],
@@ -15,7 +15,7 @@ const BY_NAME = new Map([
 	["upAxis", "UpAxis"],
 ]);
 
-/** Sentences that say nothing to a JavaScript developer. */
+/** Sentences with these words do not concern a JavaScript developer. */
 const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 const HEAD = `/** What is taken wherever numbers are listed. */
 export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array | Uint32Array;
@@ -65,15 +65,15 @@ export class ByteArray {
 /**
  * The text of index.d.ts.
  *
- * @param types the signatures of what is exported, by qualified name
+ * @param types the signatures of the exports, by qualified name
  */
 export function writeDeclarations(types) {
 	const writer = new Writer(new Map([...types.values()].map((type) => [type.name, type])));
-	// without the last line all that is declared here could be imported
+	// the last line prevents that every declaration here is exported
 	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND, "export {};\n"].join("\n");
 }
 
-/** Whether a class is of a client's own agents: those that its update takes, or one that it has for its user. */
+/** Whether a class has a type parameter for a client's own class of agents: its update takes them, or it has one for its user. */
 function isGeneric(type) {
 	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
 	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
@@ -116,9 +116,9 @@ class Writer {
 		];
 	}
 
-	// Overrides that say nothing of their own are there through the base.
+	// Overrides without documentation are left out, because the base has them.
 	#membersOf(type) {
-		// of a class that cannot be imported nobody can ask for a constant
+		// constants of a class that cannot be imported are out of reach
 		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
 		const isSeen = (member) => isReached(member) && (member.isPublic || member.isProtected) && !member.isPrivate && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
 		return type.members.filter(isSeen);
@@ -134,7 +134,7 @@ class Writer {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
 			return `${text}    ${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
 		}
-		// what comes out of a list of a client's agents are the client's agents
+		// agents from a list of a client's agents have the client's class
 		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
 		const generic = isPicking ? "<A extends Agent>" : "";
 		if (isPicking) this.#agent = "A";
@@ -169,12 +169,12 @@ class Writer {
 		return /\bnull\b/i.test(said);
 	}
 
-	// A constant name is its own type: it says which event comes, and which structure is meant.
+	// The type of a constant is its value, which identifies an event or a kind of structure.
 	#literalOf(member) {
 		return member.kind === "const" && member.result === "String" && /^"[\w ]+"$/.test(member.initial ?? "") ? member.initial : null;
 	}
 
-	// The names that a text lists as those that are taken: "x", "y" or "z", or the class's own constants.
+	// The values that a text lists, for example "x", "y" or "z", or the class's own constants.
 	#unionOf(type, result, said) {
 		if (result !== "String") return null;
 		const listed = /"\w+"(?:, "\w+")* or "\w+"/.exec(said)?.[0].match(/"\w+"/g);
@@ -203,7 +203,7 @@ class Writer {
 		}).join(", ");
 	}
 
-	/** What is said of a parameter; "as in moveTo" is what that says. */
+	/** The documentation of a parameter. "as in moveTo" is replaced by the documentation of that parameter in moveTo. */
 	#said({ doc: text }, { name }, owner) {
 		const own = new RegExp(String.raw`@param ${name}\s+((?:(?!\n@)[\s\S])*)`).exec(text)?.[0] ?? "";
 		const other = /^@param \w+\s+as in (?:the )?(\w+)/.exec(own)?.[1];
@@ -212,7 +212,7 @@ class Writer {
 	}
 
 	#parameterType(parameter, said = "") {
-		// what is overwritten may have been of any agents
+		// it may have been made for any class of agents before
 		const agent = this.#agent;
 		if (isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
 		const text = this.#parameterText(parameter, said);
@@ -255,7 +255,7 @@ class Writer {
 	}
 }
 
-/** What a documentation says, in terms of JavaScript, without where the thesis has it. */
+/** A documentation text for JavaScript: with JavaScript's terms, and without references to the thesis. */
 function forJavaScript(text) {
 	const sentences = text.split(/(?<=\.)(?=\s)|(?=\n@)|(?=<p>)|(?<=<\/p>)/);
 	return sentences.filter((sentence) => !OF_PLAYERS.test(sentence.replaceAll(/<\/?p>/g, ""))).join("")
@@ -265,12 +265,12 @@ function forJavaScript(text) {
 		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, (code) => code.replaceAll(/\bvar (\w+):[\w.<>]+/g, "const $1").replaceAll(/:(?:Number|int|void|Agent|Boolean|String)\b/g, ""));
 }
 
-/** What a type of ActionScript is called in TypeScript. */
+/** The TypeScript name of an ActionScript type. */
 function nameHere(name) {
 	return PRIMITIVES[name] ?? name;
 }
 
-/** A documentation comment: HTML as Markdown, ASDoc's tags as TSDoc's. */
+/** A documentation comment, with HTML as Markdown, and ASDoc's tags as TSDoc's. */
 function doc(text, indent) {
 	if (text === "") return "";
 	const plain = forJavaScript(text)

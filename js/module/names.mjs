@@ -1,4 +1,4 @@
-/** Which names of ActionScript the module has from elsewhere, and which it gives its users. */
+/** Lists the names of ActionScript that the module takes from elsewhere, and the names that it exports. */
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { readSignatures } from "./signatures.mjs";
@@ -6,10 +6,10 @@ import { readSignatures } from "./signatures.mjs";
 /** The project's folder. */
 export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 
-/** Where the module's sources are; what an earlier folder has stands for others of its name. */
+/** The folders of the module's sources. A file in an earlier folder replaces one of the same name in a later folder. */
 export const SOURCES = ["js/standins/module", "js/standins/common", "src"].map((folder) => join(ROOT, folder));
 
-/** What the translated classes call beside themselves, and the stand-in's file that has it. */
+/** The functions and classes that the translated classes use from stand-ins, with the stand-in's file. */
 export const EXTERNALS = {
 	ArgumentError: ["language.mjs", "ArgumentError"],
 	"flash.errors.EOFError": ["ByteArray.mjs", "EOFError"],
@@ -30,13 +30,13 @@ export const EXTERNALS = {
 	"standin.Network.fetch": ["machine.mjs", "fetchBytes"],
 };
 
-/** The package that only a client with Away3D has. */
+/** The package for clients with Away3D only. */
 export const AWAY3D = "starlogo.away3d";
 
-/** Public classes of the engine that the module lacks, and why. */
+/** Public classes of the engine that the module lacks, with the reason. */
 export const LEFT_OUT = new Map([["starlogo.diagnostics.CollisionMonitor", "it draws on Flash's stage"]]);
 
-/** The classes of Flash that the engine's own names speak of: the module's users get them too. */
+/** Classes of Flash that appear in the engine's public names. The module exports them too. */
 export const FROM_FLASH = [
 	"flash.geom.Vector3D",
 	"flash.geom.Matrix3D",
@@ -49,10 +49,13 @@ export const FROM_FLASH = [
 	"flash.errors.IllegalOperationError",
 ];
 
-/** Those whose names the platform has too: types know them, but declare no such names to import, so that no editor suggests them for its own. */
+/**
+ * Classes of Flash whose names the platform has too. index.d.ts declares their types but does not export their names, so that editors do
+ * not suggest them instead of the platform's.
+ */
 export const PLATFORM_NAMES = new Set(["Event", "TextEvent", "ErrorEvent", "ProgressEvent"]);
 
-/** The declarations that the module exports, by qualified name: the engine's public ones, and those of Flash. */
+/** The declarations that the module exports, by qualified name: the engine's public ones, and Flash's. */
 export function publicSignatures() {
 	const types = readSignatures(SOURCES);
 	const own = [...types.keys()].filter((qname) => qname.startsWith("starlogo.") && !qname.startsWith(AWAY3D) && !types.get(qname).isPrivate && !LEFT_OUT.has(qname));

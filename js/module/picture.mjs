@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 /**
- * Draws the picture of README.md: what the collision systems see of a bear, as the package itself computes it.
+ * Draws the picture of README.md: the shapes that the collision systems use for a bear, computed by the package itself.
  *
- *   node js/module/picture.mjs      after ./antw module
+ * node js/module/picture.mjs after ./antw module
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,7 +14,7 @@ const HEIGHT = 430;
 const SCALE = 150;
 const [COS, SIN] = [Math.cos(0.6), Math.sin(0.6)];
 
-/** A place of the picture, of a point seen from the front and above. */
+/** The place of a point in the picture, seen from the front and above. */
 function project(x, y, z) {
 	const across = COS * x - SIN * y;
 	const away = SIN * x + COS * y;
@@ -27,7 +27,7 @@ function path(lines, color, width) {
 	return `<path d="${text}" fill="none" stroke="${color}" stroke-width="${width}"/>`;
 }
 
-/** The edges of a model's triangles, each once. */
+/** The edges of a model's triangles. An edge that triangles share appears once. */
 function edgesOf({ vertices, triangles }) {
 	const edges = new Map();
 	for (let i = 0; i < triangles.length; i++) {
@@ -37,7 +37,7 @@ function edgesOf({ vertices, triangles }) {
 	return [...edges.values()].flat();
 }
 
-/** The text of an SVG. */
+/** The picture as SVG text. */
 function drawPicture() {
 	const bear = new ObjModel("bear", readFileSync(join(ROOT, "assets/bear.obj"), "utf8"));
 	const land = new GreatLand();

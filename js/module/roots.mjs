@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 /**
- * Writes the class that the compiler begins with: it names all that is to be compiled.
+ * Writes the compiler's main class. It names all classes to compile.
  *
- *   node js/module/roots.mjs FOLDER [--tests]
+ * node js/module/roots.mjs FOLDER [--tests]
  */
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,10 +14,11 @@ const LANGUAGE = "org.apache.royale.utils.Language";
 const names = [...publicSignatures().keys()];
 names.push("standin.Machine", LANGUAGE);
 if (withTests) {
-	// some compare the stand-ins with Flash's own classes, which are not here; nor is Away3D
+	// Some tests compare the stand-ins with Flash's own classes or need Away3D. Both are missing here.
 	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
 	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
-	names.push(...tests.map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.Progress", "support.Effort", "support.Fixtures");
+	const benchmarks = readdirSync(join(ROOT, "test/benchmark")).filter((file) => file.endsWith("Benchmark.as")).map((file) => join("benchmark", file));
+	names.push(...[...tests, ...benchmarks].map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.Progress", "support.Effort", "support.Fixtures");
 }
 
 mkdirSync(join(folder, "org/apache/royale/utils"), { recursive: true });
@@ -33,7 +34,7 @@ ${names.map((name) => `    import ${name};`).join("\n")}
     }
 }
 `);
-// The compiler's own runtime is not used, but it looks for the class and for Google's library.
+// The compiler's own runtime is not used. But the compiler looks for this class and for Google's library.
 writeFileSync(join(folder, "org/apache/royale/utils/Language.as"), `package org.apache.royale.utils
 {
     public class Language

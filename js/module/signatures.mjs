@@ -1,4 +1,6 @@
-/** Reads what ActionScript files declare, with its documentation. The sources are formatted, so lines tell the levels. */
+/**
+ * Reads the declarations in ActionScript files, with their documentation. The sources are formatted, so the indentation gives the nesting.
+ */
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 
@@ -6,7 +8,7 @@ const DOC = String.raw`(/\*\*(?:(?!\*/)[\s\S])*\*/\s*)?`;
 const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:(\([\s\S]*?\)):([\w.<>*]+))?(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?\s*$`, "m");
 const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?(?: = ([^;\n]+);)?`, "gm");
 
-/** Every type and package function below some folders. A file in a folder that comes earlier stands for others of its name. */
+/** Every type and package function in the folders. A file in an earlier folder replaces one of the same name in a later folder. */
 export function readSignatures(folders) {
 	const found = new Map();
 	for (const folder of folders) {
@@ -21,7 +23,7 @@ export function readSignatures(folders) {
 }
 
 function readType(source, qname) {
-	// what is between the package and the type: imports, and metadata of events
+	// skips the lines between the package and the type: imports, and metadata of events
 	const match = TYPE.exec(source.replace(/^    \/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*\[.*\]$/gm, (text) => text.replace(/[^\n]/g, "")));
 	if (!match || !/^    (?:[\w ]*\b)?public\b/m.test(match[0])) return null;
 	const [, doc = "", , kind, name, signature, result, bases = "", interfaces = ""] = match;
@@ -55,7 +57,7 @@ function parametersOf(text) {
 		.map(([, rest, name, type = "*", value]) => ({ name, type: rest ? "Array" : type, isRest: Boolean(rest), value: value?.trim() ?? null }));
 }
 
-/** A comment's text, without its stars. */
+/** A comment's text without its asterisks. */
 function textOf(comment) {
 	return comment.trim().replace(/^\/\*\*/, "").replace(/\*\/$/, "").split("\n").map((line) => line.replace(/^\s*\* ?/, "").trimEnd()).join("\n").trim();
 }

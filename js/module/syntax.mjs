@@ -1,6 +1,6 @@
-/** The patterns of syntax that Apache's compiler writes ActionScript in, found in acorn's trees. */
+/** Recognises, in acorn's trees, the patterns that Apache's compiler writes for ActionScript. */
 
-/** The compiler's run-time library: its names are found in what it writes, and nothing of it is used. */
+/** The compiler's run-time library. Its names appear in the compiler's output. Nothing of it is used. */
 export const LANGUAGE = "org.apache.royale.utils.Language";
 
 /** An expression without the parentheses around it. */
@@ -8,7 +8,7 @@ export function bare(node) {
 	return node.type === "ParenthesizedExpression" ? bare(node.expression) : node;
 }
 
-/** The names of a chain like a.b.c, else "". */
+/** The path of a chain like a.b.c, otherwise "". */
 export function pathOf(given) {
 	const node = given && bare(given);
 	if (!node) return "";
@@ -33,12 +33,12 @@ export function childrenOf(node) {
 	return children.sort((a, b) => a.start - b.start);
 }
 
-// What stands between two parts of an expression: operators and the compiler's comments.
+// The text between two parts of an expression: operators and the compiler's comments.
 export function gap(text) {
 	return text.includes("/*") ? text.replace(/\/\*[\s\S]*?\*\/ ?/g, "") : text;
 }
 
-/** What the compiler computes when a static is first asked for: `get__X = function() { var value = ...; ... }`. */
+/** The value of a static that is computed on first access: `get__X = function() { var value = ...; ... }`. */
 export function lazyValue(node) {
 	const first = node?.type === "FunctionExpression" ? node.body.body[0] : null;
 	const isLazy = first?.type === "VariableDeclaration" && first.declarations[0].id.name === "value" &&
@@ -46,7 +46,7 @@ export function lazyValue(node) {
 	return isLazy ? first.declarations[0].init : null;
 }
 
-/** The element type of `Language.synthVector('T')`, else null. */
+/** The element type of `Language.synthVector('T')`, otherwise null. */
 export function vectorType(given) {
 	const node = bare(given);
 	return node.type === "CallExpression" && pathOf(node.callee) === `${LANGUAGE}.synthVector` ? node.arguments[0].value : null;
@@ -73,7 +73,7 @@ export function isBaseCall(statement) {
 	return call?.type === "CallExpression" && call.callee.property?.name === "base" && call.arguments[1]?.value === "constructor";
 }
 
-/** `X.base(this, 'name', ...)`, `X.superClass_.name.apply(this, [...])`, or of a getter `X.superClass_.get__name.apply(this)`. */
+/** `X.base(this, 'name', ...)`, `X.superClass_.name.apply(this, [...])`, or for a getter `X.superClass_.get__name.apply(this)`. */
 export function superCall(node, qname) {
 	const path = pathOf(node.callee);
 	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2), isGetter: false };
@@ -91,7 +91,7 @@ export function forEach(first, second) {
 	return { variable: isDeclared ? variable.declarations[0].id : variable.expression.left, isDeclared, over: declared.init, body: { type: "BlockStatement", body: rest, start: second.body.start, end: second.body.end } };
 }
 
-/** A comment without what only the compiler's types are for. */
+/** A comment without the parts that only describe types to the compiler. */
 export function docOf(comment) {
 	const lines = comment.replace(/^\/\*+/, "").replace(/\*\/$/, "").split("\n")
 		.map((line) => line.replace(/^\s*\*? ?/, "").trimEnd())

@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 /**
- * Writes the engine and the FlexUnit tests of it as one module: what test/module/run.mjs runs.
+ * Writes the engine and its FlexUnit tests as one module, which test/module/run.mjs runs.
  *
- *   node js/module/tests.mjs TRANSPILED OUT
+ * node js/module/tests.mjs TRANSPILED OUT
  */
 import { writeFileSync } from "node:fs";
 import { standinsText, translate } from "./assemble.mjs";

@@ -1,10 +1,10 @@
 /**
- * Makes ES classes of what Apache's ActionScript compiler writes for JavaScript.
+ * Translates the JavaScript that Apache's ActionScript compiler writes into ES classes.
  *
- * The compiler gives a file a class: functions on prototypes of global names, Vectors through a runtime of its own, private names
- * mangled, types in comments. Here each becomes a class that says what the ActionScript says: fields set in the constructor,
- * getters and setters, `super`, plain arrays for Vectors, short names. All of a program goes into one module scope: classes first,
- * those that others extend before these, then the statics that are more than a literal, each after those that it needs.
+ * For each file the compiler writes functions on prototypes of global names, Vectors of its own runtime, mangled private names, and types
+ * in comments. Here each file becomes a class like the ActionScript class: fields set in the constructor, getters and setters, `super`,
+ * plain arrays for Vectors, short names. All classes of a program are in one module scope. A class comes after the class that it extends.
+ * Then come the statics that are more than a literal, each after the statics that it needs.
  */
 import { parseExpressionAt } from "acorn";
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
@@ -14,14 +14,14 @@ import { unitsOf } from "./unit.mjs";
 
 const ENGINE_PREFIX = "starlogo_engine__";
 
-// Statics that only tests set: false elsewhere, and left out with what they switch on.
+// Statics that only tests set. Elsewhere they are false, and code that they switch on is left out.
 const SWITCHES = new Set(["flash.geom.Matrix3D.isSingle"]);
 
-// What is data and no more is shown as it is.
+// Classes of plain data, which tools show as they are.
 const SHOWN_AS_THEY_ARE = new Set(["flash.geom.Vector3D", "flash.geom.Matrix3D"]);
 const BUILT_IN = new Set(["Array", "Boolean", "Function", "Number", "Object", "String", "Error", "RangeError", "TypeError"]);
 
-/** A program of the compiler's files, and what it needs from elsewhere. */
+/** A program made of the compiler's files, and of names from elsewhere. */
 export class Program {
 	#units = new Map(); // by qualified name
 	#roots = new Set();
@@ -30,14 +30,14 @@ export class Program {
 	#unit;
 	#scopes = [];
 	#beforeSuper = null;
-	#target = null; // what is assigned to
+	#target = null; // the definition that is assigned to
 	#checks;
 
 	/**
 	 * @param files the compiler's files: { file, source }
-	 * @param externals names of what comes from elsewhere: { "flash.utils.ByteArray": "ByteArray" }
-	 * @param signatures of the public declarations, by qualified name: their parameters are checked, and taken in more forms than ActionScript's
-	 * @param hasAllStatics whether the statics of all classes are to be had from outside, not only the public ones'
+	 * @param externals names from elsewhere: { "flash.utils.ByteArray": "ByteArray" }
+	 * @param signatures the public declarations, by qualified name. Their parameters are checked, and accept more forms than in ActionScript
+	 * @param hasAllStatics whether the statics of all classes are accessible from outside, not only those of public classes
 	 */
 	constructor(files, externals, signatures = new Map(), hasAllStatics = false) {
 		this.externals = externals;
@@ -63,22 +63,22 @@ export class Program {
 		this.#nameMembers();
 	}
 
-	/** The qualified names of what it defines. */
+	/** The qualified names of the program's definitions. */
 	get names() {
 		return [...this.#units.keys()];
 	}
 
-	/** What a qualified name is called in the text. */
+	/** The name in the text for a qualified name. */
 	shortName(qname) {
 		return this.#shortNames.get(qname);
 	}
 
-	/** What a public declaration is called where the module exports it. */
+	/** The name under which the module exports a public declaration. */
 	exportName(qname) {
 		return this.shortName(qname)?.replace(/\$$/, "");
 	}
 
-	/** The tests of a class: { name, kind, args }, those that it inherits first. */
+	/** The tests of a class: { name, kind, args }. Inherited tests come first. */
 	testsOf(qname) {
 		const unit = this.#units.get(qname);
 		return unit ? [...this.testsOf(unit.base), ...unit.tests] : [];
@@ -98,7 +98,7 @@ export class Program {
 		return `${parts.join("\n\n")}\n\n${this.#staticsText()}`;
 	}
 
-	// Private members are called what the source calls them, unless a class that they share objects with has that name too.
+	// A private member has its name from the source, unless another class of the same objects has that name too.
 	#nameMembers() {
 		const families = new Map();
 		for (const unit of this.#units.values()) {
@@ -146,7 +146,7 @@ export class Program {
 		}
 	}
 
-	// What the module exports for a function of a package that the engine calls in its loops.
+	// The export for a package function that the engine calls in its loops.
 	#wrapperText(unit, doc) {
 		if (!isWrapped(this.signatures.get(unit.qname))) return "";
 		const { parameters } = this.#opened(unit.main, unit.doc);
@@ -156,7 +156,7 @@ export class Program {
 		return `\n\n${doc}function ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map((line) => `  ${line}`).join("\n")}\n}`;
 	}
 
-	// Public classes tell tools what their objects are like: what is inside is no one's business.
+	// Tools show only the public state of public classes.
 	#isShown(unit) {
 		const type = this.signatures.get(unit.qname);
 		return type?.kind === "class" && !unit.base && !SHOWN_AS_THEY_ARE.has(unit.qname);
@@ -185,10 +185,10 @@ export class Program {
 			lines.push(`${docOf(field.doc ?? "")}static get ${name}() {\n  return ${this.#staticName(unit, field.name)};\n}`);
 			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n  ${this.#staticName(unit, field.name)} = value;\n}`);
 		}
-		// errors name classes, also where a bundler shortens the names
+		// errors name classes, also if a bundler shortens the names
 		if (this.signatures.has(unit.qname)) lines.push(`static name = ${JSON.stringify(unit.name)};`);
 		lines.push(this.#constructorText(unit));
-		// $shown gives it to public classes; others are in no text that users see
+		// $shown does this for public classes. Users never see the text of others.
 		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
 		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n  return $copy;\n}`);
 		for (const setting of this.#checks.settings(unit.qname)) {
@@ -202,7 +202,7 @@ export class Program {
 				lines.push(member.kind === "get" ? `get ${name}() {\n  return super.${name};\n}` : `set ${name}(value) {\n  super.${name} = value;\n}`);
 			} else {
 				const taken = this.#checks.of(unit.qname, member.name, member.kind);
-				// the tests, which want all statics, are ActionScript
+				// hasAllStatics is for tests, which are ActionScript and expect ByteArrays
 				const text = this.#functionText(member.node, member.doc, taken);
 				lines.push(`${docOf(member.doc)}${prefix}${name}${!this.hasAllStatics && PLAIN_BYTES.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
 			}
@@ -236,7 +236,7 @@ export class Program {
 		return `constructor(${parameters}) {\n${statements.map((line) => `  ${line.replaceAll("\n", "\n  ")}`).join("\n")}\n}`;
 	}
 
-	// A field that the constructor sets first thing need not be set before.
+	// Whether the constructor sets a field at its beginning. Then the field needs no value before.
 	#isSetAnyway(field, body) {
 		return body.some((statement) => isFieldAssignment(statement) && statement.expression.left.property.name === field.name &&
 			!/this|arguments/.test(this.#unit.source.slice(statement.expression.right.start, statement.expression.right.end)));
@@ -250,7 +250,7 @@ export class Program {
 		return lines.length === 0 ? `(${parameters}) {\n}` : `(${parameters}) {\n${lines.join("\n")}\n}`;
 	}
 
-	// Enters a function: its parameters with their defaults, and what is left of its body.
+	// Enters a function. Returns its parameters with their defaults, and the rest of its body.
 	#opened(node, doc) {
 		const scope = new Map();
 		for (const match of doc.matchAll(/@param \{([^\n]*?)=?\} (\w+)/g)) scope.set(match[2], match[1]);
@@ -294,7 +294,7 @@ export class Program {
 		return this.#scopes.some((scope) => scope.has(name));
 	}
 
-	// Statements, with the compiler's three for a "for each" as one.
+	// Statements. The compiler's three statements for a "for each" become one.
 	#statements(body) {
 		const lines = [];
 		for (let i = 0; i < body.length; i++) {
@@ -366,7 +366,7 @@ export class Program {
 		return lines.length === 0 ? "{\n}" : `{\n${lines.join("\n")}\n}`;
 	}
 
-	// Errors of other classes go on.
+	// Errors of other classes are thrown again.
 	#catchText(node) {
 		const { name, type } = this.#unit.caught[this.#unit.source.slice(0, node.start).split(/\bcatch \(\w/).length - 1];
 		return type && `catch (${name}) {\n  if (!(${name} instanceof ${this.#reference(type)})) throw ${name};${this.#text(node.body).slice(1)}`;
@@ -390,12 +390,12 @@ export class Program {
 		return `${this.#helper("missing")}(${JSON.stringify(qname)})`;
 	}
 
-	// A function of the language's stand-in, by a name that no ActionScript has.
+	// A function of the language stand-in. No ActionScript name begins like its name.
 	#helper(name) {
 		return `$${name}`;
 	}
 
-	// The definition that a path of names begins with, and the rest of the path.
+	// The definition at the beginning of a path of names, and the rest of the path.
 	#resolve(path) {
 		const words = path.split(".");
 		if (!this.#roots.has(words[0]) || this.#isLocal(words[0])) return null;
@@ -434,7 +434,7 @@ export class Program {
 		return `${target}[${this.#text(node.property)}]`;
 	}
 
-	// The class that a static variable is of: the one that is named, or one that it extends.
+	// The class that declares a static variable: the named class, or one that it extends.
 	#ownerOf(qname, name) {
 		for (let unit = this.#units.get(qname); unit; unit = this.#units.get(unit.base)) {
 			if (unit.staticValues.some((field) => field.name === name)) return unit;
@@ -442,7 +442,8 @@ export class Program {
 		return null;
 	}
 
-	// Statics are variables of the module: a class's own would have to be set by statements, which keep bundlers from leaving it out.
+	// Statics become variables of the module. A class's own statics would need statements, and bundlers do not leave out a class with such
+	// statements.
 	#staticName(unit, name) {
 		return `${this.shortName(unit.qname)}$${this.#member(name)}`;
 	}
@@ -452,7 +453,7 @@ export class Program {
 		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && member.isPublic && !member.isPrivate && member.name === name));
 	}
 
-	// Whether a member of an object whose class is known is read by a name that is computed: a method comes as a closure.
+	// Whether a computed name reads a member of an object of a known class. Methods are then read as closures.
 	#isMethodTaken(node) {
 		return node !== this.#target && this.#units.get(this.#typeOf(node.object))?.kind === "class";
 	}
@@ -485,7 +486,7 @@ export class Program {
 		return null;
 	}
 
-	// The compiler writes "a ||= b ? c : d" as "a = a || b ? c : d", which is something else.
+	// The compiler writes "a ||= b ? c : d" as "a = a || b ? c : d", which has another meaning.
 	#restOfLogicalAssignment(node) {
 		const source = this.#unit.source;
 		const target = source.slice(node.left.start, node.left.end);
@@ -552,7 +553,7 @@ export class Program {
 				const isClass = this.#units.get(pathOf(args[1]))?.kind === "class" || ["Error", "RangeError", "TypeError"].includes(type);
 				const isCast = helper === "as" && args[2]?.value === true;
 				if (isClass && helper === "is") return `(${first} instanceof ${type})`;
-				// a cast that the compiler's types vouch for, of what is no client's
+				// a cast to an engine class that the compiler has already checked
 				if (isClass && isCast && !this.hasAllStatics) return first;
 				const otherwise = isCast ? `${this.#helper("cast")}(${first}, ${type})` : "null";
 				if (isClass && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : ${otherwise})`;
@@ -578,7 +579,7 @@ export class Program {
 		return element;
 	}
 
-	/** A type as the compiler's comments have it; "*" if it is not known. */
+	/** A type in the compiler's comments; "*" if it is not known. */
 	#typeOf(given) {
 		const node = bare(given);
 		switch (node.type) {
@@ -616,7 +617,7 @@ export class Program {
 		return "*";
 	}
 
-	// The compiler's comments name a class of Vectors without its package.
+	// In the compiler's comments the class of a Vector's elements has no package.
 	#unitOf(type) {
 		return this.#units.get(type) ?? [...this.#units.values()].find((unit) => unit.name === type);
 	}
@@ -645,13 +646,13 @@ export class Program {
 		return lines.join("\n") + "\n";
 	}
 
-	// The text of an initial value, so that a bundler sees that it may be left out.
+	// The text of an initial value, marked so that a bundler may leave it out.
 	#pure(node) {
 		const text = this.#text(node);
 		return hasCall(node) ? `/* @__PURE__ */ (() => (${text}))()` : text;
 	}
 
-	// The definitions that run when an expression does: those it names, and what their constructors name.
+	// The definitions that run when an expression does: those that it names, and those that their constructors name.
 	#needed(node, unit, found = new Set()) {
 		this.#unit = unit;
 		const path = node.type === "MemberExpression" ? pathOf(node) : "";
@@ -681,7 +682,7 @@ function rank(unit) {
 	return unit.qname.startsWith("starlogo.") ? 0 : 1;
 }
 
-/** A method that returns a ByteArray, as one that returns a Uint8Array. */
+/** Wraps a method that returns a ByteArray, so that it returns a Uint8Array. */
 function asPlainBytes(text) {
 	const [, parameters, body] = /^(\([^)]*\)) \{\n([\s\S]*)\}$/.exec(text);
 	return `${parameters} {\n  return (() => {\n${body.replaceAll(/^/gm, "  ").trimEnd()}\n  })().toUint8Array();\n}`;

@@ -1,9 +1,11 @@
-/** Reads what one of the compiler's files defines. */
+/** Reads the definitions in one of the compiler's files. */
 import { parse } from "acorn";
 import { caughtIn } from "./caught.mjs";
 import { isWithin, lazyValue, nameOf, pathOf } from "./syntax.mjs";
 
-/** What one of the compiler's files defines: what it is named for first, then what only that file sees. */
+/**
+ * The definitions in one of the compiler's files. The one that the file is named after comes first, then those that only this file sees.
+ */
 export function unitsOf(file, source) {
 	const comments = [];
 	const program = parse(source, { ecmaVersion: 2022, preserveParens: true, onComment: comments });
@@ -33,7 +35,7 @@ class Unit {
 		this.doc = "";
 		this.types = new Map(); // of members, by mangled name
 		this.statics = new Map(); // types of static members
-		this.constants = new Map(); // numbers that stand in place of their names: a class's static is looked up each time
+		this.constants = new Map(); // numbers to insert for their names, because the lookup of a class's static takes time
 		this.members = []; // { name, node, doc, isStatic, kind: "method" | "get" | "set" }
 		this.fields = []; // { name, value }
 		this.staticValues = []; // { name, value, doc }
@@ -93,7 +95,7 @@ class Unit {
 		else if (this.kind === "interface") this.members.push({ name, node: null, doc, isStatic, kind: "get" });
 	}
 
-	// An accessor whose other half is inherited.
+	// An accessor whose getter or setter is inherited.
 	#readAccessors(call) {
 		if (pathOf(call.arguments[0]) !== `${this.qname}.prototype`) return;
 		for (const property of call.arguments[1].properties) {

@@ -2,7 +2,7 @@
 /**
  * Bundles the playground into static files.
  *
- *   node js/playground/build.mjs MODULE OUT      MODULE is the npm package of the engine (bin/module)
+ * node js/playground/build.mjs MODULE OUT MODULE is the npm package of the engine (bin/module)
  */
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
@@ -25,13 +25,13 @@ const STYLE = 'style:"display: none;"';
 const WARNINGS = /[\w$]+\("Blockly\.Workspace\.get\w*Variable\w*","v12","v13","[^"]+"\);/g;
 
 /**
- * Blockly sets one style as an attribute, which the page's policy forbids: as an attribute of SVG it does the same. And it warns on
- * the console of methods of its own that it still calls.
+ * Changes two things in Blockly. It sets a style attribute, which the page's policy forbids; an SVG attribute has the same effect. And it
+ * writes console warnings about deprecated methods that it calls itself.
  */
 const tameBlockly = {
 	name: "tame-blockly",
 	setup({ onLoad, onResolve, resolve }) {
-		// its keyboard plugin asks for all of it
+		// its keyboard plugin imports all of it
 		onResolve({ filter: /^blockly$/ }, ({ kind, resolveDir }) => resolve("blockly/core", { kind, resolveDir }));
 		onLoad({ filter: /blockly_compressed\.js$/ }, ({ path: file }) => {
 			const text = readFileSync(file, "utf8");
@@ -41,7 +41,9 @@ const tameBlockly = {
 	},
 };
 
-/** The readers of model files are needed for the user's own alone: of an engine that is bundled beside the other one, and loads with the first such file. */
+/**
+ * Only files of the user need the readers of model files. They are in a second bundle of the engine, which loads with the first such file.
+ */
 const formatsApart = {
 	name: "formats-apart",
 	setup({ onResolve }) {
@@ -49,7 +51,7 @@ const formatsApart = {
 	},
 };
 
-/** Of Blockly's messages in each language, those that something bundled names. */
+/** Keeps only those of Blockly's messages that bundled code names, in each language. */
 const fewMessages = {
 	name: "few-messages",
 	setup({ onLoad }) {
@@ -65,12 +67,17 @@ const fewMessages = {
 	},
 };
 
-/** Shaders of materials, lights and effects that the page has none of, by the names that three.js gives them; some are beginnings of names. */
+/**
+ * Shaders for materials, lights and effects that the page does not use, by their names in three.js. Some are only the beginnings of names.
+ */
 const UNUSED_SHADERS = ["background", "cube_", "distanceRGBA", "equirect", "linedashed", "meshmatcap", "meshnormal", "meshphong", "meshphysical", "meshtoon", "shadow_", "sprite", "depth_vert", "depth_frag",
 	"alphahash", "aomap", "batching", "bumpmap", "clearcoat", "clipping_planes", "displacementmap", "emissivemap", "envmap", "gradientmap", "iridescence", "lightmap", "lights_phong", "lights_physical",
 	"lights_toon", "logdepthbuf", "metalnessmap", "morph", "normalmap", "roughnessmap", "shadowmap", "shadowmask", "skin", "specularmap_pars", "packing", "bsdfs", "lights_fragment_maps", "tonemapping_pars", "transmission", "dithering", "alphamap"];
 
-/** What of three.js's renderer is there for headsets, shadows, morphs, groups of uniforms, and surroundings that mirror in things, with as much of each as its renderer calls without them. */
+/**
+ * Parts of three.js's renderer that the page does not use: headsets, shadows, morphs, uniform groups and environment maps. Each is replaced
+ * by the members that the renderer still calls.
+ */
 const UNUSED_PARTS = {
 	"class WebXRManager": "class WebXRManager extends EventDispatcher { enabled = false; isPresenting = false; getEnvironmentBlendMode() {} setAnimationLoop() {} dispose() {} }",
 	"class PMREMGenerator": "class PMREMGenerator {}",
@@ -81,12 +88,15 @@ const UNUSED_PARTS = {
 	"function WebGLCubeUVMaps": "function WebGLCubeUVMaps() { return { get: (texture) => texture, dispose() {} }; }",
 };
 
-/** Classes of three.js for animations and files, which the page has none of. Bundlers keep them for what is written into them after they are made. */
+/**
+ * Classes of three.js for animations and files, which the page does not use. Bundlers keep them, because members are added after their
+ * definition.
+ */
 const UNUSED_CLASSES = ["KeyframeTrack", "BooleanKeyframeTrack", "ColorKeyframeTrack", "NumberKeyframeTrack", "QuaternionKeyframeTrack", "StringKeyframeTrack", "VectorKeyframeTrack", "PropertyBinding", "Loader"];
 
 /**
- * Three.js brings every shader for every material, in text that no bundler leaves out. Those that the page does not use are empty: they are put into others only
- * with a feature that switches them on. So are parts of the renderer.
+ * Removes unused parts of three.js. It brings every shader for every material as text, which no bundler leaves out. Shaders that the page
+ * does not use become empty. They are included in others only if a feature switches them on. Unused parts of the renderer are removed too.
  */
 const leanThree = {
 	name: "lean-three",
@@ -154,7 +164,7 @@ for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "ins
 }
 console.log(`written: ${path.relative(process.cwd(), out)}`);
 
-/** The script files that a part needs before anything of it runs, the page's first one and its words among them. */
+/** The script files that a part needs before it runs, including the page's first one and its words. */
 function neededFor(entry) {
 	const { outputs } = result.metafile;
 	const files = new Set();
@@ -172,7 +182,7 @@ function sizes(files) {
 	return `${kilobytes((bytes) => bytes.length)} KB of script, ${kilobytes((bytes) => gzipSync(bytes).length)} KB compressed`;
 }
 
-/** A model as its file has it, in short: coordinates in the file's unit with six decimals, triangles, colours. */
+/** A model in a short form of its file: coordinates in the file's unit with six decimals, triangles, colours. */
 function baked(model) {
 	const { name, format } = model;
 	const [reader, ending] = format === "COLLADA" ? [ColladaModel, "dae"] : [ObjModel, "obj"];
@@ -184,7 +194,7 @@ function baked(model) {
 	return { vertices: written, triangles, colours: coloursOf(model) };
 }
 
-/** The colours of a model's triangles, in the order that the engine has them in: how many of one, and that. */
+/** The colours of a model's triangles, in the engine's order: pairs of a count and a colour. */
 function coloursOf({ build: make, format }) {
 	const parts = flatten(make());
 	const runs = (isOf) => parts.map(({ colour, mesh }) => [mesh.faces.filter(isOf).reduce((sum, face) => sum + face.length - 2, 0), palette[colour]]).filter(([count]) => count > 0);
@@ -192,14 +202,14 @@ function coloursOf({ build: make, format }) {
 	return format === "COLLADA" ? runs(() => true) : [...runs(({ length }) => length === 3), ...runs(({ length }) => length > 3)];
 }
 
-/** The licences of what is bundled in: of the packages that the bundle has files of, beside the engine. */
+/** The licences of the bundled packages, except the engine's. */
 function licences() {
 	const files = Object.keys(result.metafile.inputs);
 	const names = new Set(files.flatMap((file) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(file)?.[1] ?? []));
 	const parts = [...names].sort().map((name) => {
 		const folder = path.join(npm, name);
 		const { version, license } = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-		// Blockly's package brings none
+		// Blockly's package has no licence file
 		const file = [path.join(folder, "LICENSE"), path.join(here, "licences", `${name}.txt`)].find(existsSync);
 		return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 	});

@@ -1,40 +1,43 @@
-/** The project's documentation and examples as pages beside the playground, which links to them. */
+/** Writes the project's documentation and examples as pages beside the playground, which links to them. */
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { Marked, Renderer } from "marked";
+import { groups, isSwf } from "../../build/examples/list.mjs";
 
-/** The pages that are not in docs/, each with its name there. */
+/** Pages outside of docs/, with their names among the pages. */
 const OTHERS = { "README.md": "project", "CONTRIBUTING.md": "contributing", "js/module/README.md": "package" };
-/** The examples, each with the files that its page lists. */
-const EXAMPLES = { page: ["page.js", "pictures.js"], three: ["page.js"], client: ["Client.as", "Pictures.as"] };
-const STARTS = { js: "js", as: "actionscript" };
+/** The examples that are whole clients, with the files that the page lists of each. */
+const CLIENTS = { page: ["page.js", "pictures.js"], three: ["page.js"], client: ["Client.as", "Pictures.as"] };
 
 /**
- * Writes them.
+ * Writes the pages.
  *
  * @param {string} root the project's folder
- * @param {string} out where they are put
+ * @param {string} out the output folder
  */
 export function writeDocs(root, out) {
 	const pages = new Map(readdirSync(path.join(root, "docs")).filter((file) => file.endsWith(".md")).map((file) => [`docs/${file}`, file === "README.md" ? "index" : file.slice(0, -".md".length)]));
 	for (const [file, name] of Object.entries(OTHERS)) pages.set(file, name);
-	for (const name of Object.keys(EXAMPLES)) pages.set(`examples/${name}/README.md`, "examples");
+	for (const name of ["", ...Object.keys(CLIENTS)]) pages.set(path.posix.join("examples", name, "README.md"), "examples");
+	const singles = groups().flatMap(({ examples }) => examples).map((each) => ({ ...each, title: isSwf(each.name) ? `${each.title}, in ActionScript` : each.title }));
+	for (const { file, title } of singles) pages.set(`examples/${file}`, `examples#${placeOf(title)}`);
 	mkdirSync(out, { recursive: true });
 	const read = (file) => readFileSync(path.join(root, file), "utf8");
 	const write = (name, sources) => writeFileSync(path.join(out, `${name}.html`), page(sources.map(([file, text]) => htmlOf(file, text, { root, out, pages })).join("\n")));
-	for (const [file, name] of pages) if (name !== "examples") write(name, [[file, read(file)]]);
-	write("examples", Object.entries(EXAMPLES).map(([name, files]) => {
-		const listings = files.map((file) => `\n\n\`${file}\`\n\n\`\`\`${STARTS[file.split(".")[1]]}\n${read(`examples/${name}/${file}`).trim()}\n\`\`\`\n`);
-		return [`examples/${name}/README.md`, read(`examples/${name}/README.md`) + listings.join("")];
-	}));
+	for (const [file, name] of pages) if (!file.startsWith("examples/")) write(name, [[file, read(file)]]);
+	const listing = (file) => `\n\n\`${path.basename(file)}\`\n\n~~~~\n${read(`examples/${file}`).trim()}\n~~~~\n`;
+	write("examples", [
+		...Object.entries(CLIENTS).map(([name, files]) => [`examples/${name}/README.md`, read(`examples/${name}/README.md`) + files.map((file) => listing(`${name}/${file}`)).join("")]),
+		["examples/README.md", `# Single things\n${singles.map(({ title, sentence, file }) => `\n## ${title}\n\n${sentence}${listing(file)}`).join("")}`],
+	]);
 }
 
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll("\"", "&quot;");
 
-/** A heading's place in its page, as links name it. */
+/** The id of a heading, as links name it. */
 const placeOf = (text) => text.toLowerCase().replaceAll(/[^\p{L}\p{N} _-]/gu, "").replaceAll(" ", "-");
 
-/** A text in Markdown as HTML. Links lead to the other pages, pictures are copied, and what is not there is no link. */
+/** A Markdown text as HTML. Links lead to the other pages, pictures are copied, and a link to something missing becomes text. */
 function htmlOf(file, text, { root, out, pages }) {
 	const marked = new Marked({ renderer: {
 		heading({ tokens, depth, text: words }) {
@@ -44,8 +47,8 @@ function htmlOf(file, text, { root, out, pages }) {
 			const words = this.parser.parseInline(tokens);
 			if (/^(https?:|#)/.test(href)) return `<a href="${escaped(href)}">${words}</a>`;
 			const [to, place] = href.split("#");
-			const name = pages.get(path.posix.join(path.posix.dirname(file), to));
-			return name ? `<a href="${name}.html${place ? `#${place}` : ""}">${words}</a>` : words;
+			const [name, itsPlace = place] = pages.get(path.posix.join(path.posix.dirname(file), to))?.split("#") ?? [];
+			return name ? `<a href="${name}.html${itsPlace ? `#${itsPlace}` : ""}">${words}</a>` : words;
 		},
 		image({ href, text: words }) {
 			const from = path.join(root, path.dirname(file), href);
@@ -53,7 +56,7 @@ function htmlOf(file, text, { root, out, pages }) {
 			cpSync(from, path.join(out, path.basename(href)));
 			return `<img src="${path.basename(href)}" alt="${escaped(words)}" loading="lazy">`;
 		},
-		// what scrolls is reached by keys
+		// keys can reach elements that scroll
 		code({ text: words }) {
 			return `<pre tabindex="0"><code>${escaped(words)}</code></pre>\n`;
 		},

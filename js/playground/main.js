@@ -1,10 +1,13 @@
-/** Loads the page's words in one language, and shows the view that the address names: #play, #inspect, #compare, #measure or #teach. Each loads only what it needs. */
+/**
+ * Loads the page's words in one language, and shows the view in the address: #play, #inspect, #compare, #measure or #teach. Each view loads
+ * only the files that it needs.
+ */
 import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
 import { chiefOf } from "./shared/files.js";
 import { speak, texts } from "./shared/language.js";
 
-/** The languages that there are, each with its own name and its words. */
+/** The languages, each with its own name and its words. */
 const LANGUAGES = {
 	en: { name: "English", load: () => import("./languages/en.js") },
 	de: { name: "Deutsch", load: () => import("./languages/de.js") },
@@ -22,7 +25,10 @@ const VIEWS = {
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
 const note = h("p.note", { role: "status" });
 
-/** The language of the address (?language=de), or the one that was chosen here before, or the first of the browser's that there is. */
+/**
+ * The language in the address (?language=de). Otherwise the language chosen here before, or the first of the browser's languages that the
+ * page has.
+ */
 function languageOf() {
 	const asked = [new URLSearchParams(location.search).get("language"), kept(), ...navigator.languages.map((each) => each.split("-")[0])];
 	return asked.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
@@ -36,7 +42,7 @@ function kept() {
 	}
 }
 
-/** Loads the page anew in a language. A browser that keeps nothing has it in the address. */
+/** Reloads the page in a language. If the browser stores nothing, the address contains the language. */
 function changeLanguage(code) {
 	const address = new URL(location.href);
 	address.searchParams.delete("language");
@@ -49,7 +55,7 @@ function changeLanguage(code) {
 	else location.replace(address);
 }
 
-/** The page's frame in its language. */
+/** Builds the page's frame in its language. */
 async function begin() {
 	lendColours(document.documentElement);
 	const code = languageOf();
@@ -70,7 +76,7 @@ async function begin() {
 let main = document.getElementById("view");
 let shown = null;
 
-/** The view and its argument in the address: #play/abc. */
+/** The view in the address and its argument: #play/abc. */
 function address() {
 	const [name, argument = ""] = location.hash.slice(1).split("/");
 	return { name: name in VIEWS ? name : "play", argument };
@@ -91,7 +97,7 @@ async function show() {
 	document.title = texts.title(texts.views[name]);
 	shown?.view.close();
 	shown = null;
-	// a place of its own: one that comes late writes where nothing is seen any more
+	// Each view has its own element. A view that finishes loading too late writes into one that is no longer shown.
 	const place = h("main", { id: "view", tabindex: "-1", class: name }, h("p.waiting", { role: "status" }, texts.loading));
 	main.replaceWith(place);
 	main = place;
@@ -111,7 +117,7 @@ async function show() {
 	}
 }
 
-/** Listens for what files do that are dragged over the page, in whose place the browser would show them. */
+/** Listens to files that are dragged over the page. Otherwise the browser would show them instead of the page. */
 function onFile(type, listener) {
 	addEventListener(type, (event) => {
 		if (!event.dataTransfer.types.includes("Files")) return;

@@ -67,7 +67,7 @@ machine.memory = function():Number
 
 machine.collect = function():void
 {
-    // the first ends what the collector is at, which keeps what has become garbage meanwhile
+    // The first call finishes the collector's present cycle, which keeps new garbage. So there is a second call.
     System.forceFullCollection();
     System.forceFullCollection();
 };
@@ -113,7 +113,7 @@ for (var i:int = 1; i < System.argv.length; i++)
         machine.parameters[name] = given;
     }
 }
-// absent, where nothing of the program uses it
+// the class, or null if the program does not contain it
 function classOf(name:String):*
 {
     try
@@ -126,7 +126,7 @@ function classOf(name:String):*
     }
 }
 
-// calls what has fallen due, those that have waited longest first
+// Calls all timeouts that are due, the oldest first.
 function callTimeouts():void
 {
     var now:Number = machine.now();
@@ -136,7 +136,7 @@ function callTimeouts():void
         });
     for each (var timeout:Object in due.sortOn(["at", "id"], Array.NUMERIC))
     {
-        // one called before may have taken it back
+        // an earlier one may have cancelled it
         if (timeouts.indexOf(timeout) >= 0)
         {
             timeouts.splice(timeouts.indexOf(timeout), 1);

@@ -23,17 +23,17 @@ package client
     import starlogo.models.ModelEvent;
     import starlogo.models.ModelLoader;
 
-    /** The shapes of a game: what Away3D draws for each, and the collision engine's model of just that. */
+    /** The shapes of a game. Each has an object for Away3D to draw, and a collision model of exactly that object. */
     public final class Cast
     {
-        // Away3D takes y for up whatever a file says: these are turned up
+        // Away3D always takes y as up; these files have z up and are turned
         private static const Z_UP:Array = ["bear.obj", "dragon.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
         private static const Y_UP:Array = ["seagull.dae"];
-        // files without normals, and with edges
+        // files without normals, which are shown with sharp edges
         private static const FLAT:Array = ["fortress.obj", "kelp.obj"];
         private static const FOLDER:String = "/assets/";
 
-        /** What a game loads. */
+        /** The models that the game has loaded. */
         public var greatLand:GreatLand = new GreatLand();
 
         private var _land:Land;
@@ -48,8 +48,8 @@ package client
          * Loads the shapes.
          *
          * @param land gives the light
-         * @param complete called without arguments when all are there
-         * @param failed called with a text when one is not
+         * @param complete called without arguments when all are loaded
+         * @param failed called with a text when one can't be loaded
          */
         public function Cast(land:Land, complete:Function, failed:Function)
         {
@@ -76,7 +76,7 @@ package client
             make("turtle", turtle());
         }
 
-        /** A new object of a shape, drawn as the others of it are. */
+        /** A new object of a shape. */
         public function draw(shape:String):Mesh
         {
             var first:Mesh = _drawn[shape];
@@ -88,7 +88,7 @@ package client
             return made;
         }
 
-        /** The model of what draw() makes. */
+        /** The model of the objects that draw() makes. */
         public function model(shape:String):Away3dModel
         {
             return _models[shape];
@@ -116,8 +116,8 @@ package client
             loader.load(new URLRequest(FOLDER + file), null, null, file.slice(-4) == ".dae" ? new DAEParser() : new OBJParser());
         }
 
-        // What is drawn is one mesh, with a part for each material: Away3D takes time for each of the meshes that move, and more for each
-        // the more they are.
+        // Joins a shape's meshes into one mesh, with a part for each material. Away3D takes time for each moving mesh, and more for each if
+        // there are many.
         private function make(shape:String, part:ObjectContainer3D):void
         {
             var whole:ObjectContainer3D = new ObjectContainer3D();

@@ -9,20 +9,20 @@ package client
     import starlogo.bounding.BoundingStructure;
     import starlogo.hierarchy.HierarchyNode;
 
-    /** An agent with what is drawn for it. */
+    /** An agent with its Away3D object. */
     public final class Character
     {
         private static const LINES:uint = 0xffd21f;
-        // how thick the lines are
+        // the thickness of the lines
         private static const STRUCTURE:Number = 1.5;
         private static const LEVEL:Number = 0.9;
         private static const SHADOW_HEIGHT:Number = 0.04;
         private static const COVER:Number = 0.7;
 
-        /** What collides. */
+        /** The agent. */
         public var agent:Agent;
 
-        /** How fast it moves, in patches a frame: along its heading, and up. */
+        /** How far it moves each frame, in patches: speed along its heading, climb up. */
         public var speed:Number = 0;
 
         /** @copy #speed */
@@ -35,9 +35,9 @@ package client
         private var _wireframe:Away3dWireframe = null;
 
         /**
-         * @param land where it is shown
+         * @param land shows it
          * @param cast has its shape
-         * @param agent moves it
+         * @param agent the agent
          */
         public function Character(land:Land, cast:Cast, agent:Agent)
         {
@@ -52,7 +52,7 @@ package client
             land.show(_shadow);
         }
 
-        /** Moves it for a frame. */
+        /** Moves it by one frame. */
         public function move():void
         {
             if (speed == 0 && climb == 0)
@@ -63,7 +63,7 @@ package client
             agent.moveTo(agent.x + speed * Math.cos(heading), agent.y + speed * Math.sin(heading), agent.z + climb);
         }
 
-        /** Puts what is drawn where the agent is. */
+        /** Moves its object to the agent. */
         public function update():void
         {
             _binding.updateObject();
@@ -74,7 +74,7 @@ package client
             }
         }
 
-        /** Splashes a colour over it: what it is painted shows through. */
+        /** Paints it with a translucent colour. */
         public function paint(color:uint):void
         {
             agent.color = color;
@@ -107,7 +107,7 @@ package client
             }
         }
 
-        /** Takes it off the land. */
+        /** Removes it from the land. */
         public function leave():void
         {
             hideWireframe();

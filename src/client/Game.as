@@ -13,7 +13,7 @@ package client
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
 
-    /** The bear of thesis §2.2 among turtles, seagulls and a fortress, with paintballs that colour what they hit. */
+    /** The bear of thesis §2.2 among turtles, seagulls and a fortress. Paintballs colour the agents that they hit. */
     public final class Game implements Show
     {
         private static const PAINTS:Array = [0xe4572e, 0x2e86ab, 0xf6ae2d, 0x8e44ad, 0x17a398, 0xd81e5b];
@@ -37,7 +37,7 @@ package client
         private var _gone:Vector.<Character> = new Vector.<Character>();
 
         /**
-         * @param land where it is played
+         * @param land shows the game
          * @param cast the shapes
          */
         public function Game(land:Land, cast:Cast)
@@ -234,7 +234,7 @@ package client
                     }
                     break;
                 case "seagulls":
-                    // round, banked, up and down
+                    // it flies in a circle, banked, up and down
                     agent.heading += 0.55;
                     agent.roll = -18;
                     agent.pitch = -8 * Math.sin(_frame / 30 + agent.id);
@@ -252,7 +252,7 @@ package client
             }
         }
 
-        // Back along the path that it came, and around what it hit.
+        // Moves the bear back along its path, and around the agent that it hit.
         private function bump(bear:Agent, met:Agent):void
         {
             if (met.breed != "paintballs")
@@ -281,7 +281,7 @@ package client
             }
         }
 
-        // What the collision system in use takes the agent for.
+        // Shows the shape that the collision system in use tests for the agent.
         private function outline(character:Character):void
         {
             var shape:String = character.agent.shape;

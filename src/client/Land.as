@@ -21,7 +21,7 @@ package client
     import flash.geom.Rectangle;
     import flash.geom.Vector3D;
 
-    /** The land as Away3D draws it: the ground of SpaceLand, light, air and a camera. Its children stand in patches, y up. */
+    /** The land as Away3D draws it: the ground of SpaceLand, light, air and a camera. Its objects are placed in patches, y up. */
     public final class Land extends Sprite
     {
         private static const WIDTH:Number = 101;
@@ -36,7 +36,7 @@ package client
         private var _shadow:Geometry = new RegularPolygonGeometry(0.5, 24);
         private var _shade:ColorMaterial = new ColorMaterial(0x12300c, 0.3);
 
-        /** An empty land. */
+        /** Creates an empty land. */
         public function Land()
         {
             _view.backgroundColor = SKY;
@@ -63,19 +63,19 @@ package client
             _view.height = height;
         }
 
-        /** Shows an object. */
+        /** Adds an object. */
         public function show(object:ObjectContainer3D):void
         {
             _view.scene.addChild(object);
         }
 
-        /** Shows an object no more. */
+        /** Removes an object. */
         public function hide(object:ObjectContainer3D):void
         {
             _view.scene.removeChild(object);
         }
 
-        /** A material of a colour, the same each time. */
+        /** The material of a colour. The same colour always gives the same material. */
         public function material(color:uint):MaterialBase
         {
             if (_materials[color] == null)
@@ -86,13 +86,13 @@ package client
             return _materials[color];
         }
 
-        /** A shadow on the ground, a patch wide. */
+        /** A shadow on the ground, one patch wide. */
         public function newShadow():Mesh
         {
             return new Mesh(_shadow, _shade);
         }
 
-        /** Gives a material the land's light and air. Both sides of it are drawn: files mirror their parts. */
+        /** Gives a material the land's light and air. Both sides of it are drawn, because some files mirror their parts. */
         public function light(material:MaterialBase):void
         {
             var lit:SinglePassMaterialBase = material as SinglePassMaterialBase;
@@ -105,7 +105,7 @@ package client
             }
         }
 
-        /** Moves the camera a part of the way to a place, looking at another; both in the agents' axes, z up. */
+        /** Moves the camera a part of the way to a place, and turns it to another. Both places are in the agents' axes, z up. */
         public function look(fromX:Number, fromY:Number, fromZ:Number, atX:Number, atY:Number, atZ:Number, part:Number):void
         {
             var camera:Object3D = _view.camera;

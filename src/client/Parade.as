@@ -4,10 +4,10 @@ package client
     import starlogo.collision.Collision;
     import starlogo.collision.TightestFitCollider;
 
-    /** The twelve models in rows, each with its tightest structure, or with a level of its hierarchy: keys 0 to 9. */
+    /** The twelve models in rows, each with its tightest structure, or with a level of its hierarchy. Keys 0 to 9 choose. */
     public final class Parade implements Show
     {
-        // the low ones in front
+        // low models stand in front
         private static const SHAPES:Array = ["dragon", "fortress", "spaceship", "kelp", "sphere", "cube", "seagull", "bear", "tree", "cylinder", "fireman",
                 "person"];
         private static const HEIGHTS:Object = {sphere: 1, cube: 1, cylinder: 1.13, bear: 2, dragon: 0.4, seagull: 0.5, tree: 2.2, kelp: 0.1, fortress: 0.5,
@@ -23,7 +23,7 @@ package client
         private var _frame:int = 0;
 
         /**
-         * @param land where they stand
+         * @param land shows them
          * @param cast the shapes
          */
         public function Parade(land:Land, cast:Cast)

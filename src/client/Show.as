@@ -2,28 +2,28 @@ package client
 {
     import starlogo.collision.Collision;
 
-    /** What the client shows. */
+    /** A show of the client: a game or a parade. */
     public interface Show
     {
         /** Its collisions. */
         function get collision():Collision;
 
-        /** What is said of it on the screen. */
+        /** The text on the screen. */
         function get caption():String;
 
-        /** How many agents there are. */
+        /** The number of agents. */
         function get agentCount():int;
 
-        /** Moves all for a frame and finds the collisions. */
+        /** Moves everything by one frame and finds the collisions. */
         function play():void;
 
-        /** Puts what is drawn where the agents are, and the camera. */
+        /** Moves the objects to their agents, and the camera. */
         function update():void;
 
-        /** A key goes down. */
+        /** Called when a key goes down. */
         function press(key:uint):void;
 
-        /** A key goes up. */
+        /** Called when a key goes up. */
         function release(key:uint):void;
     }
 }

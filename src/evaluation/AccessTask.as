@@ -8,7 +8,7 @@ package evaluation
 
     use namespace engine;
 
-    /** Figure 6-3: the time to look up the tightest fit of an agent that has moved and turned, and to put it in its place. */
+    /** Figure 6-3: the time to look up and place the tightest fit of an agent that has moved and turned. */
     public final class AccessTask extends MeasuringTask
     {
         private static const COUNT:int = 500;
@@ -21,7 +21,7 @@ package evaluation
         private var _literal:Measurement;
 
         /**
-         * @param shape the agent's
+         * @param shape the agent's shape
          * @param greatLand has its tightest fit
          * @param settings says how often
          * @param results takes the times

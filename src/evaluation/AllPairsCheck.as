@@ -6,8 +6,8 @@ package evaluation
     import starlogo.collision.CollisionSystem;
 
     /**
-     * Whether what a collider has found is what trying pairs one by one finds, no more and no less: all pairs, or those of
-     * some agents, evenly in the list, with all others where that would take too long.
+     * Checks a collider against trying all pairs one by one: it must find exactly the same collisions. If there are too many pairs, only
+     * some agents, evenly spread over the list, are tried with all others.
      */
     public final class AllPairsCheck
     {
@@ -22,8 +22,8 @@ package evaluation
 
         /**
          * @param collider has found the collisions
-         * @param agents of the game
-         * @param maxPairs how many pairs to try
+         * @param agents the agents of the game
+         * @param maxPairs the most pairs to try
          */
         public function AllPairsCheck(collider:CollisionSystem, agents:Vector.<Agent>, maxPairs:int)
         {
@@ -38,13 +38,13 @@ package evaluation
             }
         }
 
-        /** Whether it did so far. */
+        /** Whether both agree so far. */
         public function get agrees():Boolean
         {
             return _agrees;
         }
 
-        /** Tries pairs for a while, and returns whether those were the last. */
+        /** Tries pairs for a while. Returns whether all are done. */
         public function work():Boolean
         {
             var start:int = getTimer();

@@ -4,24 +4,24 @@ package evaluation
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
 
-    /** A client's collision system, in which every agent collides with every other. */
+    /** A client's own collision system, in which every agent collides with every other. */
     public class EveryPairSystem implements CollisionSystem
     {
         private var _statistics:CollisionStatistics = new CollisionStatistics();
 
-        /** The agents and the pairs. */
+        /** Has the numbers of agents and pairs. */
         public function get statistics():CollisionStatistics
         {
             return _statistics;
         }
 
-        /** True. */
+        /** Always true. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             return true;
         }
 
-        /** Every pair, each once. */
+        /** Returns every pair once. */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
             out ||= new Vector.<Agent>();

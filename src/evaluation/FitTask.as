@@ -17,7 +17,7 @@ package evaluation
         private var _literal:Measurement;
 
         /**
-         * @param model what is fitted
+         * @param model the model to fit
          * @param settings says how often
          * @param results takes the times
          */
@@ -34,7 +34,7 @@ package evaluation
                 {
                     _library.add(_model.name, _model.vertices);
                 }, 1);
-            // a ninth of the rotations: all of them would leave more objects than the player can hold in one call
+            // It tries only a ninth of the rotations, because all of them would create more objects than the player can hold in one call.
             _literal = measure("literal fit", function():void
                 {
                     new LiteralOrientedBoxFit(_model.vertices, DEG_INCREMENT, DEG_INCREMENT);

@@ -6,18 +6,18 @@ package evaluation
     import starlogo.collision.CollisionSystem;
 
     /**
-     * Plays a scene with a collider: the time of a frame's collision detection, handlers included (§6.1). The collisions of
-     * the last frame are checked against those of all pairs.
+     * Plays a scene with a collider and measures a frame's collision detection with its handlers (§6.1). The collisions of the last frame
+     * are checked against trying all pairs.
      */
     public final class GameTask extends MeasuringTask
     {
         private static const LITERAL_PAIRS:int = 300;
         private static const CHECKED_PAIRS:int = 100000;
 
-        /** What is played. */
+        /** The scene that is played. */
         public var scene:Scene;
 
-        /** Finds the collisions. */
+        /** The collider. */
         public var collider:CollisionSystem;
 
         private var _figure:String;
@@ -33,12 +33,12 @@ package evaluation
         private var _check:AllPairsCheck;
 
         /**
-         * @param figure what it belongs to
-         * @param subject the row
-         * @param variant the column: the collider
-         * @param scene what is played
+         * @param figure the results' figure
+         * @param subject the results' row
+         * @param variant the results' column: the collider
+         * @param scene the scene to play
          * @param collider finds the collisions
-         * @param literalTest tells literally whether two agents collide, or null
+         * @param literalTest function that decides by the thesis's own algorithms whether two agents collide, or null
          * @param thesis the thesis's milliseconds, or undefined
          * @param settings says how often
          * @param results takes the times
@@ -56,13 +56,13 @@ package evaluation
             _checkedPairs = settings.isFull ? 10 * CHECKED_PAIRS : CHECKED_PAIRS;
         }
 
-        /** Calls of the last frame's handlers, pairs and collisions, in words. */
+        /** The numbers of handler calls, pairs and collisions of the last frame, in words. */
         public function get lastFrame():String
         {
             return _collision == null ? "" : _collision.statistics.candidatePairs + " pairs\n" + _collision.statistics.collisions + " collisions";
         }
 
-        /** The agents that have collided in the last frame: their handlers painted them. Nothing is searched again. */
+        /** The agents that collided in the last frame. Their handlers painted them, so nothing is searched again. */
         public function get colliding():Vector.<Agent>
         {
             var painted:Vector.<Agent> = new Vector.<Agent>();
@@ -129,7 +129,7 @@ package evaluation
             _collision.update(scene.agents);
         }
 
-        // Pairs of agents at an even distance in the list, as many as the literal collider can test in a moment.
+        // Pairs of agents at equal distances in the list. There are as many as the literal collider can test in a moment.
         private function somePairs():Vector.<Agent>
         {
             var agents:Vector.<Agent> = scene.agents;
@@ -149,7 +149,7 @@ package evaluation
             return pairs;
         }
 
-        // What the thesis's game does on a collision (§6.1): the agent changes its colour.
+        // The handler of the thesis's game (§6.1): the agent changes its colour.
         private function changeColor(agent:Agent, other:Agent):void
         {
             agent.color = _paint;

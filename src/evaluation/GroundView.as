@@ -3,7 +3,7 @@ package evaluation
     import flash.display.Sprite;
     import starlogo.agents.Agent;
 
-    /** SpaceLand from above: a dot for each agent, red where it has collided. */
+    /** Shows SpaceLand from above: a dot for each agent, red if it has collided. */
     public class GroundView extends Sprite
     {
         private static const HALF_WIDTH:Number = 50.5;
@@ -14,21 +14,19 @@ package evaluation
 
         private var _scale:Number;
 
-        /**
-         * @param width of the view in pixels, and its height
-         */
+        /** @param width the width and height of the view, in pixels */
         public function GroundView(width:Number)
         {
             _scale = width / (2 * HALF_WIDTH);
-            // the stage is drawn in every frame, this only when it changes
+            // the stage is drawn in every frame, but this view only when it changes
             cacheAsBitmap = true;
         }
 
         /**
          * Draws the agents.
          *
-         * @param agents all of them
-         * @param colliding those to draw in red, each once
+         * @param agents all agents
+         * @param colliding the agents to draw in red, each once
          */
         public function show(agents:Vector.<Agent>, colliding:Vector.<Agent>):void
         {

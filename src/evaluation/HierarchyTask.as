@@ -4,7 +4,7 @@ package evaluation
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.Model;
 
-    /** Figure 6-5: the time to build the hierarchy of a model; of its triangles, and of its vertices as the thesis does. */
+    /** Figure 6-5: the time to build the hierarchy of a model, from its triangles, and from its vertices as in the thesis. */
     public final class HierarchyTask extends MeasuringTask
     {
         private var _model:Model;
@@ -14,7 +14,7 @@ package evaluation
         private var _literal:Measurement;
 
         /**
-         * @param model what is divided
+         * @param model the model to divide
          * @param settings says how often
          * @param results takes the times
          */

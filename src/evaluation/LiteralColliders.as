@@ -1,37 +1,40 @@
 package evaluation
 {
     import evaluation.literal.LiteralBinCollider;
+    import evaluation.literal.LiteralCombinationCollider;
     import evaluation.literal.LiteralHierarchicalCollider;
     import evaluation.literal.LiteralTightestFitCollider;
     import starlogo.GreatLand;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.Model;
 
-    /** The thesis's collider to the letter beside each collider. */
+    /** For each collider, the thesis's own algorithm, written literally. */
     public final class LiteralColliders
     {
         private var _bins:LiteralBinCollider = new LiteralBinCollider();
         private var _tightest:LiteralTightestFitCollider;
         private var _hierarchical:LiteralHierarchicalCollider;
+        private var _combination:LiteralCombinationCollider;
 
         /**
          * @param greatLand has the tightest fits
-         * @param models those of which hierarchies are built
+         * @param models the models whose hierarchies are built
          */
         public function LiteralColliders(greatLand:GreatLand, models:Array)
         {
             _tightest = new LiteralTightestFitCollider(greatLand.boundingStructures);
-            // of vertices alone, as in the thesis
+            // from vertices alone, as in the thesis
             var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
             for each (var model:Model in models)
             {
                 hierarchies.add(model.name, model.vertices);
             }
             _hierarchical = new LiteralHierarchicalCollider(hierarchies);
+            _combination = new LiteralCombinationCollider(_tightest, _hierarchical, hierarchies);
         }
 
         /**
-         * The function that tells whether two agents collide, or null where the thesis leaves out how that goes.
+         * The function that decides whether two agents collide.
          *
          * @param name one of Settings.COLLIDERS
          */
@@ -45,8 +48,10 @@ package evaluation
                     return _tightest.areColliding;
                 case "HierarchicalCollider":
                     return _hierarchical.areColliding;
+                case "CombinationCollider":
+                    return _combination.areColliding;
                 default:
-                    return null;
+                    throw new ArgumentError("the thesis has no collider of this name: " + name);
             }
         }
     }

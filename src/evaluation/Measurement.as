@@ -2,15 +2,15 @@ package evaluation
 {
     import headless.Host;
 
-    /** Something that is timed, and how long it took. */
+    /** A method that is timed, and its times. */
     public final class Measurement
     {
         private static const SAMPLE_MS:int = 12;
 
-        /** What is measured. */
+        /** The name of the thing that is measured. */
         public var name:String;
 
-        /** What the method does besides what is to be measured, measured in turn; its median is taken off. Or null. */
+        /** Measures the part of the method that should not count; its median is subtracted. Null for none. */
         public var overhead:Measurement;
 
         private var _method:Function;
@@ -19,9 +19,9 @@ package evaluation
         private var _times:Array = [];
 
         /**
-         * @param name what is measured
+         * @param name the name of the thing that is measured
          * @param method called without arguments
-         * @param count how often it does the thing in one call; less than 1 where it does a part of it
+         * @param count how often one call does the thing; less than 1 if it does only a part of it
          */
         public function Measurement(name:String, method:Function, count:Number)
         {
@@ -30,7 +30,7 @@ package evaluation
             _count = count;
         }
 
-        /** Measures all of them after a warm-up, taking turns so that a slow moment of the machine hits them alike. */
+        /** Measures all, after a warm-up. The measurements take turns, so that a slow moment of the machine affects all of them equally. */
         public static function runAll(measurements:Vector.<Measurement>, rounds:int):void
         {
             for (var i:int = 0; i < measurements.length; i++)
@@ -46,25 +46,25 @@ package evaluation
             }
         }
 
-        /** The median, in nanoseconds for one. */
+        /** The median, in nanoseconds for one thing. */
         public function get nanoseconds():Number
         {
             return samples.median;
         }
 
-        /** How many times as long this takes as the base, in the same round each: the median. */
+        /** How many times as long this takes as the base in the same round: the median of all rounds. */
         public function timesAsLongAs(base:Measurement):Number
         {
             return multiplesOf(base).median;
         }
 
-        /** The nanoseconds for one, as often as they were measured. */
+        /** The nanoseconds for one thing, in each round. */
         public function get samples():Samples
         {
             return new Samples(times());
         }
 
-        /** How many times as long as the base this took, in each round. */
+        /** How many times as long this took as the base, in each round. */
         public function multiplesOf(base:Measurement):Samples
         {
             var own:Array = times();
@@ -76,11 +76,11 @@ package evaluation
             return new Samples(ratios);
         }
 
-        /** Finds how often to call the method for a sample long enough for the clock; nothing of it counts. */
+        /** Finds how many calls make a sample that is long enough for the clock. These calls do not count. */
         public function warmUp():void
         {
             var start:Number = Host.now;
-            // once at least: a busy machine may take all of the time away from it
+            // At least once, because a busy machine may use up all of the time.
             do
             {
                 _method();

@@ -6,8 +6,8 @@ package evaluation
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. Where the samples
-     * are too far apart it takes up to three times as many. What has taken seconds is not repeated as often.
+     * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. If the samples differ too much, it
+     * takes up to three times as many. A thing that takes seconds is repeated less often.
      */
     public class MeasuringTask extends Task
     {
@@ -18,7 +18,7 @@ package evaluation
 
         private static var sBasePairs:PairLoops;
 
-        /** Takes what was measured. */
+        /** Takes the measurements. */
         protected var _results:Results;
 
         /** The sphere-sphere test. */
@@ -37,10 +37,10 @@ package evaluation
         /**
          * For subclasses.
          *
-         * @param title what is done
+         * @param title the task's title
          * @param weight how long it takes
          * @param settings says how often things are measured
-         * @param results takes what was measured
+         * @param results takes the measurements
          */
         public function MeasuringTask(title:String, weight:Number, settings:Settings, results:Results)
         {
@@ -74,25 +74,25 @@ package evaluation
             return conclude();
         }
 
-        /** Makes what is measured. */
+        /** Creates the measurements. */
         protected function prepare():void
         {
         }
 
-        /** Puts what was measured into the results; called again until it returns true. */
+        /** Puts the measurements into the results. It is called again until it returns true. */
         protected function conclude():Boolean
         {
             return true;
         }
 
-        /** Adds something that is measured only to be taken off something else: it need not be steady. */
+        /** Adds a measurement that is only subtracted from another one. Its samples may differ much. */
         protected function measureOverhead(of:Measurement, name:String, method:Function, count:Number):void
         {
             of.overhead = measure(name, method, count);
             _overheads.push(of.overhead);
         }
 
-        /** Adds something to be measured. */
+        /** Adds a measurement. */
         protected function measure(name:String, method:Function, count:Number):Measurement
         {
             var measurement:Measurement = new Measurement(name, method, count);

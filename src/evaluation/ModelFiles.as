@@ -11,8 +11,8 @@ package evaluation
     import starlogo.models.ObjModel;
 
     /**
-     * Loads the thesis's twelve models: three built-in ones, and nine from files; and where they are there, those of the StarLogo Nova client
-     * (test/models/nova.mjs), which are the thesis's own.
+     * Loads the thesis's twelve models: three built-in ones and nine from files. If the StarLogo Nova client's models are present
+     * (test/models/nova.mjs), it loads them too. Those are the thesis's own files.
      */
     public final class ModelFiles
     {
@@ -21,10 +21,10 @@ package evaluation
                 "spaceship.obj", "fireman.dae", "person.dae"];
         private static const NOVA:String = "/models/nova-thesis.json";
 
-        /** The models that are loaded, by name. */
+        /** The loaded models, by name. */
         public var models:Object = {};
 
-        /** The StarLogo Nova client's, by the same names; none if they are not there. */
+        /** The StarLogo Nova client's models, by the same names. Empty if they are not present. */
         public var novaModels:Object = {};
 
         private var _pending:Array = [];
@@ -33,8 +33,8 @@ package evaluation
 
         /**
          * @param complete called without arguments when all are loaded
-         * @param failed called with a text when one can't be
-         * @param hasNova whether the StarLogo Nova client's are there
+         * @param failed called with a text when one can't be loaded
+         * @param hasNova whether the StarLogo Nova client's models are present
          */
         public function ModelFiles(complete:Function, failed:Function, hasNova:Boolean)
         {

@@ -10,10 +10,7 @@ package evaluation
     import starlogo.diagnostics.CollisionMonitor;
     import starlogo.diagnostics.CollisionRecorder;
 
-    /**
-     * Plays a game with the CollisionMonitor on the stage and a CollisionRecorder about its collider, and measures what a
-     * frame of the monitor takes, and a collision of the recorder.
-     */
+    /** Measures the cost of a CollisionMonitor per frame and of a CollisionRecorder per collision. It plays a game with both. */
     public final class MonitorTask extends MeasuringTask
     {
         private static const FRAMES:int = 200;
@@ -21,10 +18,10 @@ package evaluation
         private static const FRAME_MS:Number = 40;
         private static const CROWD:int = 100;
 
-        /** What is played. */
+        /** The scene that is played. */
         public var scene:Scene;
 
-        /** Finds the collisions, and records them. */
+        /** The recorder around the collider. */
         public var recorder:CollisionRecorder;
 
         private var _stage:Stage;
@@ -35,11 +32,11 @@ package evaluation
         private var _played:int = 0;
 
         /**
-         * @param stage where the monitor is shown
-         * @param scene what is played
+         * @param stage shows the monitor
+         * @param scene the scene to play
          * @param collider finds the collisions
          * @param settings says how often
-         * @param results takes the time
+         * @param results takes the times
          */
         public function MonitorTask(stage:Stage, scene:Scene, collider:CollisionSystem, settings:Settings, results:Results)
         {
@@ -68,7 +65,7 @@ package evaluation
         {
             if (_played == 0)
             {
-                // a new one: what those frames of no length made it show is no game's
+                // A new monitor, because the numbers of the old one come from frames of no length, not from a game.
                 var used:CollisionMonitor = _monitor;
                 _monitor = new CollisionMonitor(_collision);
                 _monitor.x = used.x;
@@ -92,7 +89,7 @@ package evaluation
             return true;
         }
 
-        // A system that finds every pair, with a recorder and without.
+        // Measures a system that finds every pair, with and without a recorder.
         private function prepareRecording():void
         {
             var crowd:Vector.<Agent> = Scenes.crowd(CROWD, "spheres").agents;

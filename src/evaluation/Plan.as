@@ -5,7 +5,7 @@ package evaluation
     import evaluation.scenes.Scenes;
     import starlogo.GreatLand;
 
-    /** Which tasks the settings ask for, in the order of the thesis's section 6. */
+    /** The tasks that the settings ask for, in the order of the thesis's section 6. */
     public final class Plan
     {
         private static const HIERARCHICAL_CROWD:int = 100;
@@ -23,10 +23,10 @@ package evaluation
         private var _stage:Stage;
 
         /**
-         * @param settings what is asked for
+         * @param settings select the tasks
          * @param files all models
-         * @param results takes what is measured
-         * @param stage where the monitor is shown
+         * @param results takes the measurements
+         * @param stage shows the monitor
          */
         public function Plan(settings:Settings, files:ModelFiles, results:Results, stage:Stage)
         {
@@ -162,7 +162,7 @@ package evaluation
         private function addGame(figure:String, subject:String, variant:String, collider:String, scene:Scene, thesis:*):void
         {
             tasks.push(new GameTask(figure, subject, variant, scene, Colliders.make(collider, _greatLand),
-                        figure == "crowds" ? _literal.pairTest(collider) : null, thesis, _settings, _results));
+                        figure == "scattered" ? null : _literal.pairTest(collider), thesis, _settings, _results));
         }
 
         private static function makeSomeHierarchical(scene:Scene, count:int):void

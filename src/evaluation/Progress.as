@@ -2,7 +2,7 @@ package evaluation
 {
     import flash.utils.getTimer;
 
-    /** Says every few seconds how far the tasks are: a bar, what is running, and the time that remains. */
+    /** Prints the progress of the tasks every few seconds: a bar, the running task, and the remaining time. */
     public final class Progress
     {
         private static const INTERVAL_MS:int = 5000;
@@ -13,9 +13,7 @@ package evaluation
         private var _start:int = getTimer();
         private var _last:int = int.MIN_VALUE;
 
-        /**
-         * @param tasks all of them
-         */
+        /** @param tasks all tasks */
         public function Progress(tasks:Vector.<Task>)
         {
             _tasks = tasks;
@@ -25,7 +23,7 @@ package evaluation
             }
         }
 
-        /** Says it, if it was last said long enough ago. */
+        /** Prints the progress, if the last print was long enough ago. */
         public function report(current:int):void
         {
             var now:int = getTimer();
@@ -36,7 +34,7 @@ package evaluation
             }
         }
 
-        /** Says that all is done. */
+        /** Prints that all is done. */
         public function finish():void
         {
             trace(bar(1) + "  " + _tasks.length + " measurements in " + seconds(getTimer() - _start));

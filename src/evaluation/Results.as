@@ -2,7 +2,7 @@ package evaluation
 {
     import headless.Host;
 
-    /** What was measured: entries as docs/timing-report.md describes them. */
+    /** The measurements, as entries that docs/timing-report.md describes. */
     public final class Results
     {
         private static const NS_PER_MS:Number = 1e6;
@@ -10,7 +10,7 @@ package evaluation
         private var _entries:Array = [];
         private var _failures:int = 0;
 
-        /** How many checks failed. */
+        /** The number of checks that failed. */
         public function get failures():int
         {
             return _failures;
@@ -19,11 +19,11 @@ package evaluation
         /**
          * Adds a plain number.
          *
-         * @param figure what it belongs to
-         * @param subject the row
-         * @param variant the column
+         * @param figure the entry's figure
+         * @param subject the entry's row
+         * @param variant the entry's column
          * @param value the number
-         * @param unit of the number
+         * @param unit the number's unit
          * @param thesis the thesis's number, or undefined
          * @return the entry
          */
@@ -39,12 +39,12 @@ package evaluation
         }
 
         /**
-         * Adds a time in milliseconds, and as a multiple of the sphere-sphere test; or why it is not reported.
+         * Adds a time in milliseconds, and as a multiple of the sphere-sphere test. If the samples say nothing, it adds the reason instead.
          *
-         * @param figure what it belongs to
-         * @param subject the row
-         * @param variant the column
-         * @param measurement what was measured
+         * @param figure the entry's figure
+         * @param subject the entry's row
+         * @param variant the entry's column
+         * @param measurement the measurement
          * @param base the sphere-sphere test, measured in the same rounds
          * @param thesis the thesis's milliseconds, or undefined
          * @return the entry
@@ -68,7 +68,7 @@ package evaluation
             return entry;
         }
 
-        /** Notes whether the collisions of an entry are those that all pairs have. */
+        /** Adds a check to an entry: whether its collisions are the same as from trying all pairs. */
         public function check(entry:Object, collisions:int, agrees:Boolean):void
         {
             entry.collisions = collisions;
@@ -79,7 +79,7 @@ package evaluation
             }
         }
 
-        /** All of it as JSON. */
+        /** All entries as JSON. */
         public function toText():String
         {
             return JSON.stringify({player: Host.player, entries: _entries}, null, 1);

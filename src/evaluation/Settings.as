@@ -2,14 +2,14 @@ package evaluation
 {
     import evaluation.scenes.Scenes;
 
-    /** What of the evaluation is run, from the parameters of the SWF. Lists are separated by commas; an empty one is all. */
+    /** Selects the parts of the evaluation to run, by the parameters of the SWF. Lists are separated by commas. An empty list means all. */
     public final class Settings
     {
-        /** The figures, by what they show. */
+        /** The names of all figures. */
         public static const FIGURES:Array = ["volumes", "fits", "access", "tests", "hierarchies", "crowds", "combination",
                 "scattered", "monitor"];
 
-        /** The colliders' classes, by name. */
+        /** The class names of all colliders. */
         public static const COLLIDERS:Array = ["BinCollider", "TightestFitCollider", "HierarchicalCollider",
                 "CombinationCollider"];
 
@@ -17,31 +17,31 @@ package evaluation
         public static const MODELS:Array = ["sphere", "cube", "cylinder", "bear", "dragon", "seagull", "tree", "kelp",
                 "fortress", "spaceship", "fireman", "person"];
 
-        /** The figures that are run. */
+        /** The figures to run. */
         public var figures:Array;
 
-        /** The colliders that are run. */
+        /** The colliders to run. */
         public var colliders:Array;
 
-        /** The models of the figures about single models. */
+        /** The models for the figures about single models. */
         public var models:Array;
 
-        /** How many agents there are in a crowd. */
+        /** The numbers of agents in crowds. */
         public var crowds:Array;
 
-        /** How many agents there are in a scattered game. */
+        /** The numbers of agents in scattered games. */
         public var games:Array;
 
-        /** Who the agents of scattered games and of the CombinationCollider's crowds are. */
+        /** The casts of scattered games and of the CombinationCollider's crowds. */
         public var casts:Array;
 
         /** How often a thing is measured. */
         public var repetitions:int;
 
-        /** How often a thing is measured that takes long: as often as in a quick run, unless a number is asked for. */
+        /** How often a thing that takes long is measured: as often as in a quick run, unless a number is given. */
         public var longRepetitions:int;
 
-        /** Whether the StarLogo Nova client's models are there. */
+        /** Whether the StarLogo Nova client's models are present. */
         public var hasNova:Boolean;
 
         /** Whether everything is run. */
@@ -49,7 +49,7 @@ package evaluation
 
         /**
          * @param parameters the parameters of the SWF
-         * @throws ArgumentError if one names what is not there
+         * @throws ArgumentError if one names something unknown
          */
         public function Settings(parameters:Object)
         {

@@ -1,25 +1,23 @@
 package evaluation
 {
-    /** Rows of text in columns: the first is set flush left, the others flush right. */
+    /** A text table. The first column is aligned left, the others right. */
     public class Table
     {
         private var _rows:Array = [];
 
-        /**
-         * @param head the columns' names
-         */
+        /** @param head the names of the columns */
         public function Table(...head)
         {
             _rows.push(head);
         }
 
-        /** Adds a row of as many cells as there are columns. */
+        /** Adds a row with a cell for each column. */
         public function add(...cells):void
         {
             _rows.push(cells);
         }
 
-        /** The table, a line a row. */
+        /** The table as text, one line for each row. */
         public function toString():String
         {
             var widths:Array = [];

@@ -1,18 +1,18 @@
 package evaluation
 {
-    /** A part of the evaluation, done in steps so that the player lives on between them. */
+    /** A part of the evaluation. It is done in steps, so that the player can draw between them. */
     public class Task
     {
-        /** What is done, for the progress bar. */
+        /** The task's name in the progress bar. */
         public var title:String;
 
-        /** How long it takes, roughly, in any unit that all tasks share. */
+        /** How long the task takes, roughly. All tasks share one unit. */
         public var weight:Number;
 
         /**
          * For subclasses.
          *
-         * @param title what is done
+         * @param title the task's name
          * @param weight how long it takes
          */
         public function Task(title:String, weight:Number)
@@ -21,7 +21,7 @@ package evaluation
             this.weight = weight;
         }
 
-        /** Does a step, and returns whether that was the last one. */
+        /** Does a step. Returns whether it was the last one. */
         public function work():Boolean
         {
             return true;

@@ -5,7 +5,7 @@ package evaluation
     import evaluation.pairs.PairSet;
     import starlogo.bounding.BoundingStructure;
 
-    /** Figure 6-4: the time of an intersection test, on pairs of which 40 % intersect and on pairs that all do. */
+    /** Figure 6-4: the time of an intersection test, on pairs of which 40 % intersect, and on pairs that all intersect. */
     public final class TestTask extends MeasuringTask
     {
         private static const SEED:uint = 31;
@@ -17,7 +17,7 @@ package evaluation
                 capsuleBox: [BoundingStructure.CAPSULE, BoundingStructure.BOX],
                 boxBox: [BoundingStructure.BOX, BoundingStructure.BOX]};
 
-        /** The tests, by name. */
+        /** The names of the tests. */
         public static const TESTS:Array = ["sphereSphere", "sphereCapsule", "sphereBox", "capsuleCapsule", "capsuleBox",
                 "boxBox"];
 

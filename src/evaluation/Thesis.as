@@ -3,11 +3,11 @@ package evaluation
     /** The numbers of the thesis's section 6. */
     public final class Thesis
     {
-        /** What Figure 6-1 compares. */
+        /** The structures that Figure 6-1 compares. */
         public static const STRUCTURES:Array = ["naive sphere", "Ritter sphere", "axis-aligned box", "z-aligned box",
                 "oriented box", "oriented capsule"];
 
-        /** Figure 6-1: the volumes of these around each model. */
+        /** Figure 6-1: the volumes of these structures around each model. */
         public static const VOLUMES:Object = {
                 sphere: [0.524, 0.524, 0.989, 0.953, 0.959, 0.596], cube: [2.721, 5.216, 1, 1, 1, 3.052],
                 cylinder: [1.803, 4.577, 1.131, 1.121, 1.123, 1.412], bear: [6.441, 6.403, 1.842, 1.701, 1.657, 1.843],

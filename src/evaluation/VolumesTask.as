@@ -15,8 +15,9 @@ package evaluation
     import starlogo.models.Model;
 
     /**
-     * Figure 6-1: the volumes of the structures around a model, and the smallest that are known. The thesis's column of z-aligned boxes is
-     * that of 1 degree: so it is on the thesis's own models (figure "nova"), and with 10 it is not.
+     * Figure 6-1: the volumes of the structures around a model, and the smallest known ones. The z-aligned boxes are fitted in steps of 1
+     * degree, because these volumes agree with the thesis's column on the thesis's own models (figure "nova"). Those in steps of 10 degrees
+     * do not.
      */
     public final class VolumesTask extends Task
     {
@@ -32,8 +33,8 @@ package evaluation
         private var _next:int = 0;
 
         /**
-         * @param figure "volumes", or "nova" if the model is the StarLogo Nova client's
-         * @param model what is fitted
+         * @param figure "volumes", or "nova" for a model of the StarLogo Nova client
+         * @param model the model to fit
          * @param results takes the volumes
          */
         public function VolumesTask(figure:String, model:Model, results:Results)

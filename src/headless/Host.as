@@ -5,15 +5,15 @@ package headless
     import flash.utils.getTimer;
 
     /**
-     * What a document class tells the headless runner (test/headless): files to write, and that it is done.
-     * In a browser page or a player without the runner nothing happens.
+     * Lets a document class talk to the headless runner (test/headless): it writes files and ends the run. In a browser page, or in a
+     * player without the runner, its methods do nothing.
      */
     public final class Host
     {
         /**
-         * Hands a text file to the runner, which puts it into its output folder.
+         * Writes a text file to the runner's output folder.
          *
-         * @param file a path below that folder
+         * @param file a path in that folder
          * @param text the whole content
          */
         public static function writeFile(file:String, text:String):void
@@ -32,8 +32,8 @@ package headless
         }
 
         /**
-         * The player's memory in bytes, from outside: System.totalMemory is a constant in Ruffle. It grows when the
-         * player needs more and never shrinks. -1 where the runner is not there.
+         * The player's memory in bytes, as measured by the runner, because System.totalMemory is a constant in Ruffle. It grows when the
+         * player needs more, and never shrinks. -1 without the runner.
          */
         public static function get memory():Number
         {
@@ -42,22 +42,22 @@ package headless
         }
 
         /**
-         * Has garbage collected, so that <code>memory</code> tells what is in use. Players do that by themselves between frames;
-         * in Adobe's shell, where frames follow one another at once, the collector may fall behind.
+         * Runs the garbage collector, so that <code>memory</code> is the memory in use. Players collect between frames by themselves. In
+         * Adobe's shell frames follow one another at once, so its collector may fall behind.
          */
         public static function collect():void
         {
             tell("headless.collect");
         }
 
-        /** Milliseconds from some moment on, with fractions: getTimer counts whole ones. That where the runner is not there. */
+        /** Milliseconds since some fixed moment, with fractions. Without the runner it is getTimer, which counts whole milliseconds. */
         public static function get now():Number
         {
             var ms:* = tell("headless.now");
             return ms == null ? getTimer() : ms;
         }
 
-        /** What the program runs in, and which version of it. */
+        /** The name and version of the player or machine that runs the program. */
         public static function get player():String
         {
             return tell("headless.player") || Capabilities.version;

@@ -21,30 +21,30 @@ package starlogo
     use namespace engine;
 
     /**
-     * What a game has loaded, and how it is loaded: the flags of the thesis (§3.8, §4.8), its models, and what was
-     * computed for them.
+     * The models of a game, with the bounding structures and hierarchies that were computed for them. Its flags say what to compute (thesis
+     * §3.8, §4.8).
      *
-     * <p>The flags count for the models that are added from then on.</p>
+     * <p>A flag counts for models that are added after it was set.</p>
      *
-     * <p>Models are added at once, by <code>addModel()</code>, or while the game runs, by a ModelLoader that is given this
-     * GreatLand. A game may start with the models that are there; an agent whose model is still loading
-     * collides with nothing until then. If two models of a name are added, the one that is there last replaces the other:
-     * one that <code>addModel()</code> adds while another is loading serves until then.</p>
+     * <p><code>addModel()</code> adds a model at once. A ModelLoader that has this GreatLand adds models while the game runs. A game may
+     * start before all models are loaded. An agent whose model is still loading collides with nothing. If two models have the same name,
+     * the one that is added last replaces the other. If you call <code>addModel()</code> while another model of that name is loading, yours
+     * is used until the other is loaded.</p>
      */
     public class GreatLand implements ModelReceiver
     {
-        /** Whether a model's tightest fitting structure is computed: the TightestFitCollider needs it. */
+        /** Whether the tightest bounding structure of a model is computed. The TightestFitCollider needs it. */
         public var loadTightestFit:Boolean = true;
 
         /**
-         * Whether a model's hierarchy is built: the HierarchicalCollider needs it, and the CombinationCollider for the
-         * agents that are hierarchical (§4.8).
+         * Whether a model's hierarchy is built (§4.8). The HierarchicalCollider needs it, and the CombinationCollider for hierarchical
+         * agents.
          */
         public var loadHierarchies:Boolean = true;
 
         /**
-         * Keeps what was computed for models from one game to the next, so that it need not be computed again (thesis §7.9); null, the
-         * default, for nothing of the kind.
+         * Keeps the results computed for models from one game to the next, so that they need not be computed again (thesis §7.9). Null, the
+         * default, keeps nothing.
          */
         public var fitStore:FitStore = null;
 
@@ -53,13 +53,13 @@ package starlogo
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
         private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
 
-        /** A game without models. */
+        /** Creates a GreatLand without models. */
         public function GreatLand()
         {
             _boundingStructures.shapes = _hierarchies.shapes = _shapes;
         }
 
-        /** The tightest fitting structure of each model. */
+        /** The tightest bounding structure of each model. */
         public function get boundingStructures():BoundingStructuresLibrary
         {
             return _boundingStructures;
@@ -72,8 +72,8 @@ package starlogo
         }
 
         /**
-         * Whether the best sphere, box and capsule of a model are kept, and not just the tightest fit (§3.8). With all
-         * of them at hand, the TightestFitCollider tries spheres before boxes (§7.5).
+         * Whether the smallest sphere, box and capsule of a model are kept too, in addition to the tightest fit (§3.8). If they are, the
+         * TightestFitCollider can test spheres before boxes (§7.5).
          */
         public function get loadAllBoundingStructures():Boolean
         {
@@ -88,7 +88,7 @@ package starlogo
         /**
          * The degrees between the rotations that the search for an oriented box tries (§3.8).
          *
-         * @throws ArgumentError if it is set to what is not a positive, finite number
+         * @throws ArgumentError if you set it to a value that is not a positive, finite number
          */
         public function get orientedBoxDegIncrement():Number
         {
@@ -101,10 +101,11 @@ package starlogo
         }
 
         /**
-         * How many times the smallest volume a tightest fit may have to be one with cheaper intersection tests, a sphere over a
-         * capsule over a box (thesis §7.4). 1, the default, takes the smallest.
+         * A structure with cheaper intersection tests is preferred as the tightest fit if its volume is at most this many times the
+         * smallest volume (thesis §7.4). A sphere is cheaper than a capsule, and a capsule is cheaper than a box. With 1, the default, the
+         * smallest volume wins.
          *
-         * @throws ArgumentError if it is set to less than 1, or to what is not a finite number
+         * @throws ArgumentError if you set it to less than 1, or to a value that is not a finite number
          */
         public function get cheaperTestsFactor():Number
         {
@@ -117,10 +118,10 @@ package starlogo
         }
 
         /**
-         * Which structures the nodes of hierarchies have (thesis §7.7): BoundingStructure.BOX, the default, SPHERE or CAPSULE. Boxes
-         * are the fastest by far.
+         * The kind of structure of the hierarchies' nodes (thesis §7.7): BoundingStructure.BOX, the default, SPHERE or CAPSULE. Boxes are
+         * the fastest by far.
          *
-         * @throws ArgumentError if it is set to anything else
+         * @throws ArgumentError if you set it to anything else
          */
         public function get hierarchyBounds():int
         {
@@ -133,9 +134,10 @@ package starlogo
         }
 
         /**
-         * Whether what the HierarchicalCollider and the CombinationCollider need beyond boxes is prepared when a model is added, by a
-         * ModelLoader in its steps, and not at once when it is first needed: in exact mode when the model first comes close to
-         * another, otherwise when it first does so without a hit. It takes two to five times as long as the hierarchy.
+         * Whether the surface of a model is prepared for exact tests when the model is added. A ModelLoader then does this in its steps.
+         * Preparing takes two to five times as long as building the hierarchy. Otherwise the surface is prepared all at once in a frame of
+         * the game. If the HierarchicalCollider or CombinationCollider is exact, this is the first frame in which the model comes close to
+         * another. If it is not, this is the first such frame without a hit between the two.
          */
         public function get prepareExact():Boolean
         {
@@ -148,11 +150,11 @@ package starlogo
         }
 
         /**
-         * Adds a model, and what the flags ask for; replaces the model of its name, if there is one. When it throws,
-         * nothing has changed. Cost: that of the fits, up to a few hundred milliseconds for thousands of vertices.
+         * Adds a model, and computes what the flags ask for. It replaces a model of the same name. If it throws, nothing has changed. Cost:
+         * the fits, up to a few hundred milliseconds for thousands of vertices.
          *
-         * @param model has the name that agents have as their shape
-         * @throws ArgumentError if it is null, or as the add of BoundingStructuresLibrary and HierarchiesLibrary do
+         * @param model its name is the shape's name for agents
+         * @throws ArgumentError if it is null, or as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary
          */
         public function addModel(model:Model):void
         {
@@ -160,20 +162,19 @@ package starlogo
         }
 
         /**
-         * Does what <code>addModel()</code> does in steps of a millisecond or two, as far as a model of some thousand vertices
-         * goes; a fitter that does not know of steps takes all of its time in one. Nothing changes before the last step, nor if
-         * one throws. The flags, and the settings of the libraries and their fitters, count as they are now.
+         * Does the work of <code>addModel()</code> in steps. For a model of some thousand vertices, a step takes a millisecond or two. A
+         * fitter that does not support steps does all its work in one step. Nothing changes before the last step, or if a step throws. The
+         * flags and the settings of the libraries and their fitters are read now; later changes have no effect.
          *
-         * @param model has the name that agents have as their shape; not to be changed meanwhile
-         * @throws ArgumentError if it is null; here or in a step, as the add of BoundingStructuresLibrary and
-         *         HierarchiesLibrary do
+         * @param model its name is the shape's name for agents; it must not change meanwhile
+         * @throws ArgumentError if it is null; now or in a step, as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary
          */
         public function receive(model:Model):Steps
         {
             var build:ModelBuild = newBuild(model, fitStore);
             return new StepSequence().add(build).call(function():void
                 {
-                    // null where there is none: what the name had before is another model's
+                    // null if there is none, because the entry's old data belong to another model
                     var shape:ShapeEntry = _shapes.of(model.name);
                     shape.setHierarchy(build.hierarchy);
                     shape.structures = build.structures;
@@ -182,16 +183,15 @@ package starlogo
         }
 
         /**
-         * Computes what the flags ask for of a model, and what exact colliders need besides, and writes it down with the model: the bytes of a
-         * cooked file, of which <code>CookedModel.fromBytes()</code> or a ModelLoader makes the model again. The model is not
-         * added. <code>./antw bake</code> does this for every file in assets/ when the game is built, so that no player's machine ever
-         * has to (thesis §7.9).
+         * Makes the bytes of a cooked file: the model, the results that the flags ask for, and the surface for exact colliders.
+         * <code>CookedModel.fromBytes()</code> or a ModelLoader makes the model from it. The model is not added. <code>./antw bake</code>
+         * does this for every file in assets/ when the game is built, so no player's machine has to compute it (thesis §7.9).
          *
-         * @param model the model, as it is read from its file
-         * @param upAxis what <code>load()</code> will be given: "x", "y", "z" or a ModelTransform
-         * @param usesTransforms whether the loader will ask for transform files beside models
-         * @throws ArgumentError as addModel does
-         * @throws RangeError as addModel does
+         * @param model the model, as read from its file
+         * @param upAxis the same as you will pass to <code>load()</code>: "x", "y", "z" or a ModelTransform
+         * @param usesTransforms the loader's <code>usesTransforms</code>
+         * @throws ArgumentError as addModel
+         * @throws RangeError as addModel
          */
         public function bake(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
@@ -212,7 +212,7 @@ package starlogo
             _shapes.of(name).loading--;
         }
 
-        /** Whether a ModelLoader is loading a model of this name, be there another one of the name or not. */
+        /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
         public function isLoading(name:String):Boolean
         {
             return _shapes.of(name).loading > 0;
@@ -225,11 +225,11 @@ package starlogo
         }
 
         /**
-         * Takes a model away, and what was computed for it. An agent that still has its shape is an error of the collision
-         * systems from then on. One that is loading under the name comes all the same.
+         * Removes a model and the results that were computed for it. Afterwards, collision systems throw an error if an agent still has its
+         * shape. A model of this name that is still loading is added nevertheless.
          *
          * @param name the model's name
-         * @return whether it was there
+         * @return whether there was such a model
          */
         public function removeModel(name:String):Boolean
         {
@@ -244,20 +244,20 @@ package starlogo
             return true;
         }
 
-        /** @private Increased whenever what is known of any model is replaced or removed: what was made of it is out of date. */
+        /** @private Increased whenever data of any model are replaced or removed. Results derived from the data are then out of date. */
         engine function get revision():int
         {
             return _shapes.revision;
         }
 
-        /** @private The revision of one model alone. */
+        /** @private The revision of one model. */
         engine function revisionOf(name:String):int
         {
             return _shapes.of(name).revision;
         }
 
         /**
-         * The smallest structure of a kind around a model, computed now if it was not kept.
+         * The smallest structure of a kind around a model. If it was not kept, it is computed now.
          *
          * @param name the name of a model that was added
          * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
@@ -269,13 +269,13 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, _shapes.of(name).model.vertices);
         }
 
-        /** @private The model of a name; null if there is none. */
+        /** @private The model with a name; null if there is none. */
         engine function modelOf(name:String):Model
         {
             return _shapes.of(name).model;
         }
 
-        /** @private The work that computes what the flags ask for of a model; not begun. What it finds is not added. */
+        /** @private The work that computes what the flags ask for. None of its steps is done yet. The results are not added. */
         engine function newBuild(model:Model, fitStore:FitStore):ModelBuild
         {
             if (model == null)

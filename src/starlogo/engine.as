@@ -1,8 +1,8 @@
 package starlogo
 {
     /**
-     * What the engine's packages share among themselves and a client has no use for: caches on an agent, and the
-     * like. Not part of the public contract.
+     * The namespace of members that the engine's packages share, for example caches on an agent. Clients have no use for them, and they may
+     * change at any time.
      *
      * @private
      */

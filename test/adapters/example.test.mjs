@@ -3,20 +3,19 @@ import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { launch } from "../headless/browsers.mjs";
+import { launch, saysItWaits } from "../headless/browsers.mjs";
 import { serve } from "../headless/server.mjs";
 import { root } from "./peers.mjs";
 
-const ARGUMENTS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--no-first-run"];
 const CDN = /^https:\/\/cdn\.jsdelivr\.net\/npm\/three@0\.(\d+)\.\d+\/(.*)$/;
 
 test("the example's models collide, turn away and are drawn", { timeout: 120000 }, async () => {
 	const server = await serve(null, { "/module": path.join(root, "bin/module"), "/examples": path.join(root, "examples") });
-	const browser = await launch(ARGUMENTS);
+	const browser = await launch();
 	try {
 		const page = await browser.newPage({ viewport: { width: 480, height: 300 } });
 		const said = [];
-		page.on("console", (message) => !/GPU stall/.test(message.text()) && said.push(message.text()));
+		page.on("console", (message) => saysItWaits(message.text()) || said.push(message.text()));
 		page.on("pageerror", (error) => said.push(String(error)));
 		await page.route(CDN, (route) => {
 			const [, release, file] = CDN.exec(route.request().url());

@@ -8,12 +8,11 @@ import { NOVA } from "./nova-real.mjs";
 
 /** The classic script. */
 export const script = fileURLToPath(new URL("../../bin/module/nova.js", import.meta.url));
-const ARGUMENTS = ["--no-sandbox", "--js-flags=--expose-gc", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--disable-background-networking", "--no-first-run"];
 
 /** A browser and a server. */
 export async function begin() {
 	const server = await serve(null, { "": NOVA });
-	const browser = await launch(ARGUMENTS);
+	const browser = await launch(["--js-flags=--expose-gc"]);
 	return {
 		/**
 		 * Opens a project, with nova.js; it does not tick by itself. The captured pages draw in two dimensions; in three if that is asked for.

@@ -5,15 +5,11 @@ package benchmark
     import evaluation.pairs.SeededRandom;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.collision.BinCollider;
-    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
-    import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
-    import starlogo.collision.HierarchicalCollider;
-    import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
+    import support.EachCollider;
     import support.Fixtures;
 
     /**
@@ -39,19 +35,19 @@ package benchmark
             _greatLand.addModel(BuiltInModel.sphere());
             _greatLand.addModel(BuiltInModel.cube());
             var table:Table = new Table("1,000 agents", "ms", "one sweeps", "100 sweep", "all sweep", "contacts", "start, end", "all of it");
-            addRow(table, "BinCollider", new BinCollider(_greatLand));
-            addRow(table, "TightestFitCollider", new TightestFitCollider(_greatLand));
-            addRow(table, "HierarchicalCollider", new HierarchicalCollider(_greatLand));
-            addRow(table, "CombinationCollider", new CombinationCollider(_greatLand));
+            for each (var name:String in ["bins", "tightest fits", "hierarchies", "combinations"])
+            {
+                addRow(table, name);
+            }
             return String(table);
         }
 
-        private function addRow(table:Table, name:String, collider:Collider):void
+        private function addRow(table:Table, name:String):void
         {
-            var plain:Measurement = frame(collider, 0, false, false);
-            var all:Vector.<Measurement> = new <Measurement>[plain, frame(collider, 1, false, false), frame(collider, 100, false, false),
-                    frame(collider, COUNT, false, false), frame(collider, 0, true, false), frame(collider, 0, false, true),
-                    frame(collider, COUNT, true, true)];
+            var plain:Measurement = frame(name, 0, false, false);
+            var all:Vector.<Measurement> = new <Measurement>[plain, frame(name, 1, false, false), frame(name, 100, false, false),
+                    frame(name, COUNT, false, false), frame(name, 0, true, false), frame(name, 0, false, true),
+                    frame(name, COUNT, true, true)];
             Measurement.runAll(all, ROUNDS);
             var cells:Array = [name, (plain.nanoseconds / 1e6).toFixed(3)];
             for (var i:int = 1; i < all.length; i++)
@@ -61,12 +57,11 @@ package benchmark
             table.add.apply(table, cells);
         }
 
-        // Each with agents of its own, and its own collider of the kind: it looks through the list for agents that sweep.
-        private function frame(like:Collider, sweeping:int, takesContacts:Boolean, tracks:Boolean):Measurement
+        // Each with agents of its own, and a collider of its own: it looks through the list for agents that sweep.
+        private function frame(name:String, sweeping:int, takesContacts:Boolean, tracks:Boolean):Measurement
         {
             var agents:Vector.<Agent> = walkers(sweeping);
-            var collider:Collider = Collider(new (Object(like).constructor)(_greatLand));
-            var collision:Collision = new Collision(collider);
+            var collision:Collision = new Collision(EachCollider.make(name, _greatLand));
             var calls:int = 0;
             if (takesContacts)
             {

@@ -4,6 +4,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
 import { strFromU8, unzipSync } from 'fflate';
 import { chromium } from 'playwright-core';
 import { NAME, ROOT, VERSION, inRoot } from '../../build/dist/project.mjs';
@@ -40,7 +41,7 @@ test('its checksums are right, and there is one of every file', () => {
 
 test('everything is in it', () => {
 	for (const name of ['swc/starlogo-collision.swc', 'swc/starlogo-collision-away3d.swc', 'module/package.json', 'module/index.d.ts', 'playground/index.html',
-		'docs/asdoc/index.html', 'docs/release.md', 'assets/bear.obj', 'assets/bear.obj.cooked', 'assets/manifest.json', 'assets/LICENSE', 'examples/client/Client.as', 'examples/page/index.html', 'examples/three/index.html', 'examples/three/bear.glb', 'module/three/index.d.ts',
+		'docs/asdoc/index.html', 'docs/typedoc/index.html', 'docs/typedoc/classes/index.Agent.html', 'docs/release.md', 'assets/bear.obj', 'assets/bear.obj.cooked', 'assets/manifest.json', 'assets/LICENSE', 'examples/client/Client.as', 'examples/index.html', 'examples/ray.html', 'examples/pictures/ray.webp', 'examples/flash/Sweeps.swf', 'examples/page/index.html', 'examples/three/index.html', 'examples/three/bear.glb', 'module/three/index.d.ts',
 		'README.md', 'CHANGELOG.md', 'LICENSE', 'licences/README.md', 'sbom.cdx.json']) {
 		assert.ok(files.get(name)?.length > 300, name);
 	}
@@ -92,6 +93,25 @@ before(async () => {
 	browser = await chromium.launch({ executablePath: chrome, args: ['--no-sandbox'] });
 });
 after(() => browser.close());
+
+test('the pages of both APIs open as files without script errors', { timeout: 120000 }, async () => {
+	const page = await browser.newPage();
+	const errors = [];
+	page.on('pageerror', (error) => errors.push(String(error)));
+	const open = (name) => page.goto(pathToFileURL(path.join(folder, 'docs', name)).href, { waitUntil: 'load' });
+	await open('asdoc/index.html');
+	await open('typedoc/index.html');
+	await open('typedoc/classes/index.Agent.html');
+	assert.equal(await page.textContent('h1'), 'Class Agent');
+	await open('asdoc/starlogo/agents/Agent.html');
+	const rows = () => page.evaluate(() => [...document.querySelectorAll('#summaryTableProperty tr')].filter((row) => row.offsetHeight > 0).length);
+	const own = await rows();
+	await page.click('text=Show Inherited Public Properties');
+	assert.ok(await rows() > own, 'inherited ones are shown');
+	await page.click('text=Hide Inherited Public Properties');
+	assert.equal(await rows(), own);
+	assert.deepEqual(errors, []);
+});
 
 test('the example client compiles against the SWC alone, and runs', { timeout: 300000 }, async () => {
 	const client = path.join(folder, 'examples/client');

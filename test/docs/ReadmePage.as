@@ -3,13 +3,12 @@ package docs
     import org.flexunit.asserts.assertEquals;
     import support.Fixtures;
 
-    /** For README.md: texts of models, and what the first frame does. */
+    /** For README.md: text of a model, and what the first frame does. */
     public class ReadmePage extends Page
     {
-        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/dragon.dae"];
+        public static const FIXTURES:Array = ["/assets/bear.obj"];
 
         protected var bearText:String = Fixtures.text("/assets/bear.obj");
-        protected var dragonText:String = Fixtures.text("/assets/dragon.dae");
 
         /** @inheritDoc */
         override protected function check(shown:Object):void

@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 /**
  * Looks at what asdoc has written. Two links that it gets wrong are put right: to classes of a package below which there are others, and
- * to an index of symbols where there are none. The date goes, so that the same sources give the same pages. Exit status: 1 where a link
+ * to an index of symbols where there are none. The date goes, so that the same sources give the same pages. The
+ * script gets what pages need that are opened as files. Exit status: 1 where a link
  * leads nowhere, or a public name or a package is not described.
  *
  *   node test/docs/asdoc.mjs bin/asdoc
@@ -14,6 +15,39 @@ import { pathToFileURL } from 'node:url';
 export function repaired(html) {
 	return html.replaceAll('starlogo:', 'starlogo/').replace(/<a href="all-index-Symbols\.html"[^>]*>(.*?)<\/a>/g, '$1')
 		.replace(/<br\/>\w+ \w+ \d+ \d{4}, [\d:]+ [AP]M \w+/g, '');
+}
+
+/**
+ * What is added to asdoc's own script, for pages that are opened as files: there a browser lets no page look into another frame or into a
+ * style sheet. So the title bar stays as it is, and inherited members are shown and hidden by rules of the page's own.
+ */
+const FOR_FILES = `
+/* Added to the template. */
+if (location.protocol == "file:")
+{
+    var inheritedRules = {};
+    showTitle = function(title) { document.title = title; };
+    titleBar_setSubTitle = titleBar_setSubNav = titleBar_gotoClassFrameAnchor = function() {};
+    setInheritedVisible = function(show, selectorText)
+    {
+        var rules = document.getElementById("inheritedRules");
+        if (!rules)
+        {
+            rules = document.head.appendChild(document.createElement("style"));
+            rules.id = "inheritedRules";
+        }
+        inheritedRules[selectorText] = ".hideInherited" + selectorText + " { display: " + (show ? "revert" : "none") + " !important; } "
+            + ".showInherited" + selectorText + " { display: " + (show ? "none" : "revert") + " !important; }";
+        rules.textContent = Object.keys(inheritedRules).map(function(each) { return inheritedRules[each]; }).join(" ");
+        setCookie("showInherited" + selectorText, show ? "true" : "false", new Date(3000,1,1,1,1), "/", document.location.domain);
+        setRowColors(show, selectorText);
+    };
+}
+`;
+
+/** asdoc's script, for pages that are opened as files too. */
+export function repairedScript(text) {
+	return text.endsWith(FOR_FILES) ? text : text + FOR_FILES;
 }
 
 const textOf = (html) => html.replace(/<[^>]*>|&nbsp;/g, ' ').replace(/\s+/g, ' ').trim();
@@ -32,6 +66,8 @@ export function brokenIn(html, exists) {
 }
 
 function look(folder) {
+	const script = path.join(folder, 'asdoc.js');
+	writeFileSync(script, repairedScript(readFileSync(script, 'utf8')));
 	const pages = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('.html'));
 	return pages.flatMap((file) => {
 		const at = path.join(folder, file);

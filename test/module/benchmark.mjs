@@ -1,25 +1,23 @@
 #!/usr/bin/env node
 /**
- * Times the ES module in Node, beside a floor written by hand and beside other engines.
+ * Times the ES module in Node beside other engines, and what only the module has: bindings, snapshots' bytes, memory. The benchmarks that players run
+ * too are those of benchmarks.mjs.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings,
- *                                                  snapshots
+ *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, queries, bindings, snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
+ * It is the time of the processors, of all threads of this process, so that other programs count as little as possible.
  * One row's numbers are taken in turns.
  */
 import { execFileSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { install } from "../adapters/peers.mjs";
-import { AgentCells } from "./agent-cells.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
-import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
+import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, scatter } from "./games.mjs";
 
-const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
-const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, CookedModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+const { Agent, AgentQueries, BinCollider, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 10000, 100000];
 
@@ -31,15 +29,21 @@ function fastTenth(values) {
 	return sorted[Math.floor(sorted.length / 10)];
 }
 
+/** Milliseconds of the processors that this process has used. */
+function processorTime() {
+	const { user, system } = process.cpuUsage();
+	return (user + system) / 1000;
+}
+
 /** Milliseconds that each of some tasks takes: the tasks in turns, each with what prepares it untimed. */
 function measure(tasks, rounds) {
 	const times = tasks.map(() => []);
 	for (let round = 0; round < 2 * rounds; round++) {
 		tasks.forEach(({ prepare, run }, i) => {
 			prepare?.(round);
-			const start = performance.now();
+			const start = processorTime();
 			run();
-			const time = performance.now() - start;
+			const time = processorTime() - start;
 			if (round >= rounds) times[i].push(time);
 		});
 	}
@@ -47,45 +51,10 @@ function measure(tasks, rounds) {
 }
 
 function print(title, head, rows) {
-	const cells = [head, ...rows.map((row) => row.map((cell) => (typeof cell === "number" ? cell.toPrecision(3) : String(cell))))];
+	const textOf = (cell) => (typeof cell !== "number" ? String(cell) : cell >= 1000 ? Math.round(cell).toLocaleString("en") : cell.toPrecision(3));
+	const cells = [head, ...rows.map((row) => row.map(textOf))];
 	const widths = head.map((_, column) => Math.max(...cells.map((row) => row[column].length)));
 	console.log(`\n${title}\n${cells.map((row) => `  ${row.map((cell, i) => (i === 0 ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join("  ")}`).join("\n")}`);
-}
-
-/** Each pair by its agents' ids, the smaller first, in order: searches have their own. */
-function namesOf(pairs) {
-	const names = Array.from({ length: pairs.length / 2 }, (_, i) => [pairs[2 * i].id, pairs[2 * i + 1].id].sort((a, b) => a - b).join());
-	return names.sort().join(";");
-}
-
-/** BinCollider beside the fastest that could be written for these spheres alone; what moves the agents is part of either's frame. */
-function floor() {
-	const grounds = [
-		["10,000 agents", 10000, HALF_WIDTH, 100],
-		["30,000 agents", 30000, HALF_WIDTH, 30],
-		["100,000 as dense as 10,000", 100000, HALF_WIDTH * Math.sqrt(10), 20],
-	];
-	const rows = grounds.flatMap(([name, count, halfWidth, rounds]) => {
-		const game = scatter(count, ["sphere"], { halfWidth });
-		const { agents } = game;
-		const move = rehearse(game);
-		const collider = new BinCollider(greatLand);
-		const cells = new AgentCells(halfWidth, count);
-		const [found, foundByFloor] = [[], []];
-		const find = () => collider.findCollisions(agents, found);
-		const findByFloor = () => cells.find(agents, foundByFloor);
-		const movesAnd = (search) => () => {
-			move();
-			search();
-		};
-		return [["all moving", movesAnd], ["none moving", (search) => search]].map(([how, frame]) => {
-			const [bins, least] = measure([{ run: frame(find) }, { run: frame(findByFloor) }], rounds);
-			find();
-			findByFloor();
-			return [`${name}, ${how}`, bins, least, bins / least, namesOf(found) === namesOf(foundByFloor) ? String(found.length / 2) : "DIFFER"];
-		});
-	});
-	print("BinCollider beside the floor, ms a frame", ["", "bins", "floor", "times", "pairs"], rows);
 }
 
 /** What a measure of fresh.mjs comes to in a process of its own. */
@@ -114,11 +83,15 @@ function cold() {
 	print("The first frame of 10,000 new agents, ms", ["", "median of 5", "least", "most"], rows);
 }
 
-/** The same pairs of dragons for the exact test and for three-mesh-bvh. */
-function exact() {
+/** The same pairs of dragons for the exact test, for three-mesh-bvh and for Rapier. */
+async function exact() {
+	const { makeRapierMeshes } = await import("./peers.mjs");
 	const dragon = new ColladaModel("dragon", asset("dragon.dae"));
 	greatLand.addModel(dragon);
 	const { three, geometry, bvh } = makeBvh(dragon);
+	const inRapier = makeRapierMeshes(dragon);
+	const treeless = geometry.clone();
+	treeless.boundsTree = undefined;
 	const random = randomNumbers(7);
 	const collider = new HierarchicalCollider(greatLand);
 	collider.exact = true;
@@ -129,46 +102,32 @@ function exact() {
 		b.pitch = 360 * random();
 		b.roll = 360 * random();
 		b.moveTo(1.2 * random() - 0.6, 1.2 * random() - 0.6, 0.4 * random() - 0.2);
-		return { a, b, matrix: new three.Matrix4().fromArray(b.transform.rawData) };
+		return { a, b, turn: b.getQuaternion(), matrix: new three.Matrix4().fromArray(b.transform.rawData) };
 	});
-	const isHit = pairs.map(({ a, b }) => collider.areColliding(a, b));
-	const meets = pairs.map(({ matrix }) => bvh.intersectsGeometry(geometry, matrix));
-	const same = pairs.filter((_, i) => isHit[i] === meets[i]).length;
-	const rows = [true, false].map((wanted) => {
-		const chosen = pairs.filter((_, i) => isHit[i] === wanted && meets[i] === wanted);
-		const [own, other] = measure([
-			{ prepare: () => chosen.forEach(({ b }) => b.jumpTo(b.x, b.y, b.z)), run: () => chosen.forEach(({ a, b }) => collider.areColliding(a, b)) },
-			{ run: () => chosen.forEach(({ matrix }) => bvh.intersectsGeometry(geometry, matrix)) },
-		], 15);
-		return [wanted ? "touching" : "not touching", chosen.length, 1000 * own / chosen.length, 1000 * other / chosen.length, other / own];
-	});
-	print(`Dragons, exact, microseconds a pair (${same} of ${pairs.length} verdicts the same: three-mesh-bvh knows no inside)`, ["", "pairs", "engine", "three-mesh-bvh", "times"], rows);
-}
-
-/** What cannon-es does to find the contacts of spheres. It counts pairs in 31 bits, and so has no room for 100,000 of them. */
-function askCannon(cannon, agents) {
-	const space = new cannon.World();
-	space.broadphase = new cannon.SAPBroadphase(space);
-	const bodies = agents.map((agent) => {
-		const body = new cannon.Body({ mass: 1, shape: new cannon.Sphere(0.5), collisionResponse: false });
-		body.position.set(agent.x, agent.y, 0.5);
-		space.addBody(body);
-		return body;
-	});
-	const prepare = () => agents.forEach((agent, i) => {
-		bodies[i].position.set(agent.x, agent.y, 0.5);
-		bodies[i].aabbNeedsUpdate = true;
-	});
-	const run = () => {
-		const first = [];
-		const second = [];
-		space.broadphase.collisionPairs(space, first, second);
-		space.narrowphase.getContacts(first, second, space, [], [], [], []);
+	const ask = {
+		engine: ({ a, b }) => collider.areColliding(a, b),
+		bvhcast: ({ matrix }) => bvh.bvhcast(bvh, matrix, { intersectsTriangles: (one, other) => one.intersectsTriangle(other) }),
+		intersectsGeometry: ({ matrix }) => bvh.intersectsGeometry(geometry, matrix),
+		rapier: ({ b, turn }) => inRapier(b, turn),
 	};
-	return { prepare, run };
+	const [isHit, ...others] = Object.values(ask).map((test) => pairs.map(test));
+	const same = others.map((verdicts) => verdicts.filter((verdict, i) => verdict === isHit[i]).length);
+	const rows = [true, false].map((wanted) => {
+		const chosen = pairs.filter((_, i) => isHit[i] === wanted && others.every((verdicts) => verdicts[i] === wanted));
+		const jump = () => chosen.forEach(({ b }) => b.jumpTo(b.x, b.y, b.z));
+		const times = measure(Object.values(ask).map((test) => ({ prepare: jump, run: () => chosen.forEach(test) })), 10).map((ms) => 1000 * ms / chosen.length);
+		// 60,000 times as long as the engine: three pairs say enough
+		const start = processorTime();
+		chosen.slice(0, 3).forEach(({ matrix }) => bvh.intersectsGeometry(treeless, matrix));
+		const slow = 1000 * (processorTime() - start) / 3;
+		return [wanted ? "touching" : "not touching", String(chosen.length), ...times, slow, ...times.slice(1).map((time) => time / times[0]), slow / times[0]];
+	});
+	const head = ["", "pairs", "engine", "bvhcast", "intersectsGeometry", "Rapier", "no second tree", "times", "times", "times", "times"];
+	print(`Two dragons of ${dragon.triangles.length / 3} triangles, exact, microseconds a pair. bvhcast and intersectsGeometry are three-mesh-bvh's, with a tree ` +
+		`on both geometries; the last without one on the second. Of ${pairs.length} verdicts the same as the engine's: ${same.join(", ")}`, head, rows);
 }
 
-/** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh. */
+/** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh with a tree on both geometries. */
 function distances() {
 	const { Vector3D } = engine;
 	const models = [new ObjModel("bear", asset("bear.obj")), new ColladaModel("dragon", asset("dragon.dae"))];
@@ -204,13 +163,15 @@ function distances() {
 }
 
 /** First hits of rays at one model, and what is kept for them. */
-function rays() {
+async function rays() {
+	const { makeCrashcatMesh } = await import("./peers.mjs");
 	const rows = [];
 	for (const model of rayModels(1000, 200)) {
 		const land = new GreatLand();
 		land.loadTightestFit = false;
 		land.addModel(model);
 		const { three, bvh, ms } = makeBvh(model, Float64Array);
+		const castInCrashcat = makeCrashcatMesh(model);
 		const agent = new Agent(model.name);
 		const collider = new HierarchicalCollider(land);
 		collider.exact = true;
@@ -230,73 +191,53 @@ function rays() {
 		aimed.forEach(({ origin, direction }, i) => { found[i] = queries.cast(origin, direction)?.distance ?? Infinity; });
 		aimed.forEach(({ ray }, i) => { expected[i] = bvh.raycastFirst(ray, three.DoubleSide)?.distance ?? Infinity; });
 		const same = found.filter((distance, i) => distance === expected[i] || Math.abs(distance - expected[i]) < 1e-6).length;
-		const [own, other] = measure([
+		const sameInCrashcat = aimed.filter(({ ray }, i) => {
+			const distance = castInCrashcat(ray.origin, ray.direction, 10);
+			return found[i] === distance || Math.abs(found[i] - distance) < 1e-6;
+		}).length;
+		const times = measure([
 			{ run: () => aimed.forEach(({ origin, direction }) => queries.cast(origin, direction, Infinity, null, hit)) },
 			{ run: () => aimed.forEach(({ ray }) => bvh.raycastFirst(ray, three.DoubleSide)) },
-		], 10);
-		rows.push([model.name, model.triangles.length / 3, 1000 * own / aimed.length, 1000 * other / aimed.length, other / own, ms, `${same} of ${aimed.length}`]);
+			{ run: () => aimed.forEach(({ ray }) => castInCrashcat(ray.origin, ray.direction, 10)) },
+		], 10).map((each) => 1000 * each / aimed.length);
+		const [own, ...others] = times;
+		rows.push([model.name, String(model.triangles.length / 3), ...times, ...others.map((other) => other / own), ms, String(same), String(sameInCrashcat)]);
 	}
-	print("First hits of rays, exact, microseconds a ray", ["", "triangles", "engine", "three-mesh-bvh", "times", "its tree, ms", "the same"], rows);
+	const head = ["", "triangles", "engine", "three-mesh-bvh", "crashcat", "times", "times", "three-mesh-bvh's tree, ms", "its hits the same", "crashcat's"];
+	print("First hits of 20,000 rays, exact, microseconds a ray", head, rows);
 }
 
 /** Spheres that move, all at once: who touches whom. */
 async function peers() {
-	const rapier = await import(pathToFileURL(tools.resolve("@dimforge/rapier3d-compat")));
-	const RAPIER = rapier.default ?? rapier;
-	await RAPIER.init();
-	const cannon = await import(pathToFileURL(tools.resolve("cannon-es")));
-	const { default: KDBush } = await import(pathToFileURL(tools.resolve("kdbush")));
+	const { askCannon, askCrashcat, askKdbush, askRapier } = await import("./peers.mjs");
 	const rows = COUNTS.map((count) => {
 		// as dense as 10,000 on SpaceLand
 		const halfWidth = HALF_WIDTH * Math.sqrt(Math.max(1, count / 10000));
 		const { agents, walk } = scatter(count, ["sphere"], { halfWidth });
-		const own = [BinCollider, TightestFitCollider].map((System) => new System(greatLand));
+		const [bins, fits] = [new BinCollider(greatLand), new TightestFitCollider(greatLand)];
 		const out = [];
-		const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
-		const handles = agents.map((agent) => {
-			const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased().setTranslation(agent.x, agent.y, 0.5));
-			const types = RAPIER.ActiveCollisionTypes.ALL;
-			const collider = world.createCollider(RAPIER.ColliderDesc.ball(0.5).setSensor(true).setActiveCollisionTypes(types), body);
-			return { body, collider };
-		});
-		let near = 0;
-		const askTree = () => {
-			const tree = new KDBush(count, 64, Float64Array);
-			for (const agent of agents) tree.add(agent.x, agent.y);
-			tree.finish();
-			near = 0;
-			for (const agent of agents) near += tree.within(agent.x, agent.y, 1).length - 1;
-		};
-		let touching = 0;
-		const askRapier = () => {
-			world.step();
-			touching = 0;
-			for (const { collider } of handles) world.intersectionPairsWith(collider, () => touching++);
-		};
 		const isLarge = count > 10000;
-		const cannonTask = isLarge ? null : askCannon(cannon, agents);
-		const tasks = [
-			{ prepare: walk, run: () => own[0].findCollisions(agents, out) },
-			{ run: () => own[1].findCollisions(agents, out), prepare: () => agents.forEach((agent) => agent.moveTo(agent.x + 1e-9, agent.y, 0)) },
-			{ run: askTree },
-			{
-				prepare: () => agents.forEach((agent, i) => handles[i].body.setNextKinematicTranslation({ x: agent.x, y: agent.y, z: 0.5 })),
-				run: askRapier,
-			},
-			...(cannonTask ? [cannonTask] : []),
-		];
-		const [bins, tightest, tree, wasm, js] = measure(tasks, isLarge ? 3 : 20);
-		askRapier(); // it finds what touched before a step
-		world.free();
-		return [count.toLocaleString("en"), bins, tightest, tree, wasm, js ?? "-", out.length / 2, near / 2, touching / 2];
+		const rapier = askRapier(agents);
+		const others = [askKdbush(agents), rapier, askCrashcat(agents), ...(isLarge ? [] : [askCannon(agents)])];
+		const times = measure([
+			{ prepare: walk, run: () => bins.findCollisions(agents, out) },
+			{ run: () => fits.findCollisions(agents, out), prepare: () => agents.forEach((agent) => agent.moveTo(agent.x + 1e-9, agent.y, 0)) },
+			...others,
+		], isLarge ? 3 : 20);
+		rapier.run(); // it finds what touched before a step
+		const pairs = [out.length / 2, ...others.map((each) => each.count())];
+		rapier.free();
+		return [count.toLocaleString("en"), ...times, ...(isLarge ? ["-"] : []), ...times.slice(2).map((time) => time / times[0]), ...(isLarge ? ["-"] : []),
+			pairs.every((each) => each === pairs[0]) ? String(pairs[0]) : `DIFFER: ${pairs.join()}`];
 	});
-	const head = ["spheres, all moving, ms a frame", "bins", "tightest fit", "kdbush (2D, built anew)", "Rapier (WebAssembly)", "cannon-es", "pairs", "kdbush's", "Rapier's"];
+	const names = ["kdbush (2D, built anew)", "Rapier (WebAssembly)", "crashcat", "cannon-es"];
+	const head = ["spheres, all moving, ms a frame", "bins", "tightest fit", ...names, ...names.map(() => "times"), "pairs"];
 	print("Beside other engines", head, rows);
 }
 
 /** Questions of each of 10,000 agents that all move, with the update, against a kd-tree that is made anew in every frame. */
 async function queries() {
-	const { default: KDBush } = await import(pathToFileURL(tools.resolve("kdbush")));
+	const { KDBush } = await import("./peers.mjs");
 	const { agents, walk } = scatter(10000, ["sphere"]);
 	const asked = new AgentQueries(new TightestFitCollider(greatLand));
 	let tree;
@@ -336,89 +277,6 @@ async function queries() {
 		return [name, 1000 * own / agents.length, 1000 * other / agents.length, other / own];
 	});
 	print(`Questions, all moving, microseconds an agent (${same} nearest the same)`, ["", "engine", "kdbush", "times"], rows);
-}
-
-/** Motions of agents among others, a patch long, each in another direction, beside a ray along the same way and the standing test. */
-function moves() {
-	const MOVERS = 100;
-	const land = makeGreatLand();
-	land.addModel(new ObjModel("fortress", asset("fortress.obj")));
-	const random = randomNumbers(2260);
-	const between = (low, high) => low + (high - low) * random();
-	const collider = (system) => Object.assign(new SYSTEMS[system === "triangles" ? "hierarchical" : system](land), system === "triangles" ? { exact: true } : {});
-	const until = (count, make, isFree) => {
-		const agents = [];
-		while (agents.length < count) {
-			const agent = make();
-			agent.heading = between(0, 360);
-			if (isFree(agent, agents)) agents.push(agent);
-		}
-		return agents;
-	};
-	const at = (agent, x, y, z) => (agent.moveTo(x, y, z), agent);
-	const crowd = (shape, apart) => until(1000, () => at(new Agent(shape), between(-32, 32), between(-32, 32), 0),
-		(agent, agents) => agents.every((other) => Math.hypot(agent.x - other.x, agent.y - other.y) > apart));
-	const fortress = Object.assign(new Agent("fortress"), { size: 40 });
-	const exact = collider("triangles");
-	const inFortress = () => [...until(MOVERS, () => Object.assign(at(new Agent("cube"), between(-20, 20), between(-20, 20), between(0, 5)), { size: 0.5 }),
-		(agent) => !exact.areColliding(agent, fortress)), fortress];
-	const hit = new engine.RayHit();
-	const origin = new engine.Vector3D();
-	const way = new engine.Vector3D();
-	const rows = [
-		["spheres in a crowd", "bins", crowd("sphere", 1.02)], ["a maze of boxes", "tightest fit", crowd("cube", 1.45)],
-		["a maze of boxes", "hierarchical", crowd("cube", 1.45)], ["in a fortress", "triangles", inFortress()],
-	].map(([name, system, agents]) => {
-		const asked = new AgentQueries(collider(system));
-		const homes = agents.map(({ x, y, z }) => [x, y, z]);
-		const filters = agents.slice(0, MOVERS).map((agent) => Object.assign(new engine.AgentFilter(), { except: [agent] }));
-		const found = [];
-		const ask = (question) => ({
-			prepare: () => {
-				agents.forEach((agent, i) => agent.moveTo(...homes[i]));
-				asked.update(agents);
-				asked.touching(agents[0]);
-			},
-			run: () => {
-				for (let round = 0; round < 50; round++) {
-					for (let i = 0; i < MOVERS; i++) {
-						const angle = i + 2.4 * round;
-						question(agents[i], Math.cos(angle), Math.sin(angle), i);
-					}
-				}
-			},
-		});
-		const times = measure([
-			ask((agent, dx, dy) => asked.slide(agent, dx, dy, 0)),
-			ask((agent, dx, dy) => asked.moveUntilTouch(agent, dx, dy, 0)),
-			ask((agent, dx, dy, i) => {
-				origin.setTo(agent.x, agent.y, agent.z + 0.2);
-				way.setTo(dx, dy, 0);
-				asked.cast(origin, way, 1, filters[i], hit);
-			}),
-			ask((agent) => asked.touching(agent, null, found)),
-		], 10).map((ms) => 1000 * ms / 50 / MOVERS);
-		return [name, system, ...times, times[0] / times[3]];
-	});
-	print("Motions of a patch, microseconds", ["", "system", "slide", "moveUntilTouch", "cast", "touching", "slide of touching"], rows);
-}
-
-/** The twelve models of the thesis's table: cooked, and read and computed. */
-function cooked() {
-	const files = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
-	const read = (file) => (file.endsWith(".obj") ? new ObjModel(file, asset(file)) : new ColladaModel(file, asset(file)));
-	const readAll = () => [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), ...files.map(read)];
-	const cooked = readAll().map((model) => [model.name, greatLand.bake(model)]);
-	const rows = [false, true].map((isExact) => {
-		const land = new GreatLand();
-		land.prepareExact = isExact;
-		const [known, computed] = measure([
-			{ run: () => cooked.forEach(([name, bytes]) => land.addModel(CookedModel.fromBytes(name, bytes))) },
-			{ run: () => readAll().forEach((model) => land.addModel(model)) },
-		], 40);
-		return [isExact ? "all of it" : "until they are there", known, computed, computed / known];
-	});
-	print("Twelve models, ms", ["", "cooked", "read and computed", "times"], rows);
 }
 
 /** Agents bound to three.js's objects: each frame what moves them, untimed, and then the bindings. */
@@ -503,4 +361,4 @@ function snapshots() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [memory, cold, exact, distances, rays, peers, queries, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

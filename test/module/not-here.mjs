@@ -11,7 +11,6 @@ export const NOT_HERE = new Map([
 	["starlogo.diagnostics.CollisionMonitorTest", ON_THE_STAGE],
 	["starlogo.collision.AllocationTest", COLLECTED],
 	["starlogo.queries.QueriesAllocationTest", COLLECTED],
-	["starlogo.queries.DistanceAllocationTest", COLLECTED],
 	["starlogo.collision.CollisionStatisticsTest.copiesAndResetsEveryNumber", E4X],
 	["support.TestFilterTest", FLEXUNIT],
 ]);

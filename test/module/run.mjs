@@ -6,45 +6,23 @@
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
  */
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { choose, readTests } from "../chosen.mjs";
 import { AssumptionViolatedException, waiting } from "./flexunit.mjs";
+import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
 	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
 });
-const mounts = options.mount.map((mount) => mount.split("="));
 
 const tests = await import(pathToFileURL(path.resolve(positionals[0])));
 tests.Effort.isFull = options.full;
-
-/** Reads a fixture as the player's server gives it. */
-function read(url) {
-	const [address] = url.split("?");
-	const mount = mounts.find(([prefix]) => address.startsWith(`${prefix}/`));
-	return mount ? readFileSync(path.join(mount[1], address.slice(mount[0].length))) : null;
-}
-
-// the fixtures are read at once
-tests.setFetch((url, onProgress, onDone, onError) => {
-	let bytes = null;
-	try {
-		bytes = read(url);
-	} catch {
-		// as if it were not mounted
-	}
-	const timer = setTimeout(() => {
-		if (bytes === null) return onError("404");
-		onProgress(bytes.length, bytes.length);
-		onDone(bytes);
-	});
-	return () => clearTimeout(timer);
-});
+mount(tests, options.mount);
 
 /** A test that takes longer is named. */
 const SLOW_MS = 3000;

@@ -2,14 +2,11 @@
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { isChromium, launch } from '../headless/browsers.mjs';
+import { isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = path.join(root, 'bin/playground');
-
-const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage',
-	'--disable-background-networking', '--no-first-run'];
 
 /** The sizes that everything is tried at. The processor draws: of each two by two pixels one is enough. */
 export const SIZES = {
@@ -45,7 +42,7 @@ export async function begin() {
 		throw new Error(`${folder} is not built: ./antw test builds it`);
 	}
 	const server = await serve(null, { '/any/where': folder });
-	const browser = await launch(ARGUMENTS);
+	const browser = await launch();
 	return {
 		browser,
 		url: `${server.url}any/where/`,
@@ -56,31 +53,65 @@ export async function begin() {
 	};
 }
 
-/**
- * Opens a view in a browser of its own, which remembers nothing.
- *
- * @param {object} site what begin gave
- * @param {string} hash the view, with its argument
- * @param {object} options of the browser's context; isDrawn says whether it draws 3D
- * @returns {Promise<{page: object, context: object, said: string[]}>} said is what came on the console, and from elsewhere
- */
-export async function open(site, hash, { isDrawn = true, ...options } = SIZES.desktop) {
-	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...options });
+/** A page in a browser that remembers nothing; said is what came on the console, and from elsewhere. */
+async function newPage({ browser, url }, { isDrawn, ...options }) {
+	const context = await browser.newContext({ reducedMotion: 'reduce', ...options });
 	// a machine that has other things to do is slow, and not broken
 	context.setDefaultTimeout(PATIENCE);
 	if (!isDrawn) await drawNothing(context);
 	const page = await context.newPage();
 	const said = [];
-	page.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
+	page.on('console', (message) => saysItWaits(message.text()) || said.push(`${message.type()}: ${message.text()}`));
 	page.on('pageerror', (error) => said.push(String(error)));
 	page.on('request', (request) => {
-		if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(site.url)) {
+		if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(url)) {
 			said.push(`loaded ${request.url()}`);
 		}
 	});
+	return { page, said };
+}
+
+/** Makes a page as good as new. A new one takes twice as long as one that is used again. */
+async function forget({ page, said }, { viewport }) {
+	for (const other of page.context().pages()) if (other !== page) await other.close();
+	await page.unrouteAll();
+	await page.evaluate(async () => {
+		localStorage.clear();
+		for (const { name } of await indexedDB.databases()) indexedDB.deleteDatabase(name);
+	});
+	await page.emulateMedia({ colorScheme: 'light' });
+	await page.setViewportSize(viewport);
+	await page.goto('about:blank');
+	said.length = 0;
+}
+
+/** Pages that tests have left: by their browser, and its options. */
+const left = new Map();
+
+/**
+ * Opens a view in a browser that remembers nothing.
+ *
+ * @param {object} site what begin gave
+ * @param {string} hash the view, with its argument
+ * @param {object} options of the browser's context; isDrawn says whether it draws 3D
+ * @returns {Promise<{page: object, said: string[], leave: () => Promise<void>}>} said is what came on the console, and from elsewhere; leave gives the page back
+ */
+export async function open(site, hash, { isDrawn = true, ...options } = SIZES.desktop) {
+	if (!left.has(site.browser)) left.set(site.browser, new Map());
+	const pages = left.get(site.browser);
+	const key = JSON.stringify({ isDrawn, ...options });
+	const opened = pages.get(key)?.pop() ?? await newPage(site, { isDrawn, ...options });
+	const { page, said } = opened;
 	await page.goto(`${site.url}#${hash}`);
 	await ready(page, hash.split('/')[0]);
-	return { page, context, said };
+	return {
+		page,
+		said,
+		async leave() {
+			await forget(opened, options);
+			pages.set(key, [...pages.get(key) ?? [], opened]);
+		},
+	};
 }
 
 /** Taps on something; where Playwright knows no fingers, as in Firefox, it is clicked. */

@@ -36,16 +36,16 @@ const heldAt = async (page, type) => {
 	}, type);
 };
 
-/** Where something connects behind the first block in a script: below its last block. */
+/** Where something connects behind the first block in a script: below its last block. The mark of where a dragged block would go is none. */
 const endOf = (page, type) => page.evaluate((wanted) => {
 	let block = globalThis.playground.editor.workspace.getBlocksByType(wanted)[0].getInputTargetBlock('DO');
-	while (block.getNextBlock()) block = block.getNextBlock();
+	while (block.getNextBlock() && !block.getNextBlock().isInsertionMarker()) block = block.getNextBlock();
 	const { left, bottom } = block.getSvgRoot().querySelector(':scope > .blocklyPath').getBoundingClientRect();
 	return { x: left + 12, y: bottom + 16 };
 }, type);
 
 test('the first three lessons are done with the mouse, from the first screen on', async () => {
-	const { page, context, said } = await open(site, 'play', Desktop);
+	const { page, said, leave } = await open(site, 'play', Desktop);
 	assert.equal(await page.locator('.gallery ol').first().locator('li').count(), 10);
 	assert.deepEqual(await page.locator('.gallery ol').first().locator('.number').allTextContents(), Array.from({ length: 10 }, (_, i) => String(i + 1)));
 	await page.locator('.gallery .next').click();
@@ -90,11 +90,11 @@ test('the first three lessons are done with the mouse, from the first screen on'
 	assert.equal(await page.locator('.gallery .tick').count(), 3);
 	assert.match(await page.locator('.gallery .next').textContent(), /Precise where it matters/);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('the first three lessons are done with the keyboard, from the first screen on; no category is skipped', async () => {
-	const { page, context, said } = await open(site, 'play', Desktop);
+	const { page, said, leave } = await open(site, 'play', Desktop);
 	assert.equal(await focused(page), 'Lessons and games');
 	await tabTo(page, '1Blocks');
 	await page.keyboard.press('Enter');
@@ -145,7 +145,7 @@ test('the first three lessons are done with the keyboard, from the first screen 
 		}
 	}
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 const fingers = isChromium ? false : 'fingers that move are Chromium\'s';
@@ -198,7 +198,7 @@ async function dragWithFinger(page, type, script) {
 }
 
 test('the first three lessons are done with fingers, from the first screen on; nothing jumps when the game runs', { skip: fingers }, async () => {
-	const { page, context, said } = await open(site, 'play', Phone);
+	const { page, said, leave } = await open(site, 'play', Phone);
 	await tap(page.locator('.gallery .next'));
 	await lesson(page, 1);
 	await tap(page.getByRole('button', { name: 'Blocks', exact: true }));
@@ -226,11 +226,11 @@ test('the first three lessons are done with fingers, from the first screen on; n
 		await done(page);
 	}
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('a game of one\'s own is made, named, kept, shared and opened elsewhere, with its collision system', async () => {
-	const { page, context, said } = await open(site, 'play', Desktop);
+	const { page, said, leave } = await open(site, 'play', Desktop);
 	await page.locator('.gallery').getByRole('button', { name: 'New' }).click();
 	await titled(page, 'My program');
 	assert.equal(await page.textContent('.keeping'), '✓ kept');
@@ -266,7 +266,7 @@ test('a game of one\'s own is made, named, kept, shared and opened elsewhere, wi
 	await press(page, 'Back to “Bears: “one””');
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'exact');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 	const other = await open(site, link.split('#')[1], Desktop);
 	assert.equal(await other.page.locator('.title').inputValue(), 'Bears: “one”');
 	assert.equal(await other.page.getByLabel('Collision system').inputValue(), 'exact');
@@ -278,11 +278,11 @@ test('a game of one\'s own is made, named, kept, shared and opened elsewhere, wi
 	assert.equal(await other.page.locator('.title').inputValue(), 'Bears: “one”');
 	assert.deepEqual(await own(other.page), ['Bears: “one”']);
 	assert.deepEqual(other.said, []);
-	await other.context.close();
+	await other.leave();
 });
 
 test('blocks: what is deleted is counted, what a menu offers has pictures, breeds bring their shapes and are named on the page', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	const all = await page.evaluate(() => globalThis.playground.editor.workspace.getAllBlocks().filter((block) => !block.isShadow()).length);
 	assert.ok(all > 50);
 	await page.evaluate(() => {
@@ -333,11 +333,11 @@ test('blocks: what is deleted is counted, what a menu offers has pictures, breed
 	await press(page, 'OK');
 	await page.waitForFunction(() => globalThis.made.getFieldValue('BREED') === 'wolves');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('the menu of systems changes the block that decides', async () => {
-	const { page, context, said } = await open(site, 'play/lesson-main', Desktop);
+	const { page, said, leave } = await open(site, 'play/lesson-main', Desktop);
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'combination');
 	await page.getByLabel('Collision system').selectOption('exact');
 	assert.match(await page.textContent('.controls .status'), /^The block “use collision system” says “exact” now/);
@@ -345,11 +345,11 @@ test('the menu of systems changes the block that decides', async () => {
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'exact');
 	assert.deepEqual(await page.evaluate(() => [globalThis.playground.world.collisions.systemName, globalThis.playground.editor.system]), ['exact', 'exact']);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('the line between blocks and world moves, and stays; the lesson folds; a tone tells of touches and can be muted', async () => {
-	const { page, context, said } = await open(site, 'play/lesson-helmet', Desktop);
+	const { page, said, leave } = await open(site, 'play/lesson-helmet', Desktop);
 	const width = () => page.evaluate(() => Math.round(document.querySelector('.blocks').getBoundingClientRect().width));
 	const first = await width();
 	const at = await middle(page, '.splitter');
@@ -399,5 +399,5 @@ test('the line between blocks and world moves, and stays; the lesson folds; a to
 	assert.deepEqual([await figure('touching'), await figure('meetings so far')], [1, 1]);
 	assert.ok(await page.evaluate(() => document.querySelector('.time').getBoundingClientRect().height < 60), 'the line of time does not wrap');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });

@@ -59,7 +59,7 @@ test('of one thing, one is said', () => {
 });
 
 test('a browser in German gets German, all of it and nothing of English; a choice by hand is kept', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', German);
+	const { page, said, leave } = await open(site, 'play/paintball', German);
 	const files = async () => (await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name))).filter((name) => name.endsWith('.js'))
 		.map((name) => readFileSync(path.join(root, 'bin/playground', new URL(name).pathname.replace('/any/where/', '')), 'utf8'));
 	const count = (all, words) => all.filter((text) => text.includes(words)).length;
@@ -98,7 +98,7 @@ test('a browser in German gets German, all of it and nothing of English; a choic
 	await ready(page, 'play');
 	assert.equal(await page.getAttribute('html', 'lang'), 'en', 'it is kept');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('where nothing is kept, the choice of a language is in the address', async () => {

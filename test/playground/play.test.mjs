@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, drawNothing, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, drawNothing, drop, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -66,7 +66,7 @@ const settle = (page) => page.waitForTimeout(150);
 
 for (const [name, size] of Object.entries(SIZES)) {
 	test(`keys move the bear, and a thrown ball colours a turtle (${name})`, async () => {
-		const { page, context, said } = await open(site, 'play/paintball', size);
+		const { page, said, leave } = await open(site, 'play/paintball', size);
 		const [before] = await agents(page, 'bears');
 		await press(page, 'Run');
 		await page.locator('.world').focus();
@@ -104,12 +104,12 @@ for (const [name, size] of Object.entries(SIZES)) {
 		assert.notEqual(await page.evaluate(() => globalThis.target.color), was);
 		assert.equal((await agents(page, 'paintballs')).length, 0, 'the ball is gone');
 		assert.deepEqual(said, []);
-		await context.close();
+		await leave();
 	});
 }
 
 test('a program does what its blocks say', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	const forward = { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } };
 	const grow = { type: 'starlogo_size', inputs: { SIZE: number(2) } };
 	await openProgram(page, program(start(create('turtles', 'turtle', grow)), each('turtles', forward)));
@@ -142,11 +142,11 @@ test('a program does what its blocks say', async () => {
 	assert.ok(seconds > 0.4, `4 frames at a tenth of 60 in ${seconds} s`);
 	await press(page, 'Stop');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('a block that is changed in the editor changes what happens', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } })));
 	await page.locator('.blocklyMainBackground ~ * .blocklyEditableField:has-text("0.5"), .blocklyBlockCanvas .blocklyEditableField:has-text("0.5")').first().click();
 	await page.keyboard.press('Control+A');
@@ -170,7 +170,7 @@ test('a block that is changed in the editor changes what happens', async () => {
 	await step(page, 2);
 	assert.equal((await agents(page, 'turtles'))[0].x, 4);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 /** Which systems find a near miss: by the example's name. */
@@ -205,7 +205,7 @@ async function linkOf(page) {
 }
 
 test('a program comes back after a reload, and through its link', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall')), each('walls', { type: 'starlogo_up', inputs: { STEPS: number(1) } })));
 	await page.reload();
 	await ready(page, 'play');
@@ -213,16 +213,16 @@ test('a program comes back after a reload, and through its link', async () => {
 	assert.equal((await agents(page, 'walls'))[0].z, 3);
 	const link = await linkOf(page);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 	const other = await open(site, link.split('#')[1], Desktop);
 	await step(other.page, 2);
 	assert.equal((await agents(other.page, 'walls'))[0].z, 2);
 	assert.deepEqual(other.said, []);
-	await other.context.close();
+	await other.leave();
 });
 
 test('a program is saved to a file that opens again', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall'))));
 	const text = await saved(page, () => press(page, 'Download'));
 	await choose(page, 'paintball');
@@ -230,20 +230,20 @@ test('a program is saved to a file that opens again', async () => {
 	await openProgram(page, text);
 	assert.equal((await agents(page, 'walls')).length, 1);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('broken programs and links say so, and leave what was there', async () => {
-	const { page, context } = await open(site, 'play/paintball', Desktop);
+	const { page, leave } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, '{"blocks": 7}');
 	assert.equal(await say(page), 'This is no program of the playground.');
 	await openProgram(page, program({ type: 'no_such_block' }));
 	assert.equal(await say(page), 'This is no program of the playground.');
 	assert.equal((await agents(page, 'bears')).length, 1);
-	await context.close();
+	await leave();
 	const other = await open(site, 'play/nonsense', Desktop);
 	assert.equal(await say(other.page), 'The program in this link could not be read.');
-	await other.context.close();
+	await other.leave();
 });
 
 test('an endless loop is stopped and named, and so is a mistake in a block', async () => {
@@ -267,7 +267,7 @@ test('an endless loop is stopped and named, and so is a mistake in a block', asy
 });
 
 test('a student\'s own program is never lost: not by examples, links, nor broken ones', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall'))));
 	assert.deepEqual(await own(page), ['program']);
 	await choose(page, 'wing');
@@ -292,11 +292,11 @@ test('a student\'s own program is never lost: not by examples, links, nor broken
 	await has(page, 2);
 	assert.deepEqual(await own(page), ['program', 'The fireman\'s helmet (mine)']);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('undo in the blocks after an example leaves the example', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall'))));
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].dispose());
 	await settle(page);
@@ -309,11 +309,11 @@ test('undo in the blocks after an example leaves the example', async () => {
 	await settle(page);
 	assert.equal(await blocks(page), count);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('the figures have all that touched since the last look, whoever has scripts', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	const scatter = { type: 'starlogo_scatter' };
 	const crowd = (breed, shape, count) => ({ ...create(breed, shape, scatter), inputs: { COUNT: number(count), DO: { block: scatter } } });
 	await openProgram(page, program(start({ ...crowd('turtles', 'turtle', 14), next: { block: crowd('walls', 'wall', 14) } }), each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.3) } })));
@@ -338,11 +338,11 @@ test('the figures have all that touched since the last look, whoever has scripts
 	await step(page, 1);
 	assert.equal(await page.evaluate(() => globalThis.playground.world.frame), frames - 19);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('after a choice of system the arrow keys play, and at a wall the bear is not stuck', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	await page.getByLabel('Collision system').selectOption('exact');
 	await page.evaluate(() => {
 		const { world } = globalThis.playground;
@@ -376,11 +376,11 @@ test('after a choice of system the arrow keys play, and at a wall the bear is no
 	await page.waitForFunction(() => globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').heading > 54);
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('changes while the game runs are announced, and count when it starts anew', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall')), each('walls', { type: 'starlogo_up', inputs: { STEPS: number(0) } })));
 	await press(page, 'Run');
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_up')[0].getInputTargetBlock('STEPS').setFieldValue(2, 'NUM'));
@@ -390,11 +390,11 @@ test('changes while the game runs are announced, and count when it starts anew',
 	await page.waitForFunction(() => globalThis.playground.world.agents[0].z > 3);
 	assert.equal(await say(page), 'Running');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('blocks are reached and changed by keys; what is deleted comes back', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	const count = await blocks(page);
 	await page.getByRole('button', { name: 'Larger blocks' }).focus();
 	const block = () => page.evaluate(() => (document.activeElement.closest('.blocklyFlyout') ? null : document.activeElement.closest('.blocklyDraggable')?.dataset.id ?? null));
@@ -423,11 +423,11 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 	}
 	assert.ok(seen.size >= 5 && !seen.has(null), [...seen].join());
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('on a phone fingers scroll the page over the world, and Run is in sight beside the blocks', { skip: isChromium ? false : 'fingers that move are Chromium\'s' }, async () => {
-	const { page, context, said } = await open(site, 'play/paintball', { ...SIZES.phone, isDrawn: false });
+	const { page, said, leave } = await open(site, 'play/paintball', { ...SIZES.phone, isDrawn: false });
 	const touch = await finger(page);
 	const swipe = async (selector) => {
 		// in its middle, or as near to that as there is no block, which the finger would move
@@ -459,11 +459,11 @@ test('on a phone fingers scroll the page over the world, and Run is in sight bes
 	await press(page, 'Run');
 	assert.ok(await page.locator('.world').isVisible());
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('neither zoom nor a moved view loses the world, and all of it is one choice away', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	const inSight = () => page.evaluate(() => {
 		const { stage } = globalThis.playground;
 		return [[0, 0], [-12, -12], [12, 12]].map(([x, y]) => stage.pixelOf(x, y, 0)).filter(({ isSeen }) => isSeen).length;
@@ -489,11 +489,11 @@ test('neither zoom nor a moved view loses the world, and all of it is one choice
 	await page.getByLabel('Camera').selectOption('all');
 	assert.equal(await inSight(), 3);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('a crowd in ever new colours is drawn at once', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, said, leave } = await open(site, 'play/paintball');
 	const paint = { type: 'starlogo_colour', fields: { WHO: 'me' }, inputs: { COLOUR: { block: { type: 'math_random_int', inputs: { FROM: number(1), TO: number(16777215) } } } } };
 	await openProgram(page, program(start({ ...create('turtles', 'cube', { type: 'starlogo_scatter' }), inputs: { COUNT: number(1900), DO: { block: { type: 'starlogo_scatter' } } } }), each('turtles', paint)));
 	await step(page, 2);
@@ -518,7 +518,7 @@ test('a crowd in ever new colours is drawn at once', async () => {
 			const { world } = globalThis.playground;
 			for (const agent of world.agents.slice(0, 5)) agent.said = { text: 'Hi', until: Infinity };
 		});
-		const client = await context.newCDPSession(page);
+		const client = await page.context().newCDPSession(page);
 		await client.send('Performance.enable');
 		const layouts = async () => (await client.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'LayoutCount').value;
 		const before = await layouts();
@@ -552,26 +552,21 @@ test('a crowd in ever new colours is drawn at once', async () => {
 	console.log(`300 agents: ${frame.toFixed(2)} ms a frame for the page's own part, ${drawing.toFixed(0)} calls that draw or upload`);
 	assert.ok(drawing > 5 && drawing < 60, `${drawing} calls a frame`);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('refused storage, another tab, and dropped files are said in words', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
-	const drop = async (name, text) => {
-		const data = await page.evaluateHandle(([file, content]) => {
-			const transfer = new DataTransfer();
-			transfer.items.add(new File([content], file));
-			return transfer;
-		}, [name, text]);
-		await page.dispatchEvent('header', 'drop', { dataTransfer: data });
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
+	const dropped = async (name, text) => {
+		await drop(page, [name, Buffer.from(text)]);
 		await settle(page);
 	};
-	await drop('mine.json', program(start(create('walls', 'wall'))));
+	await dropped('mine.json', program(start(create('walls', 'wall'))));
 	assert.deepEqual(await own(page), ['mine']);
-	await drop('picture.png', 'x');
+	await dropped('picture.png', 'x');
 	await told(page, /^picture\.png is neither a program/);
 	// a model of one's own is a shape
-	await drop('cone.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+	await dropped('cone.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
 	await told(page, /^Agents can have the shape “cone” now/);
 	assert.equal(await page.evaluate(() => {
 		const [made] = globalThis.playground.editor.workspace.getBlocksByType('starlogo_create');
@@ -583,11 +578,11 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	await press(page, 'Step');
 	assert.equal(await page.evaluate(() => globalThis.playground.world.agents[0].shape), 'cone');
 	// the same file again is the same model
-	await drop('again.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+	await dropped('again.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
 	await told(page, /“cone” now.*This browser keeps it/);
-	await drop('broken.obj', 'v 1 2 x\n');
+	await dropped('broken.obj', 'v 1 2 x\n');
 	await told(page, /^This model cannot be read: model "broken", line 1/);
-	const other = await context.newPage();
+	const other = await page.context().newPage();
 	await other.goto(page.url());
 	await ready(other, 'play');
 	// the browser has the model for every page, until it is to forget it
@@ -612,7 +607,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 			throw new DOMException('full', 'QuotaExceededError');
 		};
 	});
-	await drop('cone.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n');
+	await dropped('cone.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n');
 	await told(page, /^Agents can have the shape “cone 2” now, as long as this page is open: this browser keeps no models/);
 	// what is kept can be looked at, and forgotten
 	await press(page, 'Lessons and games');
@@ -626,11 +621,11 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	await ready(page, 'play');
 	assert.deepEqual(await page.evaluate(() => [globalThis.playground.own.names, globalThis.playground.models.has('cone')]), [[], false]);
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('at first sight: what this is, the goal, the keys, Run, and words of 14 pixels', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', { viewport: { width: 1366, height: 768 }, isDrawn: false });
+	const { page, said, leave } = await open(site, 'play/paintball', { viewport: { width: 1366, height: 768 }, isDrawn: false });
 	for (const [width, height] of [[1366, 768], [1920, 1080], [390, 844]]) {
 		await page.setViewportSize({ width, height });
 		await settle(page);
@@ -652,11 +647,11 @@ test('at first sight: what this is, the goal, the keys, Run, and words of 14 pix
 		}
 	}
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('a click on an agent tells of it, what the engine sees is shown, and a won game begins again', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', Desktop);
+	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
 	const at = await page.evaluate(() => {
 		const { world, stage } = globalThis.playground;
 		const bear = world.agents.find(({ breed }) => breed === 'bears');
@@ -688,11 +683,11 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 	await page.waitForFunction(() => document.querySelector('.score').textContent === 'Score 0');
 	assert.ok(!(await page.locator('.end').isVisible()));
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('a lesson is opened, done and left for the next; the first screen has all programs, and takes names', async () => {
-	const { page, context, said } = await open(site, 'play', Desktop);
+	const { page, said, leave } = await open(site, 'play', Desktop);
 	await page.waitForSelector('.gallery .intro');
 	await page.locator('.gallery .next').click();
 	await page.getByText('A hint').click();
@@ -742,7 +737,7 @@ test('a lesson is opened, done and left for the next; the first screen has all p
 	await page.waitForSelector('.gallery', { state: 'detached' });
 	assert.ok(await page.getByLabel('Collision system').isVisible());
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('the same game under two systems: from the same start, with the same keys, with what differs', async () => {

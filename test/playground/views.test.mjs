@@ -15,6 +15,8 @@ const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
 const ADDRESSES = { play: 'play/paintball' };
 /** What else a view shows, by what is there then. */
 const MORE = { play: { '.gallery [data-drawn], .gallery[data-drawn]': 'play/all', '.lesson:visible': 'play/lesson-wing' }, teach: { '[data-drawn]': 'teach/see' } };
+/** The colours in which a phone shows a view: every other view is light, the others are dark; with -Dfull each is both. A desktop shows both. */
+const schemesOf = (view) => ['light', 'dark'].filter((_, i) => process.env.FULL_TESTS === 'true' || i === VIEWS.indexOf(view) % 2);
 const axe = readFileSync(path.join(root, 'js/playground/node_modules/axe-core/axe.min.js'), 'utf8');
 const counts = JSON.parse(readFileSync(path.join(root, 'test/fixtures/playground/scattered.json'), 'utf8'));
 
@@ -28,14 +30,14 @@ const pages = {};
 
 /** The page that tests of a view share, at the size of a small laptop. */
 async function shared(view) {
-	pages[view] ??= await open(site, ADDRESSES[view] ?? view, { viewport: { width: 1366, height: 768 } });
+	pages[view] ??= await open(site, ADDRESSES[view] ?? view, { ...SIZES.desktop, viewport: { width: 1366, height: 768 } });
 	return pages[view];
 }
 
 /** A page of a view, in which nothing may be said on the console and nothing comes from elsewhere, whatever is tried there. */
 for (const view of VIEWS) {
 	test(`${view} on a desktop`, async (t) => {
-		const { page, context, said } = await open(site, ADDRESSES[view] ?? view);
+		const { page, said, leave } = await open(site, ADDRESSES[view] ?? view);
 		await t.test('what is there stays where it is', () => staysInPlace(page));
 		await t.test('Blockly comes with Play alone', async () => {
 			const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
@@ -91,11 +93,11 @@ for (const view of VIEWS) {
 			}
 		});
 		assert.deepEqual(said, []);
-		await context.close();
+		await leave();
 	});
 
 	test(`${view} on a phone, in German`, async () => {
-		const { page, context, said } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de', isDrawn: false });
+		const { page, said, leave } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de', isDrawn: false });
 		assert.equal(await page.getAttribute('html', 'lang'), 'de');
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 		await staysInPlace(page);
@@ -104,14 +106,14 @@ for (const view of VIEWS) {
 			const nav = document.querySelector('#views').getBoundingClientRect();
 			return left >= nav.left - 1 && right <= nav.right + 1;
 		}), 'the name of the view is in sight');
-		for (const scheme of ['light', 'dark']) await faultless(page, scheme);
+		for (const scheme of schemesOf(view)) await faultless(page, scheme);
 		for (const [name, address] of Object.entries(MORE[view] ?? {})) {
 			await page.evaluate((hash) => {
 				location.hash = hash;
 			}, address);
 			await page.waitForSelector(name);
 			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, address);
-			for (const scheme of ['light', 'dark']) await faultless(page, scheme);
+			for (const scheme of schemesOf(view)) await faultless(page, scheme);
 		}
 		if (view === 'play') {
 			await page.getByRole('button', { name: 'Blöcke', exact: true }).click();
@@ -132,7 +134,7 @@ for (const view of VIEWS) {
 		await page.waitForTimeout(100);
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, 'and on a laptop');
 		assert.deepEqual(said, []);
-		await context.close();
+		await leave();
 	});
 }
 
@@ -395,7 +397,7 @@ test('Compare: each pair of systems, with a line for each pair of agents', async
 });
 
 test('a view that comes late is not written over the one chosen since', async () => {
-	const { page, context, said } = await open(site, 'inspect');
+	const { page, said, leave } = await open(site, 'inspect');
 	const release = await hold(page, '**/models/*.json');
 	const asked = page.waitForRequest('**/models/person.json');
 	await page.getByRole('link', { name: 'Compare' }).click();
@@ -410,7 +412,7 @@ test('a view that comes late is not written over the one chosen since', async ()
 	assert.equal(await page.locator('.pair').count(), 0, 'and Compare is not');
 	assert.equal(await page.evaluate(() => 'found' in globalThis.playground), true, 'the console has the view that is shown');
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('Inspect: a model that is missing is said to be, and works when it is there again', async () => {
@@ -529,7 +531,7 @@ test('Compare: of the exact system the triangles are drawn', async () => {
 });
 
 test('a near miss that stands still is coloured as the chosen system sees it, and tests are counted', async () => {
-	const { page, context, said } = await open(site, 'play/wing');
+	const { page, said, leave } = await open(site, 'play/wing', { ...SIZES.desktop, isDrawn: false });
 	await page.getByRole('button', { name: 'Step', exact: true }).click();
 	const seen = () => page.evaluate(() => {
 		const { world, panel: { figures } } = globalThis.playground;
@@ -540,11 +542,11 @@ test('a near miss that stands still is coloured as the chosen system sees it, an
 		assert.deepEqual(await seen(), { isRed, tests: 1 }, system);
 	}
 	assert.deepEqual(said, []);
-	await context.close();
+	await leave();
 });
 
 test('a file that is dropped elsewhere, and a graphics card that goes away, are said in words', async () => {
-	const { page, context } = await open(site, 'compare');
+	const { page, leave } = await open(site, 'compare');
 	await drop(page, ['bear.obj', Buffer.from('v 1 2 3')]);
 	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened: models are looked at in Inspect/);
 	await page.getByRole('link', { name: 'Inspect' }).click();
@@ -568,11 +570,11 @@ test('a file that is dropped elsewhere, and a graphics card that goes away, are 
 		return new Set(new Uint32Array(pixels.buffer)).size;
 	});
 	assert.ok(colours > 20, `${colours} colours are drawn again`);
-	await context.close();
+	await leave();
 });
 
 test('forced colours leave what is chosen, wrong and meant to be seen', { skip: isChromium ? false : 'Playwright forces colours in Chromium alone' }, async () => {
-	const { page, context } = await open(site, 'compare', { ...SIZES.desktop, forcedColors: 'active' });
+	const { page, leave } = await open(site, 'compare', { ...SIZES.desktop, forcedColors: 'active' });
 	const style = (selector, pseudo) => page.evaluate(([which, part]) => {
 		const { outlineStyle, borderStyle, backgroundColor, borderTopColor } = getComputedStyle(document.querySelector(which), part);
 		return { outlineStyle, borderStyle, backgroundColor, borderTopColor };
@@ -583,11 +585,11 @@ test('forced colours leave what is chosen, wrong and meant to be seen', { skip: 
 	await page.getByRole('radio', { name: 'A scattered game' }).check();
 	const dots = await Promise.all(['hit', 'wrong', 'missed', 'none'].map(async (name) => (await style(`.legend .${name}`, '::before')).backgroundColor));
 	assert.equal(new Set(dots).size, 4, 'the legend has the colours of the picture');
-	await context.close();
+	await leave();
 });
 
 test('without WebGL the page says so, and the rest works', async () => {
-	const { page, context } = await open({ ...site, browser: {
+	const { page, leave } = await open({ ...site, browser: {
 		newContext: async (options) => {
 			const made = await site.browser.newContext(options);
 			await made.addInitScript(() => {
@@ -598,7 +600,7 @@ test('without WebGL the page says so, and the rest works', async () => {
 	} }, 'inspect');
 	assert.match(await page.textContent('.world'), /^This browser draws no 3D here/);
 	assert.equal(await page.locator('tbody tr').count(), 11);
-	await context.close();
+	await leave();
 });
 
 test('the page is under a strict policy, and has the licences of what it brings', () => {

@@ -37,7 +37,7 @@ package soak
                     assertTrue(run.models > 10 && run.errors.length > 10);
                     for each (var error:String in run.errors)
                     {
-                        assertTrue(error, error.indexOf("model \"model\"") == 0 && error.indexOf("it can't be taken in") < 0);
+                        assertTrue(error, error.indexOf("model \"model\"") == 0 && error.indexOf("it can't be added") < 0);
                     }
                 }, 55000);
             run.start();

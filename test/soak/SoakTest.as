@@ -3,11 +3,11 @@ package soak
     import flash.events.Event;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.async.Async;
+    import support.Effort;
 
     /** The soak in short: all that happens in it, and its checks. */
     public class SoakTest
     {
-        private static const FRAMES:int = 1200;
         private static const CHECK_EVERY:int = 20;
 
         // whatever changes an answer, an order or a bit of a contact changes it: then it is to be written anew, the same for each machine
@@ -28,7 +28,7 @@ package soak
         [Test(async, timeout="120000")]
         public function aMixedGame():void
         {
-            var run:SoakRun = new SoakRun(FRAMES, CHECK_EVERY);
+            var run:SoakRun = new SoakRun(Effort.choose(600, 1200), CHECK_EVERY);
             Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals("", run.problem);

@@ -94,15 +94,6 @@ package starlogo
         }
 
         [Test]
-        public function largerModelsTakeMoreSteps():void
-        {
-            var few:int = finish(new GreatLand().receive(new Model("ball", PointSets.sphere(1, 20, 11))));
-            var many:int = finish(new GreatLand().receive(new Model("ball", PointSets.sphere(1, 100, 51))));
-            // the same rotations, but not the same work before them
-            assertTrue(few + " and " + many + " steps", few > 90 && many > few + 100);
-        }
-
-        [Test]
         public function aFailingStepLeavesNothing():void
         {
             for (var place:int = 0; place < 4; place++)
@@ -144,16 +135,6 @@ package starlogo
             assertTrue(Math.abs(greatLand.boundingStructures.tightestFit("turned").volume - 1) < 1e-12);
             finish(intake);
             assertTrue(greatLand.boundingStructures.tightestFit("turned").volume < 0.9);
-        }
-
-        [Test]
-        public function structuresOfAnotherModelDoNotStay():void
-        {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
-            greatLand.loadTightestFit = false;
-            greatLand.addModel(new Model("cube", turnedBox().vertices));
-            assertFalse(greatLand.boundingStructures.has("cube"));
         }
 
         // All intakes of the second at the same time, a step of each in turn.

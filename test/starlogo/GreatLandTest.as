@@ -102,40 +102,6 @@ package starlogo
         }
 
         [Test]
-        public function cheaperTestsMayBePreferred():void
-        {
-            assertEquals(1, _greatLand.cheaperTestsFactor);
-            assertThrows(ArgumentError, /0\.5/, function():void
-                {
-                    _greatLand.cheaperTestsFactor = 0.5;
-                });
-            // a little wider than it is deep and high: a box is the tightest, a sphere about 2.7 times as large
-            _greatLand.addModel(BuiltInModel.cube());
-            assertEquals(BoundingStructure.BOX, _greatLand.boundingStructures.tightestFit("cube").kind);
-            _greatLand.cheaperTestsFactor = 3;
-            assertEquals(3, _greatLand.boundingStructures.cheaperTestsFactor);
-            _greatLand.addModel(BuiltInModel.cube());
-            assertEquals(BoundingStructure.SPHERE, _greatLand.boundingStructures.tightestFit("cube").kind);
-        }
-
-        [Test]
-        public function hierarchiesMayBeOfOtherStructures():void
-        {
-            assertEquals(BoundingStructure.BOX, _greatLand.hierarchyBounds);
-            for each (var kind:int in [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX])
-            {
-                _greatLand.hierarchyBounds = kind;
-                _greatLand.addModel(BuiltInModel.cube());
-                assertEquals(kind, _greatLand.hierarchies.root("cube").bounds.kind);
-            }
-            assertThrows(ArgumentError, /boundsKind/, function():void
-                {
-                    _greatLand.hierarchyBounds = BoundingStructure.CYLINDER;
-                });
-            assertEquals(BoundingStructure.BOX, _greatLand.hierarchyBounds);
-        }
-
-        [Test]
         public function exactModeMayBePreparedAtOnce():void
         {
             assertFalse(_greatLand.prepareExact);

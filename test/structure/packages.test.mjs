@@ -10,7 +10,7 @@ const sources = new Map(sourcesBelow('src').map((file) => [definitionIn(file), f
 const tests = sourcesBelow('test').map(definitionIn);
 const uses = new Map([...sources].map(([name, file]) => [name, usesIn(name, read(file), sources.keys())]));
 
-/** A package's place in the README's list. The files of package starlogo but for the namespace stand for GreatLand. */
+/** A package's place in CONTRIBUTING.md's list. The files of package starlogo but for the namespace stand for GreatLand. */
 function placeOf(name) {
 	const [, room, ...rest] = name.split('.');
 	return order.indexOf(rest.length > 0 ? room : room === 'engine' ? 'engine.as' : 'GreatLand.as');
@@ -30,7 +30,7 @@ test('the engine has files, and they use one another', () => {
 	assert.ok([...uses.values()].flat().length > 500);
 });
 
-test('a room of the engine, with its folders, depends only on those above it in the README\'s list', () => {
+test('a room of the engine, with its folders, depends only on those above it in CONTRIBUTING.md\'s list', () => {
 	const wrong = [];
 	for (const [name, used] of uses) {
 		for (const other of isEngine(name) ? used : []) {

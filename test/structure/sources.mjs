@@ -61,10 +61,10 @@ export function usesIn(name, text, definitions) {
 		? bare.has(definition.split('.').pop()) : full.has(definition)));
 }
 
-/** The lists of folders and files in the README's layout: 'src/starlogo' to ['steps', ..., 'GreatLand.as', ...]. */
+/** The lists of folders and files in CONTRIBUTING.md's layout: 'src/starlogo' to ['steps', ..., 'GreatLand.as', ...]. */
 export function layout() {
 	const lists = new Map();
-	const text = /^## What is where\n([^]*?)^## /m.exec(read('README.md'))[1];
+	const text = /^## What is where\n([^]*?)^## /m.exec(read('CONTRIBUTING.md'))[1];
 	let list = [];
 	for (const [, indent, name] of text.matchAll(/^ {4}( *)(\S+)/gm)) {
 		if (indent === '') {

@@ -14,15 +14,18 @@ function fieldsOf(text) {
 	return [...codeOf(text).matchAll(/^ {8}(?:public|private|protected|internal|engine) (?:static )?var (\w+)/gm)].map(([, name]) => name);
 }
 
-/** Of each class that the page lists: its kept fields by the number of the thing, and the others. */
-const listed = new Map(rows(fields).slice(2).map(([name, kept, others, room]) => {
-	const numbers = kept.split(';').filter((each) => each !== '').map((each) => {
-		const [, number, names] = /^\s*(\d): (.*)$/.exec(each);
-		return [Number(number), names.trim().split(/\s+/)];
-	});
-	const words = [others, room].flatMap((cell) => cell.split(/\s+/).filter((word) => word !== ''));
-	return [name.replaceAll('`', ''), { numbers, names: [...numbers.flatMap(([, names]) => names), ...words] }];
-}));
+/** Of each class that the page lists: its fields, and the numbers of the things that it keeps. A class may have several rows. */
+const listed = new Map();
+for (const [name, kind, names] of rows(fields).slice(2)) {
+	const at = name.replaceAll('`', '');
+	const entry = listed.get(at) ?? { numbers: [], names: [] };
+	assert.match(kind, /^(kept \d|set|room)$/);
+	entry.names.push(...names.split(' '));
+	if (kind.startsWith('kept')) {
+		entry.numbers.push(Number(kind.slice(5)));
+	}
+	listed.set(at, entry);
+}
 
 const sources = ROOMS.flatMap((room) => sourcesBelow(`src/starlogo/${room}`)).map((file) => [definitionIn(file).split('.').pop(), read(file)]);
 
@@ -45,7 +48,7 @@ test(`it tells at most ${MOST_THINGS} things that outlive a frame, and fields of
 	const numbers = rows(things).map(([number]) => Number(number)).filter((number) => number > 0);
 	assert.deepEqual(numbers, numbers.map((_, i) => i + 1));
 	assert.ok(numbers.length <= MOST_THINGS);
-	const used = new Set([...listed.values()].flatMap(({ numbers: kept }) => kept.map(([number]) => number)));
+	const used = new Set([...listed.values()].flatMap((entry) => entry.numbers));
 	assert.deepEqual([...used].sort(), numbers);
 });
 

@@ -40,35 +40,22 @@ package support
             return least(_hierarchies.endsOf(a, depthA), _hierarchies.endsOf(b, depthB));
         }
 
-        /** Of an agent's hierarchy and the tightest fit of another. */
-        public function toTightestFit(a:Agent, depthA:int, b:Agent):Number
-        {
-            var structure:BoundingStructure = _greatLand.boundingStructures.tightestFit(b.shape).place(b.worldPlacement());
-            return ofBranches(a, _greatLand.hierarchies.root(a.shape), depthA, b, null, 0, structure);
-        }
-
         /**
          * Of hierarchies of spheres or capsules, where two nodes are as far apart as their ancestors are, at least: level by level, with covers for
          * what is below the last level of the other.
          */
         public function ofBranchesTo(a:Agent, depthA:int, b:Agent, depthB:int):Number
         {
-            return ofBranches(a, _greatLand.hierarchies.root(a.shape), depthA, b, _greatLand.hierarchies.root(b.shape), depthB, null);
+            return ofBranches(a, _greatLand.hierarchies.root(a.shape), depthA, b, _greatLand.hierarchies.root(b.shape), depthB);
         }
 
-        private function ofBranches(a:Agent, nodeA:HierarchyNode, depthA:int, b:Agent, nodeB:HierarchyNode, depthB:int,
-                structure:BoundingStructure):Number
+        private function ofBranches(a:Agent, nodeA:HierarchyNode, depthA:int, b:Agent, nodeB:HierarchyNode, depthB:int):Number
         {
             var endsA:Boolean = nodeA.isLeaf || nodeA.level >= depthA;
-            var endsB:Boolean = nodeB == null || nodeB.isLeaf || nodeB.level >= depthB;
-            var own:BoundingStructure = nodeA.bounds;
-            if (nodeB != null)
-            {
-                own = nodeB.level > nodeA.level && nodeA.cover != null ? nodeA.cover : nodeA.bounds;
-                structure = nodeA.level > nodeB.level + 1 && nodeB.cover != null ? nodeB.cover : nodeB.bounds;
-                structure = structure.place(b.worldPlacement());
-            }
-            findClosest(own.place(a.worldPlacement()), structure, _pair);
+            var endsB:Boolean = nodeB.isLeaf || nodeB.level >= depthB;
+            var boundsA:BoundingStructure = nodeB.level > nodeA.level && nodeA.cover != null ? nodeA.cover : nodeA.bounds;
+            var boundsB:BoundingStructure = nodeA.level > nodeB.level + 1 && nodeB.cover != null ? nodeB.cover : nodeB.bounds;
+            findClosest(boundsA.place(a.worldPlacement()), boundsB.place(b.worldPlacement()), _pair);
             var distance:Number = _pair.distance;
             if (endsA && endsB)
             {
@@ -76,11 +63,9 @@ package support
             }
             if (endsB || !endsA && nodeA.level <= nodeB.level)
             {
-                return Math.max(distance, Math.min(ofBranches(a, nodeA.left, depthA, b, nodeB, depthB, structure),
-                            ofBranches(a, nodeA.right, depthA, b, nodeB, depthB, structure)));
+                return Math.max(distance, Math.min(ofBranches(a, nodeA.left, depthA, b, nodeB, depthB), ofBranches(a, nodeA.right, depthA, b, nodeB, depthB)));
             }
-            return Math.max(distance, Math.min(ofBranches(a, nodeA, depthA, b, nodeB.left, depthB, structure),
-                        ofBranches(a, nodeA, depthA, b, nodeB.right, depthB, structure)));
+            return Math.max(distance, Math.min(ofBranches(a, nodeA, depthA, b, nodeB.left, depthB), ofBranches(a, nodeA, depthA, b, nodeB.right, depthB)));
         }
 
         /** Of surfaces. */

@@ -57,6 +57,12 @@ package support
             return files;
         }
 
+        /** The pairs that move. */
+        public function get pairs():PairVectors
+        {
+            return _pairs;
+        }
+
         /** The structure that moves. */
         public function get a():BoundingStructure
         {
@@ -67,12 +73,6 @@ package support
         public function get b():BoundingStructure
         {
             return _pairs.b;
-        }
-
-        /** The number of the record that was read last, from 1. */
-        public function get index():int
-        {
-            return _index;
         }
 
         /** Reads the next; false at the end. */

@@ -1,5 +1,5 @@
 import { exponent } from './statistics.mjs';
-import { percent, ratio, significant, time } from './format.mjs';
+import { percent, quoted, ratio, significant, time } from './format.mjs';
 
 /**
  * The figures of the report: from the entries of a run to rows of cells. A cell is a string; a row's first cell is its
@@ -37,7 +37,7 @@ export function faster(ours, literal) {
 }
 
 const multiple = (entry) => (entry?.multiple ? ratio(entry.multiple) : '');
-const thesisTime = (entry) => (entry?.thesis === undefined ? '' : time(entry.thesis));
+const thesisTime = (entry) => (entry?.thesis === undefined ? '' : quoted(entry.thesis));
 const times = (value) => (value === undefined ? '' : ratio(value));
 const beside = (entry) => (entry?.beside === undefined ? '' : entry.beside === null ? 'noisy' : time(entry.beside));
 const short = (entry) => (!entry ? '' : entry.refused ? 'noisy' : time(entry.value));
@@ -85,7 +85,7 @@ function scatteredRows(entries) {
 			return jit.some(Boolean) ? [game, ['  JIT', ...jit, '', '']] : [game];
 		});
 		const row = (name, values) => [name, ...COLLIDERS.map((collider) => values[collider]?.toFixed(2) ?? ''), '', ''];
-		return [...games, row('exponent', exponents), row('  and of pairs', exponentsByWork)];
+		return [...games, row('exponent', exponents), row('  with collisions', exponentsByWork)];
 	});
 }
 
@@ -129,7 +129,10 @@ export const FIGURES = [
 	{
 		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches', ...VOLUMES,
 		note: '* the tightest of the thesis\'s six. The smallest known sphere, box and capsule are on the right. The sphere of the'
-			+ ' BinCollider has 0.524. All but the built-in models are the project\'s own, of the same kinds and vertex counts as the thesis\'s.',
+			+ ' BinCollider has 0.524. The models are the project\'s own, of the same kinds and vertex counts as the thesis\'s.'
+			+ ' Ritter\'s sphere of a cube has one of thirty volumes from 2.72 to 6.81, by the vertices on which it starts and by their'
+			+ ' order; the thesis\'s 5.216 is one of them. The built-in sphere has its vertices in other places than the thesis\'s,'
+			+ ' and so another box and capsule.',
 	},
 	{
 		id: 'nova', title: 'Figure 6-1 on the thesis\'s own models, as the StarLogo Nova client ships and turns them', ...VOLUMES,
@@ -138,27 +141,28 @@ export const FIGURES = [
 	},
 	{
 		id: 'fits', title: 'Figure 6-2: time to find the tightest fit',
-		head: ['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', 'faster', 'thesis'],
+		head: ['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis'],
 		rows: (entries) => modelRows(entries, (found) => [String(found.engine.vertices), found.engine.tightest]),
-		note: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).',
+		note: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).'
+			+ ' Takes, here and below: how many times as long as the engine the thesis\'s algorithm takes in the same run.',
 	},
 	{
 		id: 'access', title: 'Figure 6-3: time to access and transform a tightest fit',
-		head: ['model', 'engine', '× sphere test', 'JIT', 'literal', 'faster', 'thesis'],
+		head: ['model', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis'],
 		rows: (entries) => modelRows(entries, () => []),
 		note: 'For an agent that has moved and turned. The engine does this once for each agent that has moved, the literal'
 			+ ' collider for both agents of each pair.',
 	},
 	{
 		id: 'tests', title: 'Figure 6-4: time of an intersection test',
-		head: ['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', 'faster', 'thesis', '× sphere'],
+		head: ['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', 'takes', 'thesis', '× sphere'],
 		rows: testRows,
 		note: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
 			+ ' same run, the thesis\'s figures as a multiple of its own. Literal tests that are the same as the engine\'s are not repeated.',
 	},
 	{
 		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
-		head: ['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'JIT', 'literal', 'faster', 'thesis'],
+		head: ['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'JIT', 'literal', 'takes', 'thesis'],
 		rows: (entries) => bySubject(entries).map(([model, found]) => [model, String(found.engine.vertices), measured(found.engine),
 			measured(found['engine, vertices']), multiple(found['engine, vertices']),
 			beside(found['engine, vertices']), short(found.literal),
@@ -168,7 +172,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
-		head: ['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
+		head: ['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked'],
 		text: 2,
 		rows: gameRows,
 		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
@@ -177,7 +181,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
-		head: ['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
+		head: ['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked'],
 		text: 2,
 		rows: gameRows,
 		note: 'The thesis gives no number here; it says that it lies between those of the other two colliders.',
@@ -187,9 +191,10 @@ export const FIGURES = [
 		head: ['game', 'bins', 'tightest fit', 'hierarchical', 'combination', 'pairs', 'checked'],
 		rows: scatteredRows,
 		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
-			+ ' much of the ground. Pairs: those that collide, by collider.'
-			+ ' Exponent: of the number of agents, fitted to the times, and of the number of agents and collisions: the collisions of'
-			+ ' agents of size 1 grow with the square of the number of agents.',
+			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider.'
+			+ ' Exponent e: for n times as many agents a frame takes n to the power of e times as long, fitted to all games of the list.'
+			+ ' With 1, twice the agents take twice the time; with 2, four times. The next row counts agents and collisions together,'
+			+ ' because the collisions of agents of size 1 grow with the square of the number of agents.',
 	},
 	{
 		id: 'monitor', title: 'The monitor in a running game',

@@ -8,10 +8,23 @@ export function significant(value, digits) {
 	return rounded.toFixed(Math.min(Math.max(decimals, 0), digits));
 }
 
+const unitOf = (ms) => (ms < 0.0009995 ? [1e6, 'ns'] : ms < 0.9995 ? [1e3, 'µs'] : ms < 9999.5 ? [1, 'ms'] : [1e-3, 's']);
+
 /** Milliseconds in the unit that suits them. */
 export function time(ms) {
-	const [factor, unit] = ms < 0.0009995 ? [1e6, 'ns'] : ms < 0.9995 ? [1e3, 'µs'] : ms < 9999.5 ? [1, 'ms'] : [1e-3, 's'];
+	const [factor, unit] = unitOf(ms);
 	return `${significant(ms * factor, 3)} ${unit}`;
+}
+
+/** The same with all digits: a number of the thesis as it stands there. */
+export function quoted(ms) {
+	const [factor, unit] = unitOf(ms);
+	return `${Number((ms * factor).toPrecision(9))} ${unit}`;
+}
+
+/** A ratio of times in words: how much faster than the other, or slower. */
+export function inWords(value) {
+	return value >= 1 ? `${ratio(value)} faster` : `${ratio(1 / value)} slower`;
 }
 
 /** How many times as much: two significant digits, three of large numbers. */

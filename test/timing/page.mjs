@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
 import { FIGURES, bySubject, faster } from './figures.mjs';
-import { ratio, significant, time } from './format.mjs';
+import { inWords, ratio, time } from './format.mjs';
 
 const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
 const own = (name) => readFile(new URL(name, import.meta.url), 'utf8');
@@ -79,7 +79,7 @@ function table(figure, rows) {
 <tbody>${rows.map((row) => `<tr${rowClass(row)}>${columns.map((column) => cell(row[column], column)).join('')}</tr>`).join('\n')}</tbody></table>`;
 }
 
-const rowClass = (row) => (['  thesis', '  JIT'].includes(row[0]) ? ' class="thesis"' : /^exponent|^  and/.test(row[0]) ? ' class="sum"' : '');
+const rowClass = (row) => (['  thesis', '  JIT'].includes(row[0]) ? ' class="thesis"' : /^exponent|^  with/.test(row[0]) ? ' class="sum"' : '');
 
 /** A cell's text: what is tightest stands out, a spread stands back. */
 function mark(text) {
@@ -95,11 +95,11 @@ function tiles({ entries, exponents }) {
 		found.push([time(tests.sphereSphere.engine.value), 'a sphere-sphere test']);
 	}
 	if (faster(tests.boxBox?.engine, tests.boxBox?.literal)) {
-		found.push([ratio(faster(tests.boxBox.engine, tests.boxBox.literal)), 'faster box-box test']);
+		found.push([inWords(faster(tests.boxBox.engine, tests.boxBox.literal)), 'than the thesis\'s box-box test in the same run']);
 	}
 	const fits = bySubject(of('fits')).map(([, fit]) => faster(fit.engine, fit.literal)).filter(Boolean).sort((a, b) => a - b);
 	if (fits.length > 0) {
-		found.push([ratio(fits[fits.length >> 1]), 'faster tightest fits (median model)']);
+		found.push([inWords(fits[fits.length >> 1]), 'than the thesis\'s search for the tightest fit (median of the models)']);
 	}
 	const bears = Object.fromEntries(bySubject(of('crowds')))['100 bears'];
 	if (bears?.TightestFitCollider?.value) {
@@ -107,7 +107,7 @@ function tiles({ entries, exponents }) {
 	}
 	const exponent = exponents.find(({ cast }) => cast.endsWith('as dense'))?.exponents.TightestFitCollider;
 	if (exponent !== undefined) {
-		found.push([significant(exponent, 3), 'exponent of scattered games, by agents, as dense']);
+		found.push([ratio(2 ** exponent), 'as long for twice as many agents, scattered at the same density']);
 	}
 	return found;
 }

@@ -1,10 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { addBeside, timesAsFast } from './beside.mjs';
+import { chartsOf } from './charts.mjs';
 import { comparison, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { FIGURES, growth } from './figures.mjs';
-import { percent, ratio, significant, time } from './format.mjs';
+import { inWords, percent, quoted, ratio, significant, time } from './format.mjs';
 import { moduleText, page } from './page.mjs';
 import { changes, exponent } from './statistics.mjs';
 
@@ -39,6 +40,18 @@ test('numbers read well', () => {
 	assert.equal(ratio(2.345), '2.3×');
 	assert.equal(ratio(258096), '258,000×');
 	assert.equal(percent(0.042), '4 %');
+	assert.equal(quoted(1061), '1061 ms');
+	assert.equal(quoted(0.11717), '117.17 µs');
+	assert.equal(inWords(2.345), '2.3× faster');
+	assert.equal(inWords(0.58), '1.7× slower');
+});
+
+test('the chart of volumes has bars of the thesis', () => {
+	const structures = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule', 'minimal sphere', 'minimal box', 'minimal capsule'];
+	const volumes = structures.map((variant, i) => ({ figure: 'volumes', subject: 'bear', variant, value: 9 - i, thesis: i < 6 ? 10 - i : undefined, vertices: 547 }));
+	const series = chartsOf(volumes).volumes.series;
+	assert.deepEqual(series.find(({ color }) => color === 'thesis').values, [5]);
+	assert.deepEqual(series.find(({ color }) => color === 'engine').values, [4]);
 });
 
 test('the exponent of a power is found', () => {

@@ -1,6 +1,4 @@
-/** Which breeds have collision blocks for which, as the client's State says. */
-
-/** The client's State.collidingBreeds and State.collidedBreeds, and the handlers of a Collision that are for them. */
+/** The breeds that have collision blocks, from the client's State, and the handlers of a Collision for them. */
 export class Blocks {
 	#state;
 	#handler;
@@ -10,16 +8,16 @@ export class Blocks {
 	#pairs = [];
 	#collision = null;
 
-	/** Ids of the breeds that take part in any block. */
+	/** Ids of the breeds that appear in any block. */
 	concerned = new Set();
 
-	/** Of the client's State; the handler is called with each pair of bodies that has a block. */
+	/** Reads the client's State. The handler is called with each pair of bodies that has a block. */
 	constructor(state, handler) {
 		this.#state = state;
 		this.#handler = handler;
 	}
 
-	/** Brings the handlers of a Collision up to date. */
+	/** Updates the handlers of a Collision. */
 	read(collision) {
 		const { collidingBreeds, collidedBreeds } = this.#state;
 		const next = this.#next;
@@ -40,7 +38,7 @@ export class Blocks {
 		this.#change();
 	}
 
-	/** Where an agent of one breed looks for another: a place in its list of breeds, or -1 if it does not. */
+	/** The place of one breed in another breed's list of breeds to look for; -1 if it is not there. */
 	rank(breed, other) {
 		return this.#lists.get(breed)?.get(other) ?? -1;
 	}
@@ -54,11 +52,11 @@ export class Blocks {
 			const ranks = new Map();
 			for (let k = 0; k < this.#known[i + 1]; k++) {
 				const other = this.#known[i + 2 + k];
-				// a breed may be there twice, for a block of its own and one of everyone's
+				// a breed may appear twice: in its own block and in a block for everyone
 				if (ranks.has(other)) continue;
 				ranks.set(other, k);
 				this.concerned.add(id).add(other);
-				// a handler of either side would call twice
+				// handlers on both sides would call twice
 				if (!this.#lists.get(other)?.has(id)) this.#pairs.push([String(id), String(other)]);
 			}
 			this.#lists.set(id, ranks);

@@ -1,8 +1,7 @@
-/** A button in the client's toolbar, with a choice of collision systems. */
 import { installInto, installedIn } from "./installation.js";
 import { viewOf } from "./overlay.js";
 
-/** What can be chosen; null gives the client its own back. */
+/** The choices of the menu. null gives the client its own collisions back. */
 const CHOICES = [
 	["The client's own", null],
 	["Bins", { system: "bins", exact: false }],
@@ -12,9 +11,7 @@ const CHOICES = [
 	["Combination", { system: "combination", exact: false }],
 ];
 
-/**
- * Puts a button into the toolbar of the client that runs in a window, whose menu chooses what decides collisions, and whether that is shown.
- */
+/** Adds a button to the toolbar of the client in a window. Its menu chooses the collision system, and whether the overlay is shown. */
 export function addButton(window, options = {}) {
 	const bar = window.document?.querySelector("#toolbar ul.nav");
 	if (!bar || !window.Execution?.Collisions) throw new TypeError("the window has no StarLogo Nova client with a toolbar");
@@ -27,7 +24,7 @@ class Button {
 	#item;
 	#link;
 	#closes = new AbortController();
-	// what is ticked, and by what it is told
+	// the ticked menu items, and what decides each tick
 	#ticks = [];
 
 	constructor(window, bar, options) {
@@ -52,7 +49,7 @@ class Button {
 		this.#open(false);
 	}
 
-	/** Takes the button away; what is installed stays. */
+	/** Removes the button. The installed engine stays. */
 	remove() {
 		this.#closes.abort();
 		this.#item.remove();

@@ -1,36 +1,35 @@
-/** Who is how near: the agents in square cells of the ground, asked where they are now. */
-
-/** Cells to a side: ten on the ground, and one on either side for what is beyond. */
+/** Cells per side: ten on the ground, and one on either side for places beyond it. */
 const SIDE = 12;
 const LAST = SIDE - 1;
 
 /**
- * Agents of the client by the cell of the ground that they were last put into. A question reads where its candidates are now, so that only who
- * has left its cell without being put anew is missed; height, breed and traits are always of the moment.
+ * Finds near agents of the client. It keeps each agent in a square cell of the ground, by its last known place. A question reads the
+ * present places of its candidates. So it can miss only an agent that has left its cell and was not put in again. Height, breed and traits
+ * are always the present ones.
  */
 export class Cells {
 	#half;
 	#width;
 	#cells = Array.from({ length: SIDE * SIDE }, () => []);
-	// the same, each entry's agent: questions look at nothing else
+	// by cell, the agents of the entries; questions read only these
 	#agents = Array.from({ length: SIDE * SIDE }, () => []);
 
-	// squares of how far a row is away, and its farther side
+	// the squares of the distances to a row and to its farther side
 	#nearest = new Float64Array(SIDE);
 	#farthest = new Float64Array(SIDE);
 
-	/** Cells for a ground from -half to half. */
+	/** Creates cells for a ground from -half to half. */
 	constructor(half) {
 		this.#half = half;
 		this.#width = 2 * half / (SIDE - 2);
 	}
 
-	/** Nobody is left. */
+	/** Removes all entries. */
 	clear() {
 		for (const cell of [...this.#cells, ...this.#agents]) cell.length = 0;
 	}
 
-	/** Puts an entry, { agent, cell, slot }, where its agent is; its cell is -1 before it is in one. */
+	/** Puts an entry, { agent, cell, slot }, into the cell of its agent. The cell of a new entry is -1. */
 	put(entry) {
 		const { x, y } = entry.agent.state;
 		const cell = this.#index(x) * SIDE + this.#index(y);
@@ -41,7 +40,7 @@ export class Cells {
 		this.#agents[cell].push(entry.agent);
 	}
 
-	/** Takes an entry out, if it is in. */
+	/** Removes an entry, if it is present. */
 	take(entry) {
 		if (entry.cell < 0) return;
 		const list = this.#cells[entry.cell];
@@ -56,7 +55,10 @@ export class Cells {
 		entry.cell = -1;
 	}
 
-	/** How many others are within a radius, its border inclusive: of a breed, or of all if it is null, which `accepts` takes if it is one. */
+	/**
+	 * Counts other agents within a radius, including its border. `breed` null counts all breeds. `accepts` may be null; otherwise it must
+	 * return true.
+	 */
 	count(asker, breed, radius, accepts) {
 		const { x, y, z } = asker.state;
 		const reach = radius * radius;
@@ -95,7 +97,10 @@ export class Cells {
 		return found;
 	}
 
-	/** The nearest other within a radius, of equally near ones that of the smallest id; null if there is none. The rest is as for count. */
+	/**
+	 * The nearest other agent within a radius; null if there is none. Of equally near agents, the one with the smallest id. The parameters are
+	 * those of count.
+	 */
 	nearest(asker, breed, radius, accepts) {
 		const { x, y, z } = asker.state;
 		const column = this.#index(x);
@@ -108,7 +113,7 @@ export class Cells {
 			const lowY = Math.max(0, row - ring);
 			const highY = Math.min(LAST, row + ring);
 			for (let i = Math.max(0, column - ring); i <= Math.min(LAST, column + ring); i++) {
-				// between the first and the last column of the ring only its ends are new
+				// between the ring's first and last column, only the column's ends belong to the ring
 				const step = Math.abs(i - column) === ring || ring === 0 ? 1 : 2 * ring;
 				for (let j = step === 1 ? lowY : row - ring; j <= highY; j += step) {
 					if (j < 0) continue;
@@ -133,27 +138,27 @@ export class Cells {
 		return best;
 	}
 
-	/** The column, or row, of a coordinate; 0 for what is no number. */
+	/** The column or row of a coordinate; 0 for NaN. */
 	#index(coordinate) {
 		const index = Math.floor((coordinate + this.#half) / this.#width) + 1;
 		return index >= LAST ? LAST : index > 0 ? index : 0;
 	}
 
-	/** How far the farther side of a column, or row, is; with a hair for rounding. */
+	/** The distance to the farther side of a column or row, a little larger because of rounding. */
 	#farther(coordinate, index) {
 		if (index === 0 || index === LAST) return Infinity;
 		const low = (index - 1) * this.#width - this.#half;
 		return Math.max(Math.abs(coordinate - low), Math.abs(coordinate - low - this.#width)) + 1e-9;
 	}
 
-	/** How far a column, or row, is; less a hair for rounding. */
+	/** The distance to a column or row, a little smaller because of rounding. */
 	#nearer(coordinate, index) {
 		const low = index === 0 ? -Infinity : (index - 1) * this.#width - this.#half;
 		const high = index === LAST ? Infinity : index * this.#width - this.#half;
 		return Math.max(low - coordinate, coordinate - high, 1e-9) - 1e-9;
 	}
 
-	/** What is outside of so many rings of cells about one is at least so far away. */
+	/** Everything outside this many rings of cells is at least this far away. */
 	#gap(x, y, column, row, rings) {
 		return Math.min(this.#inner(x, column, rings), this.#inner(y, row, rings)) - 1e-9;
 	}

@@ -1,4 +1,3 @@
-/** What takes the place of the client's Collisions. */
 import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } from "starlogo-collision";
 import { Blocks } from "./blocks.js";
 import { Cells } from "./cells.js";
@@ -7,28 +6,31 @@ import { SPHERE, Shapes } from "./shapes.js";
 
 const SYSTEMS = { bins: BinCollider, tightest: TightestFitCollider, hierarchical: HierarchicalCollider, combination: CombinationCollider };
 
-/** More than the rounding of places and sizes: pairs that may touch by the client's rule are all found, and then tested by it. */
+/**
+ * Larger than the rounding of places and sizes. So the engine finds all pairs that may touch by the client's rule, and the rule is then
+ * tested.
+ */
 const MARGIN = 1e-9;
 
-/** Beyond this coordinate agents take no part: half of a size away an Agent can still be. */
+/** Agents beyond this coordinate take no part. Half a size farther away, an Agent can still exist. */
 const FARTHEST = Agent.LARGEST_COORDINATE - Agent.LARGEST_SIZE;
 
-/** A key has the turn in its lower part; no game is updated so often. */
+/** The lower part of a key is the turn. No game has so many updates. */
 const TURNS = 2 ** 36;
 
-/** The id of the breed that stands for all. */
+/** The id of the breed that means all breeds. */
 const EVERYONE = 1;
 
-/** How many breeds a key has room for. */
+/** A key has room for this many breeds. */
 const RANKS = 128;
 
-/** Traits that no block of the client sets. */
+/** Traits of an agent for which no block sets any. */
 const NO_TRAITS = Object.freeze({});
 
-/** The names of the traits that an option may have. */
+/** The names of the traits. */
 const TRAITS = ["hierarchical", "depth", "sweeps", "structure"];
 
-/** Collisions of a client that runs in a window, by the engine. */
+/** Finds the collisions of a client in a window, with the engine. It replaces the client's Collisions. */
 export class NovaCollisions {
 	#execution;
 	#state;
@@ -48,14 +50,14 @@ export class NovaCollisions {
 	#ghost = new Agent(SPHERE);
 	#found = [];
 	#isSwept = false;
-	// the tick in which all places were read last, and the one whose collisions were found last, by pairs of which agents may move
+	// the tick in which all places were last read, and the tick whose collisions were last found; then the agents that may move, by pairs
 	#tick = NaN;
 	#collidedIn = NaN;
 	#suspects = [];
 	#breedTraits = new Map();
 	#agentTraits = new WeakMap();
 
-	/** Of a window's client, whose agents are added later; for the options see installInto. */
+	/** For the client of a window; agents are added later. For the options see installInto. */
 	constructor(window, options) {
 		this.#execution = window.Execution;
 		this.#state = window.Common.State;
@@ -67,34 +69,34 @@ export class NovaCollisions {
 		this.#shapes = new Shapes(this.#greatLand, window, { own: options.shapes, manifest: options.manifest });
 	}
 
-	/** The options that count. */
+	/** The options in use. */
 	get options() {
 		return this.#options;
 	}
 
-	/** What decides, one of the engine's colliders. */
+	/** The engine's collider in use. */
 	get collider() {
 		return this.#collider;
 	}
 
-	/** The models. */
+	/** The GreatLand with the models. */
 	get greatLand() {
 		return this.#greatLand;
 	}
 
-	/** The shapes of the client. */
+	/** The client's shapes. */
 	get shapes() {
 		return this.#shapes;
 	}
 
-	/** All places are read again before the next question. */
+	/** Makes the next question read all places again. */
 	forgetPlaces() {
 		this.#tick = NaN;
 	}
 
 	/**
-	 * Calls a function for each agent that takes part: with an agent of the engine that is where it would be compared, so far on its way from
-	 * its place in the last tick, and whether the last getCollisions found it in a pair.
+	 * Calls a function for each agent that takes part, with an Agent of the engine and whether the last getCollisions found it in a pair.
+	 * `part` is the part of the way from the place in the last tick to the present place.
 	 */
 	forEachBody(part, call) {
 		const { data, numAgents } = this.#execution.AgentController;
@@ -115,26 +117,26 @@ export class NovaCollisions {
 		}
 	}
 
-	/** Takes other options from now on; those that are not named stay. */
+	/** Changes options. Options that are not named stay. */
 	exchange(options) {
 		this.#use({ ...this.#options, ...options });
 	}
 
-	/** Sets the traits of a breed, by its name, or of an agent, in place of those it had; null for none. */
+	/** Sets the traits of a breed, by its name, or of an agent. They replace all traits set before; null removes them. */
 	setTraits(whose, traits) {
 		const checked = traits === null ? NO_TRAITS : checkTraits(traits);
 		if (typeof whose === "string") this.exchange({ breeds: { ...this.#options.breeds, [whose]: checked } });
 		else this.#giveTraits(whose, checked);
 	}
 
-	/** Sets some of an agent's traits; the others that it has of its own stay. */
+	/** Sets some of an agent's traits. Its other traits stay. */
 	changeTraits(agent, traits) {
 		const own = this.#agentTraits.get(agent);
 		const checked = checkTraits(traits);
 		if (!own || Object.keys(checked).some((name) => own[name] !== checked[name])) this.#giveTraits(agent, { ...own, ...checked });
 	}
 
-	/** Takes an agent in. */
+	/** Adds an agent. */
 	add(agent) {
 		let entry = this.#entryOf(agent);
 		if (entry === null) {
@@ -142,14 +144,14 @@ export class NovaCollisions {
 			this.#entries.add(entry);
 			entry.owner = this;
 			agent.jbins = [entry];
-			// who is made by one of its breed has its traits, as it has those that the client knows
+			// An agent that one of its own breed has made inherits its traits, like the traits that the client knows.
 			const inherited = agent.parent?.breed === agent.breed && this.#agentTraits.get(agent.parent);
 			if (inherited && !this.#agentTraits.has(agent)) this.#agentTraits.set(agent, inherited);
 		}
 		this.#place(entry);
 	}
 
-	/** Leaves an agent out. */
+	/** Removes an agent. */
 	remove(agent) {
 		const entry = this.#entryOf(agent);
 		if (entry !== null) {
@@ -160,14 +162,14 @@ export class NovaCollisions {
 		agent.jbins = [];
 	}
 
-	/** An agent has moved, or is of another size. */
+	/** Call it when an agent has moved or changed its size. */
 	update(agent) {
 		const entry = this.#entryOf(agent);
 		if (entry === null) this.add(agent);
 		else this.#place(entry);
 	}
 
-	/** Leaves all out. */
+	/** Removes all agents. */
 	reset() {
 		for (const entry of this.#entries) entry.owner = null;
 		this.#entries.clear();
@@ -177,13 +179,13 @@ export class NovaCollisions {
 		this.#found = [];
 	}
 
-	/** Whether there is no agent of a breed. */
+	/** Whether a breed has no agents. */
 	empty(breedId) {
 		for (const { agent } of this.#entries) if (agent.breed.id === breedId) return false;
 		return true;
 	}
 
-	/** All pairs that collide and have a block, each once, in the order in which the client finds them; with sweeps, in that of time. */
+	/** All colliding pairs that have a block, each once. They come in the client's order; with sweeps, in the order of time. */
 	getCollisions() {
 		this.#blocks.read(this.#collision);
 		this.#gather();
@@ -191,13 +193,13 @@ export class NovaCollisions {
 		this.#suspects.length = 0;
 		this.#collision.update(this.#bodies);
 		if (!this.#isSwept) this.#collect();
-		// the first question after it reads all places, and so does the first in the next tick
+		// The first question after this, and the first in the next tick, read all places.
 		this.#collidedIn = this.#state.clock;
 		this.#tick = NaN;
 		return this.#found;
 	}
 
-	/** Whether two agents touch, as the last getCollisions saw them. */
+	/** Whether two agents touched in the last getCollisions. */
 	areColliding(a, b) {
 		const first = this.#entryOf(a);
 		const second = this.#entryOf(b);
@@ -205,7 +207,7 @@ export class NovaCollisions {
 		return this.#collider.areColliding(first.body, second.body) && (!this.#isBins || doSpheresMeet(a.state, b.state));
 	}
 
-	/** How many of a breed are within a radius of an agent, which has some trait. */
+	/** Counts the agents of a breed within a radius of an agent, optionally only those with a value of a trait. */
 	count(agent, breedName, radius, trait, value) {
 		const reach = Number(radius);
 		const breed = this.#breedOf(breedName);
@@ -214,7 +216,7 @@ export class NovaCollisions {
 		return reach >= 0 ? this.#cells.count(agent, breed, reach, this.#asks(trait, value)) : 0;
 	}
 
-	/** The nearest of a breed within a radius, which has some trait; the agent itself if there is none. */
+	/** The nearest agent of a breed within a radius, optionally with a value of a trait. If there is none, the agent itself. */
 	nearest(agent, breedName, radius, trait, value) {
 		const reach = Number(radius);
 		const breed = this.#breedOf(breedName);
@@ -254,7 +256,7 @@ export class NovaCollisions {
 		this.#cells.put(entry);
 	}
 
-	/** Brings the bodies of all that take part to where their agents are. */
+	/** Moves all bodies that take part to their agents. */
 	#gather() {
 		const { data, numAgents } = this.#execution.AgentController;
 		const bodies = this.#bodies;
@@ -264,7 +266,7 @@ export class NovaCollisions {
 			const entry = this.#participant(data[i]);
 			if (entry === null || !this.#follow(entry)) continue;
 			entry.index = i;
-			// to set a length costs
+			// setting a length takes time
 			if (entry.keys.length > 0) entry.keys.length = entry.others.length = 0;
 			if (entry.body.sweeps) isSwept = true;
 			bodies[count++] = entry.body;
@@ -273,7 +275,10 @@ export class NovaCollisions {
 		this.#isSwept = isSwept;
 	}
 
-	/** Lists what was found as the client would have come upon it: by its list of agents, bins, breeds of blocks, and turns in a bin. */
+	/**
+	 * Lists the pairs in the order in which the client would find them: by its list of agents, then by bins, by breeds of blocks, and by turns
+	 * in a bin.
+	 */
 	#collect() {
 		for (const { entry } of this.#bodies) {
 			const others = entry.others;
@@ -285,7 +290,7 @@ export class NovaCollisions {
 		}
 	}
 
-	/** What is kept of an agent that a block is for, its traits up to date; otherwise null. */
+	/** The entry of an agent that has a block, with its traits up to date; otherwise null. */
 	#participant(agent) {
 		if (!agent || agent.isDead || !this.#blocks.concerned.has(agent.breed.id)) return null;
 		const entry = this.#entryOf(agent);
@@ -293,7 +298,7 @@ export class NovaCollisions {
 		return entry;
 	}
 
-	/** Whether an agent can take part; its body is then where it is. */
+	/** Moves a body to its agent. Returns whether the agent can take part. */
 	#follow({ agent, body }) {
 		const { state } = agent;
 		if (!this.#pose(body, state)) return false;
@@ -301,7 +306,7 @@ export class NovaCollisions {
 		return true;
 	}
 
-	/** Whether one of a state can take part; all of a body but its place is then as in the state. */
+	/** Gives a body everything of a state but the place. Returns whether an agent with this state can take part. */
 	#pose(body, { x, y, z, size, heading, shape }) {
 		if (!(Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= FARTHEST && size >= 0 && size < Agent.LARGEST_SIZE)) return false;
 		if (this.#isBins) {
@@ -334,7 +339,7 @@ export class NovaCollisions {
 		const first = a.agent;
 		const second = b.agent;
 		const isSameBreed = first.breed.id === second.breed.id;
-		// the handler of a breed for itself is called from either side
+		// a breed's handler for the breed itself is called from both sides
 		if (isSameBreed && a.index > b.index) return;
 		if (this.#isBins && !a.body.sweeps && !b.body.sweeps && !doSpheresMeet(first.state, second.state)) return;
 		if (this.#isSwept) {
@@ -349,7 +354,7 @@ export class NovaCollisions {
 		else b.keep(a, (shared + otherRank) * TURNS + a.turn);
 	}
 
-	/** Reads the places of all that may have moved without a word: of everybody once a tick, and then of those whose blocks run. */
+	/** Reads the places of all agents that may have moved unannounced: once a tick of all agents, later of those whose blocks run. */
 	#refresh() {
 		if (this.#state.clock !== this.#tick) {
 			this.#tick = this.#state.clock;
@@ -359,7 +364,7 @@ export class NovaCollisions {
 		if (this.#collidedIn === this.#tick) for (const entry of this.#suspects) this.#cells.put(entry);
 	}
 
-	/** A breed; null for everyone. */
+	/** The breed with a name; null for all breeds. */
 	#breedOf(name) {
 		const breed = this.#execution.AgentController.getByName(name);
 		if (!breed) throw new RangeError(`there is no breed "${name}"`);
@@ -371,7 +376,10 @@ export class NovaCollisions {
 		return trait ? (other) => equals(other.getTrait(trait), value) : null;
 	}
 
-	/** Beyond the diagonal of the ground the client counts all, the asker too; for everyone the World as well. */
+	/**
+	 * Counts all agents, as the client does for a radius beyond the ground's diagonal. That includes the asker, and the World if all breeds
+	 * count.
+	 */
 	#countAll(breed, trait, value) {
 		const { data, numAgents } = this.#execution.AgentController;
 		const accepts = this.#asks(trait, value);
@@ -384,7 +392,7 @@ export class NovaCollisions {
 	}
 }
 
-/** A state on the way between two, as the client draws it. */
+/** The state on the way between two states, as the client draws it. */
 function between(before, now, part) {
 	const turn = ((now.heading - before.heading) % 360 + 540) % 360 - 180;
 	return {
@@ -397,7 +405,7 @@ function between(before, now, part) {
 	};
 }
 
-/** By the client's rule: nearer than half the sum of the sizes. */
+/** The client's rule: two agents touch if they are nearer than half the sum of their sizes. */
 function doSpheresMeet(a, b) {
 	const dx = a.x - b.x;
 	const dy = a.y - b.y;
@@ -406,7 +414,7 @@ function doSpheresMeet(a, b) {
 	return dx * dx + dy * dy + dz * dz < reach * reach / 4;
 }
 
-/** An agent that was set elsewhere, not moved, has its new place for the last one too. */
+/** Moves a body. If the agent was set elsewhere instead of moved, its last place is the new one too. */
 function moveBody(body, agent, x, y, z) {
 	const before = agent.prevState;
 	if (body.sweeps && before && before.x === x && before.y === y && before.z === agent.state.z) body.jumpTo(x, y, z);

@@ -1,10 +1,8 @@
-/** Blocks in the client's drawer for the traits that it has none for (thesis §7.1 to 7.3). */
-
 import { KEY } from "./installation.js";
 
 const YES_OR_NO = { options: ["true", "false"], read: (value) => `String(${value}) === "true"` };
 
-/** The blocks, by name: what they say, what is chosen from, which trait they set, and the JavaScript of what a value is to it. */
+/** The blocks by name: their text, their choices, the trait that they set, and the JavaScript that makes the trait's value. */
 const BLOCKS = {
 	"starlogo-collision-hierarchical": { label: "hierarchical @value", trait: "hierarchical", ...YES_OR_NO },
 	"starlogo-collision-depth": { label: "collision depth @value", trait: "depth", read: (value) => `Math.min(99, Math.max(0, Math.round(${value}) || 0))` },
@@ -13,8 +11,8 @@ const BLOCKS = {
 };
 
 /**
- * Puts the blocks into the drawer that has the client's block for collisions. Compiled programs find what is installed when they run, and the
- * blocks do nothing while nothing is.
+ * Adds blocks for traits that the client has no blocks for (thesis §7.1 to 7.3). They go into the drawer that has the client's collision
+ * block. Compiled programs look for the installed engine when they run. Without it the blocks do nothing.
  */
 export function addBlocks(window) {
 	const { sb, Compilation, DataStructures } = window;
@@ -45,14 +43,14 @@ export function addBlocks(window) {
 		added.push(block);
 	}
 	return {
-		/** Takes them out of the drawer; those in programs stay. */
+		/** Removes them from the drawer. Blocks in programs stay. */
 		remove() {
 			for (const block of added.splice(0)) drawer.removeBlock(block);
 		},
 	};
 }
 
-/** The class of what the client compiles a block to: a statement that sets a trait of the agent whose program it is in. */
+/** The class that the client compiles a block to: a statement that sets a trait of the program's agent. */
 function nodeOf(ASTNode, trait, read) {
 	const call = (value) => `Execution.Collisions[Symbol.for("${KEY}")]?.changeTraits(__wl_agt, { ${trait}: ${read(value)} });`;
 	return class extends ASTNode {

@@ -1,11 +1,10 @@
-/** An agent of the client, and the engine's agent that stands for it. */
 import { Agent } from "starlogo-collision";
 
-/** The client's bins are ten patches wide, ten to a side. */
+/** The client has ten bins per side, each ten patches wide. */
 const BIN_WIDTH = 10;
 const LAST_BIN = 9;
 
-/** The engine's agent of an entry. */
+/** The engine's Agent for an agent of the client. */
 class Body extends Agent {
 	constructor(entry, shape) {
 		super(shape);
@@ -13,33 +12,33 @@ class Body extends Agent {
 	}
 }
 
-/** What is kept of an agent while it can collide; the agent's jbins has it. */
+/** The data of an agent while it can collide. The agent's jbins refers to it. */
 export class Entry {
-	// of Cells
+	// set by Cells
 	cell = -1;
 	slot = -1;
 
-	// where the client would look for it first: its lowest bin, and its turn in it
+	// where the client would look for it first: its lowest bin, and its turn in that bin
 	binX = 0;
 	binY = 0;
 	turn = 0;
 
-	// of the agent's place in the client's list; of what getCollisions has found for it
+	// its place in the client's list; then the results of getCollisions for it
 	index = -1;
 	keys = [];
 	others = [];
 
-	// the breed whose traits the body has; the Collisions that it is in
+	// the breed whose traits the body has; the NovaCollisions that contains it
 	traitsOf = null;
 	owner = null;
 
-	/** An entry of an agent; `shape` is a model that is always there. */
+	/** Creates an entry of an agent. `shape` is a model that always exists. */
 	constructor(agent, shape) {
 		this.agent = agent;
 		this.body = new Body(this, shape);
 	}
 
-	/** Remembers where and in which turn the client would bin the agent. */
+	/** Stores the bin and the turn that the client would give the agent. */
 	bin(half, turn) {
 		const { x, y, size } = this.agent.state;
 		this.binX = lowestBin(x - size / 2 + half);
@@ -47,7 +46,7 @@ export class Entry {
 		this.turn = turn;
 	}
 
-	/** Keeps another agent that it has been found with, in the order of the keys. */
+	/** Adds another agent with which it was found, in the order of the keys. */
 	keep(other, key) {
 		const { keys, others } = this;
 		let place = keys.length;
@@ -66,7 +65,7 @@ function lowestBin(coordinate) {
 	return Math.min(LAST_BIN, Math.max(0, Math.floor(coordinate / BIN_WIDTH)));
 }
 
-/** The first bin that two entries share is the earlier the smaller this is. */
+/** A number for the first bin that two entries share. The client visits bins with smaller numbers first. */
 export function firstSharedBin(a, b) {
 	return Math.max(a.binX, b.binX) * (LAST_BIN + 1) + Math.max(a.binY, b.binY);
 }

@@ -1,134 +1,137 @@
 import type { GreatLand, Model } from "starlogo-collision";
 
-/** What decides what collides, as in the engine's own colliders. */
+/** The collision systems: each is one of the engine's colliders. */
 export type NovaSystem = "bins" | "tightest" | "hierarchical" | "combination";
 
-/** Traits that the client has no blocks for. Those that are left out are as if nothing had been said. */
+/** Traits that the client has no blocks for. Traits that are left out keep their defaults. */
 export interface NovaTraits {
-    /** For "combination": a tree of boxes in place of the tightest structure. */
+    /** For "combination": uses a tree of boxes instead of the tightest structure. */
     hierarchical?: boolean;
-    /** How many levels of its tree are looked at; 0 for as many as the options say. */
+    /** The number of levels of its tree that are tested; with 0 the options decide. */
     depth?: number;
-    /** Whether its whole way from one tick to the next collides. */
+    /** Whether it collides along its whole way from one tick to the next. */
     sweeps?: boolean;
-    /** What it is when it is no tree. */
+    /** The structure that stands for it when no tree is used. */
     structure?: "tightest" | "sphere" | "box" | "capsule";
 }
 
-/** How the engine takes the place of the client's collisions. */
+/** Options for the engine in the client. */
 export interface NovaOptions {
     /**
-     * "bins", unless told: the client's own rule. Two agents collide that are nearer than half the sum of their sizes; a size of 0 is a point.
-     * The others: what is drawn collides, and touching is colliding; a size of 0 takes no part.
+     * The default is "bins", the client's own rule: two agents collide if they are nearer than half the sum of their sizes. A size of 0 is
+     * a point. With the other systems the drawn shapes collide, and touching counts as colliding. An agent of size 0 then takes no part.
      */
     system?: NovaSystem;
-    /** For "hierarchical" and "combination": triangles decide. */
+    /** For "hierarchical" and "combination": whether triangles decide. */
     exact?: boolean;
-    /** For "hierarchical" and "combination": how many levels of a tree are looked at; 5 unless told. */
+    /** For "hierarchical" and "combination": the number of levels of a tree that are tested. The default is 5. */
     depth?: number;
-    /** Whether all agents sweep for which the traits do not say otherwise. */
+    /** Whether agents sweep, unless their traits say otherwise. */
     sweeps?: boolean;
     /** Traits by the name of a breed. */
     breeds?: Record<string, NovaTraits>;
     /**
-     * Models in place of those of the client, by the shape of an agent: a model, an address, or null for the sphere; undefined for the
-     * client's. Read when it is installed.
+     * Models to use instead of the client's, by the shape of an agent: a model, an address, null for the sphere, or undefined for the
+     * client's own. Read once, at installation.
      */
     shapes?: Record<string, Model | string | null> | ((shape: string) => Model | string | null | undefined);
     /**
-     * Whether a wireframe of what collides is shown in the client's view: spheres, tightest fits, the boxes of the deepest level that is looked
-     * at, triangles; red what the last tick found to collide. In three dimensions it goes the way that the client draws between two ticks.
+     * Whether the client's view shows a wireframe of the colliding shapes: spheres, tightest fits, the boxes of the deepest tested level,
+     * or triangles. Agents that the last tick found to collide are red. In three dimensions the wireframe moves as the client draws between
+     * two ticks.
      */
     overlay?: boolean;
-    /** Where the list is of what `starlogo-bake --scaling volume --transforms` has made of models. Read when it is installed. */
+    /** The address of the list that `starlogo-bake --scaling volume --transforms` has made. Read once, at installation. */
     manifest?: string | null;
 }
 
-/** An agent of the client; the engine reads more of it than is named here. */
+/** An agent of the client. The engine also reads properties that are not declared here. */
 export interface NovaAgent {
     readonly id: number;
 }
 
-/** What is installed in a client. */
+/** An installation of the engine in a client. */
 export interface NovaInstallation {
-    /** Whether it still is. */
+    /** Whether it is still installed. */
     readonly isInstalled: boolean;
-    /** What counts, with what was left out. */
+    /** The options in use, including defaults. */
     readonly options: NovaOptions;
     /** The models, by the client's shapes. */
     readonly greatLand: GreatLand;
-    /** How many models are not loaded yet; their agents are spheres that stand on their places until then. */
+    /** The number of models that are still loading. Until then, their agents are spheres that stand on their places. */
     readonly pendingCount: number;
-    /** What could not be loaded, and why. */
+    /** The models that could not be loaded, and why. */
     readonly problems: readonly string[];
     /**
-     * Goes on with other options from the next tick on; those that are not named stay.
+     * Changes options from the next tick on. Options that are not named stay.
      *
-     * @throws RangeError if they cannot be; nothing is then changed
-     * @throws TypeError if there is to be an overlay, and no view that it can be in
+     * @throws RangeError if an option is not possible; nothing has changed then
+     * @throws TypeError if an overlay is wanted, and there is no view for it
      */
     exchange(options: NovaOptions): void;
-    /** Shows what collides in the client's view, or ceases to, as the option `overlay`. */
+    /** Shows or hides the wireframe, like the option `overlay`. */
     showOverlay(isOn?: boolean): void;
     /**
-     * Sets the traits of a breed, by its name, or of an agent, in place of what was set for it before. An agent's count before its breed's.
+     * Sets the traits of a breed, by its name, or of an agent. They replace all traits set before. An agent's own traits override its
+     * breed's.
      *
      * @param whose a breed's name, or an agent
      * @param traits null for none
-     * @throws RangeError if they cannot be; nothing is then changed
+     * @throws RangeError if a trait is not possible; nothing has changed then
      */
     setTraits(whose: string | NovaAgent, traits: NovaTraits | null): void;
     /**
-     * Sets some of an agent's traits, as its blocks do; the others that were set for it stay. Agents that it makes of its breed have them too.
+     * Sets some of an agent's traits, as its blocks do. Its other traits stay. Agents of its breed that it makes inherit them.
      *
-     * @throws RangeError if they cannot be; nothing is then changed
+     * @throws RangeError if a trait is not possible; nothing has changed then
      */
     changeTraits(agent: NovaAgent, traits: NovaTraits): void;
-    /** Whether two agents touch, as the last getCollisions saw them; whether their breeds have blocks does not matter. */
+    /** Whether two agents touched in the last getCollisions, even if their breeds have no blocks. */
     areColliding(a: NovaAgent, b: NovaAgent): boolean;
-    /** Gives the client its own collisions back, with all agents in its bins. Does nothing the second time. */
+    /** Gives the client its own collisions back, with all agents in its bins. A second call does nothing. */
     uninstall(): void;
 }
 
 /**
- * Puts the engine in the place of the collisions of the StarLogo Nova client that runs in a window. What was installed there before is
- * uninstalled. It may be done at any time, also while a project runs.
+ * Replaces the collisions of the StarLogo Nova client in a window with the engine's. An earlier installation is uninstalled first. You may
+ * call it at any time, also while a project runs.
  *
- * @param window which has the client's Execution and Common
- * @param options what collides
+ * @param window has the client's Execution and Common
+ * @param options see NovaOptions
  * @throws TypeError if no client is in the window
- * @throws RangeError if the options cannot be; what was installed then stays
- * @throws TypeError if there is to be an overlay, and no view that it can be in; what was installed then stays
+ * @throws RangeError if an option is not possible; the earlier installation stays then
+ * @throws TypeError if an overlay is wanted, and there is no view for it; the earlier installation stays then
  */
 export function installInto(window: object, options?: NovaOptions): NovaInstallation;
 
 /**
- * Puts a button into the client's toolbar, whose menu chooses what decides collisions and whether it is shown. Nothing is installed until
- * something is chosen.
+ * Adds a button to the client's toolbar. Its menu chooses the collision system, and whether the wireframe is shown. Nothing is installed
+ * before a choice.
  *
- * @param window which has the client, and its page
- * @param options for what is then installed, the system left out
+ * @param window has the client, and its page
+ * @param options for the later installation, without the system
  * @throws TypeError if no client with a toolbar is in the window
  */
 export function addButton(window: object, options?: NovaOptions): {
-    /** Takes the button away; what is installed stays. */
+    /** Removes the button. The installed engine stays. */
     remove(): void;
 };
 
 /**
- * Puts blocks for traits into the drawer of the client's editor that has its block for collisions: hierarchical, depth, sweeping, structure.
- * An agent's program sets its own. They do nothing while nothing is installed. A project that has them is compiled only where they are known.
+ * Adds blocks for traits to the drawer of the client's editor that has its collision block: hierarchical, depth, sweeping, structure. An
+ * agent's program sets its own traits. Without an installation the blocks do nothing. A client without these blocks cannot compile a
+ * project that uses them.
  *
  * @throws TypeError if the window has no such editor
  */
 export function addBlocks(window: object): {
-    /** Takes them out of the drawer; those in programs stay. */
+    /** Removes them from the drawer. Blocks in programs stay. */
     remove(): void;
 };
 
 /**
- * For a bookmarklet: installs the engine, unless it is, and adds the button and, where there is an editor, the blocks. The next time takes all
- * of that away.
+ * For a bookmarklet. The first call installs the engine, if it is not installed, and adds the button and, if there is an editor, the
+ * blocks. The next call removes them all.
  *
  * @throws TypeError if no client with a toolbar is in the window
  */

@@ -7,7 +7,7 @@ export { addBlocks, addButton, installInto };
 
 const added = new WeakMap();
 
-/** For a bookmarklet: installs the engine, with its button and blocks; takes all that away the next time. */
+/** For a bookmarklet: the first call installs the engine, its button and its blocks. The next call removes them all. */
 export function toggle(window, options = {}) {
 	if (added.has(window)) {
 		for (const part of added.get(window)) part.remove();

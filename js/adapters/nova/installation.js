@@ -1,23 +1,20 @@
-/** The engine in the place of a client's collisions. */
 import { NovaCollisions } from "./collisions.js";
 import { Overlay, viewOf } from "./overlay.js";
 import { Replaced } from "./replaced.js";
 
-/** What the client's Collisions does, and is done in its place. */
+/** The methods of the client's Collisions that are replaced. */
 const METHODS = ["add", "remove", "update", "getCollisions", "count", "nearest", "empty", "reset"];
 
-/** Names the symbol under which a client has what is installed in it; other copies of this script find it there too. */
+/** The name of the symbol under which a client keeps its installation. Other copies of this script find it there too. */
 export const KEY = "starlogo-collision.nova";
 const INSTALLED = Symbol.for(KEY);
 
-/** What is installed in the client of a window, if anything is. */
+/** The installation in the client of a window, or undefined. */
 export function installedIn(window) {
 	return window.Execution?.Collisions?.[INSTALLED] ?? null;
 }
 
-/**
- * Puts the engine in the place of the collisions of the StarLogo Nova client that runs in a window. What was installed there before is uninstalled.
- */
+/** Replaces the collisions of the StarLogo Nova client in a window with the engine's. An earlier installation is uninstalled first. */
 export function installInto(window, options = {}) {
 	const client = window?.Execution?.Collisions;
 	if (!client || !window.Common?.State || !window.Execution.AgentController) throw new TypeError("the window has no StarLogo Nova client: Execution.Collisions is not there");
@@ -29,7 +26,7 @@ export function installInto(window, options = {}) {
 	return installation;
 }
 
-/** What is installed in a client. */
+/** An installation of the engine in a client. */
 class Installation {
 	#window;
 	#client;
@@ -43,7 +40,7 @@ class Installation {
 		this.#collisions = collisions;
 		client.reset();
 		for (const name of METHODS) this.#replaced.put(client, name, () => collisions[name].bind(collisions));
-		// it moves all agents and tells nobody
+		// it moves all agents without an update
 		if (typeof window.Execution.AgentController.scatterAllAgents === "function") {
 			this.#replaced.put(window.Execution.AgentController, "scatterAllAgents", (scatter) => function (...args) {
 				collisions.forgetPlaces();
@@ -55,44 +52,44 @@ class Installation {
 		this.#overlay.show(Boolean(collisions.options.overlay));
 	}
 
-	/** Whether it is. */
+	/** Whether it is still installed. */
 	get isInstalled() {
 		return this.#replaced.any;
 	}
 
-	/** What it was told. */
+	/** The options in use. */
 	get options() {
 		return this.#collisions.options;
 	}
 
-	/** The models. */
+	/** The GreatLand with the models. */
 	get greatLand() {
 		return this.#collisions.greatLand;
 	}
 
-	/** How many models are still being loaded. */
+	/** The number of models that are still loading. */
 	get pendingCount() {
 		return this.#collisions.shapes.pendingCount;
 	}
 
-	/** What could not be loaded. */
+	/** The models that could not be loaded, and why. */
 	get problems() {
 		return this.#collisions.shapes.problems;
 	}
 
-	/** Whether two agents touch, as the last getCollisions saw them. */
+	/** Whether two agents touched in the last getCollisions. */
 	areColliding(a, b) {
 		return this.#collisions.areColliding(a, b);
 	}
 
-	/** Goes on with other options. */
+	/** Changes options. */
 	exchange(options) {
 		if (options.overlay) viewOf(this.#window);
 		this.#collisions.exchange(options);
 		if (this.isInstalled) this.#overlay.show(Boolean(this.options.overlay));
 	}
 
-	/** Shows what collides in the client's view, or ceases to. */
+	/** Shows or hides the colliding shapes in the client's view. */
 	showOverlay(isOn = true) {
 		this.exchange({ overlay: isOn });
 	}
@@ -102,7 +99,7 @@ class Installation {
 		this.#collisions.setTraits(whose, traits);
 	}
 
-	/** Sets some of an agent's traits, as its blocks do; the others stay. */
+	/** Sets some of an agent's traits, as its blocks do. The others stay. */
 	changeTraits(agent, traits) {
 		this.#collisions.changeTraits(agent, traits);
 	}

@@ -1,36 +1,35 @@
-/** A wireframe of what collides, over the client's view. */
 import { CollisionLines } from "starlogo-collision";
 import { Replaced } from "./replaced.js";
 
-/** The lines of what collides with something, and of what does not. */
+/** The line colours of agents that collide, and of agents that do not. */
 const COLORS = [0xff2020, 0xffcc00];
 
-/** A wireframe over the view of a window's client; not shown to begin with. */
+/** A wireframe of the colliding shapes over the view of a window's client. It is hidden at first. */
 export class Overlay {
 	#window;
 	#collisions;
 	#lines;
 	#view = null;
 
-	/** Of what NovaCollisions compares. */
+	/** Shows the shapes that NovaCollisions tests. */
 	constructor(window, collisions) {
 		this.#window = window;
 		this.#collisions = collisions;
 		this.#lines = new CollisionLines(collisions.greatLand);
 	}
 
-	/** Shows it, or ceases to. */
+	/** Shows or hides it. */
 	show(isOn) {
 		if (isOn && this.#view === null) this.#view = new (viewOf(this.#window))(this.#window, (part) => this.#draw(part));
 		if (!isOn && this.#view !== null) {
 			this.#view.remove();
 			this.#view = null;
 		}
-		// there may be other things to show
+		// other things may have to be drawn too
 		if (this.#window.viewport) this.#window.viewport.needsUpdate = true;
 	}
 
-	/** The lines for each colour, agents being so far on their ways from the last tick's places. */
+	/** Draws the lines of each colour. `part` is the part of the agents' way since the last tick. */
 	#draw(part) {
 		const lists = COLORS.map(() => []);
 		const { collider } = this.#collisions;
@@ -39,14 +38,14 @@ export class Overlay {
 	}
 }
 
-/** The class for a window's view. */
+/** The class that draws into a window's view. */
 export function viewOf({ viewport, THREE }) {
 	if (viewport?.scene && THREE) return SolidView;
 	if (viewport?.drawScene && viewport.context) return FlatView;
 	throw new TypeError("the client has no view that a wireframe can be drawn in");
 }
 
-/** The view that three.js draws. */
+/** Draws into the three.js view. */
 class SolidView {
 	#replaced = new Replaced();
 	#scene;
@@ -57,7 +56,7 @@ class SolidView {
 		this.#scene = viewport.scene;
 		this.#three = THREE;
 		this.#objects = COLORS.map((color) => {
-			// what is within a model, or under the ground, is to be seen too
+			// lines inside a model or under the ground must be visible too
 			const object = new THREE.LineSegments(geometryOf(THREE, 0), new THREE.LineBasicMaterial({ color, depthTest: false, transparent: true }));
 			object.frustumCulled = false;
 			this.#scene.add(object);
@@ -91,14 +90,14 @@ class SolidView {
 	}
 }
 
-/** With room for so many numbers. */
+/** A geometry with room for this many numbers. */
 function geometryOf({ BufferGeometry, BufferAttribute }, length) {
 	const geometry = new BufferGeometry();
 	geometry.addAttribute("position", new BufferAttribute(new Float32Array(length), 3));
 	return geometry;
 }
 
-/** The view in two dimensions, which draws agents at their last places. */
+/** Draws into the two-dimensional view, which shows agents at their last places. */
 class FlatView {
 	#replaced = new Replaced();
 
@@ -122,7 +121,7 @@ function strokeLines({ context, camera }, lines, color) {
 	for (let i = 0; i < lines.length; i += 6) {
 		const [fromX, fromY, fromFar] = camera.projectPoint(lines[i], lines[i + 1], lines[i + 2]);
 		const [toX, toY, toFar] = camera.projectPoint(lines[i + 3], lines[i + 4], lines[i + 5]);
-		// what is behind the camera has no place
+		// points behind the camera have no place in the view
 		if (!(Math.min(fromFar, toFar) > camera.nearDist)) continue;
 		context.moveTo(fromX, fromY);
 		context.lineTo(toX, toY);

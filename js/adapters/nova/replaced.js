@@ -1,13 +1,13 @@
-/** What was put in the place of members of the client's objects, to be given back. */
+/** Replaces members of the client's objects, and restores them later. */
 export class Replaced {
 	#given = [];
 
-	/** Whether anything is. */
+	/** Whether any member is replaced. */
 	get any() {
 		return this.#given.length > 0;
 	}
 
-	/** Puts what `make` makes of a member in its place. */
+	/** Replaces a member by the result of `make`, which is called with the old member. */
 	put(object, name, make) {
 		const given = Object.getOwnPropertyDescriptor(object, name);
 		Object.defineProperty(object, name, { value: make(object[name]), writable: true, configurable: true, enumerable: given?.enumerable ?? false });
@@ -17,7 +17,7 @@ export class Replaced {
 		});
 	}
 
-	/** Gives all back. */
+	/** Restores all members. */
 	giveBack() {
 		for (const give of this.#given.splice(0).reverse()) give();
 	}

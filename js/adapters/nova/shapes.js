@@ -1,10 +1,9 @@
-/** Models for what the client draws: its built-in shapes, and the files that agents' shapes are addresses of. */
 import { BuiltInModel, Model, ModelLoader } from "starlogo-collision";
 
-/** What an agent is as long as there is no model for it: a sphere of its size that stands on its place. */
+/** The shape of an agent that has no model yet: a sphere of its size that stands on its place. */
 export const SPHERE = "Sphere";
 
-// what the client draws for the names that are no addresses; corners, and triangles of them
+// the client's own shapes, whose names are no addresses: corners, and triangles of them
 const BUILT_IN = {
 	Cube: () => ({ vertices: BuiltInModel.cube().vertices, triangles: BuiltInModel.cube().triangles }),
 	Pyramid: () => ({ vertices: [0, 0, 1, 0.5, 0, 0, -0.5, 0.7, 0, -0.5, -0.7, 0], triangles: [0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1] }),
@@ -12,7 +11,7 @@ const BUILT_IN = {
 	Triangle: () => ({ vertices: [0, 0, 0, 0, 1, 0, 1, 0, 0], triangles: [0, 1, 2] }),
 };
 
-/** The models of a GreatLand, by the shapes of the client's agents. */
+/** The models in a GreatLand for the shapes of the client's agents: its built-in shapes, and files whose address is the shape. */
 export class Shapes {
 	#greatLand;
 	#window;
@@ -20,12 +19,12 @@ export class Shapes {
 	#loader;
 	#asked = new Map();
 
-	/** What could not be loaded, and why. */
+	/** The models that could not be loaded, and why. */
 	problems = [];
 
 	/**
-	 * Shapes of a page, taken into a GreatLand; `own` says for a shape which Model or address is to be taken: an object, a function, or null
-	 * for the client's own.
+	 * Adds the shapes of a page to a GreatLand. `own` gives another Model or address for a shape: an object, a function, or null for the
+	 * client's own.
 	 */
 	constructor(greatLand, window, { own = null, manifest = null, budget = 8 } = {}) {
 		this.#greatLand = greatLand;
@@ -38,12 +37,12 @@ export class Shapes {
 		this.modelOf(SPHERE);
 	}
 
-	/** How many files are not loaded yet. */
+	/** The number of files that are still loading. */
 	get pendingCount() {
 		return this.#loader.pendingCount;
 	}
 
-	/** The name of a shape's model, or the sphere's as long as there is none; asks for it the first time. */
+	/** The name of a shape's model. While there is none, it is the sphere's. The first call starts to load it. */
 	modelOf(shape) {
 		let name = this.#asked.get(shape);
 		if (name === undefined) this.#asked.set(shape, name = this.#ask(shape));
@@ -69,13 +68,13 @@ export class Shapes {
 			return shape;
 		}
 		const address = own ?? this.#window.viewport?.modelManager?.tagToUrl?.get(shape) ?? shape;
-		// "cube", say, with which agents begin, is the address of nothing
+		// some names are no file's address, for example "cube", the first shape of agents
 		if (!/\.\w+(?:[?#].*)?$/.test(address)) return this.#retryable(shape);
 		this.#loader.load(shape, address, "z", Model.VOLUME);
 		return shape;
 	}
 
-	/** A tag may get its address later. */
+	/** Allows another attempt, because a tag may get its address later. */
 	#retryable(shape) {
 		queueMicrotask(() => this.#asked.delete(shape));
 		return SPHERE;

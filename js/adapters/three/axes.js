@@ -1,34 +1,36 @@
-/** Space: the engine's z is up. Where a scene has y up, its (x, y, z) is the engine's (x, -z, y), which is a turn: nothing is mirrored. */
 import { Quaternion, Vector3 } from "three";
 import { ArgumentError } from "starlogo-collision";
 
-/** Whether y is up; z is the other that can be. */
+/** Whether y is up. The only other axis is z. */
 export function isYUp(up) {
 	if (up !== "y" && up !== "z") throw new ArgumentError(`up must be "y" or "z", not ${textOf(up)}`);
 	return up === "y";
 }
 
-/** How an error shows what was given. */
+/** The text for a value in an error. */
 export function textOf(value) {
 	return typeof value === "string" ? `"${value}"` : typeof value === "object" && value !== null ? `${value.constructor?.name ?? "object"}` : String(value);
 }
 
 const turn = [0, 0, 0, 1];
 
-/** Where an agent is in a scene, in the scene's axes. */
+/**
+ * An agent's place in a scene, in the scene's axes. The engine has z up. If the scene has y up, its (x, y, z) is the engine's (x, -z, y).
+ * That is a turn, so nothing is mirrored.
+ */
 export class AgentPlace {
 	agent;
 	position = new Vector3();
 	quaternion = new Quaternion();
 	size = 1;
 	#isYUp;
-	// those of the agent when it was read: of all, and of all but the position
+	// the agent's revisions when it was last read: of everything, and of everything but the position
 	#revision = -1;
 	#extentsRevision = -1;
 
 	/**
 	 * @param {object} agent the agent
-	 * @param {boolean} isYUp whether the scene's y is up
+	 * @param {boolean} isYUp whether the scene has y up
 	 */
 	constructor(agent, isYUp) {
 		if (typeof agent?.getQuaternion !== "function") throw new ArgumentError(`an Agent is needed, not ${textOf(agent)}`);
@@ -36,7 +38,7 @@ export class AgentPlace {
 		this.#isYUp = isYUp;
 	}
 
-	/** Reads where the agent is now; whether it has changed since. */
+	/** Reads the agent's present place. Returns whether it has changed. */
 	read() {
 		const { agent } = this;
 		if (agent.$revision === this.#revision) return false;
@@ -47,14 +49,14 @@ export class AgentPlace {
 		if (placement.extentsRevision === this.#extentsRevision) return true;
 		this.#extentsRevision = placement.extentsRevision;
 		this.size = placement.size;
-		// by their indices: taken apart as a list they are slower
+		// by indices, because destructuring the list is slower
 		agent.$worldPlacement().readQuaternion(turn);
 		if (this.#isYUp) this.quaternion.set(turn[0], turn[2], -turn[1], turn[3]);
 		else this.quaternion.set(turn[0], turn[1], turn[2], turn[3]);
 		return true;
 	}
 
-	/** Puts the agent at a place in the scene; a rotation that it has already, up to rounding, leaves its angles as they are. */
+	/** Moves the agent to a place in the scene. If it already has the rotation, up to rounding, its angles stay. */
 	write(position, quaternion, size) {
 		const { agent } = this;
 		this.read();
@@ -66,7 +68,7 @@ export class AgentPlace {
 			else agent.setQuaternion(quaternion.x, quaternion.y, quaternion.z, quaternion.w);
 			this.quaternion.copy(quaternion);
 		}
-		// what it would read: the same, up to rounding
+		// the values that read() would give, up to rounding
 		this.position.copy(position);
 		this.size = size;
 		this.#revision = agent.$revision;

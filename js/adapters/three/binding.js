@@ -1,10 +1,9 @@
-/** Agents in the place of what three.js draws for them. */
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
 import { AgentPlace, isYUp, textOf } from "./axes.js";
 import { upOf } from "./model.js";
 
-/** What numbers of a scene may be off, relative: many are of single precision. */
+/** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
 
 const position = new Vector3();
@@ -13,29 +12,29 @@ const scale = new Vector3();
 const matrix = new Matrix4();
 
 /**
- * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent,
- * the InstancedMesh itself for an instance, is the land: a unit is a patch.
+ * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent is
+ * the land, one unit per patch. For an instance the land is the InstancedMesh itself.
  */
 export class ThreeAgentBinding {
 	#place;
 	#drawn;
-	// what the drawn was when both were last made the same
+	// the object's place at the last update of either side
 	#last = new Float64Array(16).fill(NaN);
-	// where the model is in what is drawn, in the scene's axes: the model's origin at size 1 from the object's, the turn before the agent's, and
-	// the object's scale at size 1
+	// The model's place in the object, in the scene's axes: the model's origin at size 1 relative to the object's, the turn before the
+	// agent's, and the object's scale at size 1.
 	#origin = new Vector3();
 	#turn = null;
 	#scale = 1;
 
 	/**
-	 * Changes neither.
+	 * Creates a binding. It changes neither side.
 	 *
 	 * @param {object} agent the agent
-	 * @param {object} object the Object3D that is drawn for it
-	 * @param {object} model what the agent's shape was made of: the object, its geometry, or what is the same; null if the object is drawn as the
-	 *     model is, normalised
-	 * @param {{up?: "y" | "z", modelUp?: "y" | "z", index?: number}} options which axis of the land, and of the model's source, is up; which
-	 *     instance it is of an InstancedMesh
+	 * @param {object} object the Object3D that shows it
+	 * @param {object} model the agent's model, if it was made of the object, of its geometry or of an equal one; null if the object is
+	 * normalised like the model
+	 * @param {{up?: "y" | "z", modelUp?: "y" | "z", index?: number}} options the up axis of the land and of the model's source; the index of
+	 * the instance in an InstancedMesh
 	 */
 	constructor(agent, object, model = null, { up = "y", modelUp = upOf(model) ?? up, index = null } = {}) {
 		if (!object?.isObject3D) throw new ArgumentError(`an Object3D is needed, not ${textOf(object)}`);
@@ -68,7 +67,7 @@ export class ThreeAgentBinding {
 		return this.#drawn.object;
 	}
 
-	/** Puts the object where the agent is, as large, turned the same way. */
+	/** Gives the object the agent's place, size and rotation. */
 	updateObject() {
 		const place = this.#place;
 		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
@@ -92,11 +91,11 @@ export class ThreeAgentBinding {
 		this.#drawn.fill(this.#last);
 	}
 
-	/** Reads the place of what is drawn, with a scale that is the same and positive in x, y and z. */
+	/** Reads the object's place. Throws if the scale is not positive and the same in x, y and z. */
 	#readDrawn() {
 		const isSimilar = this.#drawn.read();
 		const { x, y, z } = scale;
-		// mirrored twice is turned
+		// two mirrors are a turn
 		if (x * y * z > 0 && !(x > 0 && y > 0)) {
 			quaternion.multiply(turned.set(x > 0 ? 1 : 0, y > 0 ? 1 : 0, z > 0 ? 1 : 0, 0));
 			scale.set(Math.abs(x), Math.abs(y), Math.abs(z));
@@ -114,19 +113,19 @@ export class ThreeAgentBinding {
 		const { x, y, z } = position;
 		if (!Number.isFinite(x + y + z)) throw new ArgumentError(`${this.agent} can't be where its object is: the position must be finite numbers, not (${x}, ${y}, ${z})`);
 		if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE && Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= Agent.LARGEST_COORDINATE)) {
-			throw new RangeError(`${this.agent} can't be of size ${size} at (${x}, ${y}, ${z}), as its object is: see Agent's limits`);
+			throw new RangeError(`${this.agent} can't be of size ${size} at (${x}, ${y}, ${z}), as its object demands: see Agent's limits`);
 		}
 	}
 }
 
 /**
- * Binds an agent to an instance of an InstancedMesh, whose matrices are of single precision. The model is of the mesh's geometry.
+ * Binds an agent to an instance of an InstancedMesh, whose matrices have single precision. The model must have the mesh's geometry.
  *
  * @param {object} agent the agent
  * @param {object} mesh the InstancedMesh
- * @param {number} index which instance
- * @param {object} model as ThreeAgentBinding takes it
- * @param {object} options up and modelUp, as ThreeAgentBinding takes them
+ * @param {number} index the index of the instance
+ * @param {object} model as for ThreeAgentBinding
+ * @param {object} options up and modelUp, as for ThreeAgentBinding
  */
 export const bindInstance = (agent, mesh, index, model = null, options = {}) => new ThreeAgentBinding(agent, mesh, model, { ...options, index });
 
@@ -134,13 +133,13 @@ const turned = new Quaternion();
 const offset = new Vector3();
 const composed = new Matrix4();
 
-/** An object by its position, quaternion and scale; by its matrix if three.js does not make that of them. */
+/** The position, quaternion and scale of an object. If three.js does not use these for it, its matrix is read. */
 class DrawnObject {
 	constructor(object) {
 		this.object = object;
 	}
 
-	/** Whether an array of 16 numbers has not what says where it is. */
+	/** Whether the object's place differs from the 16 numbers of an array. */
 	differsFrom(last) {
 		const { object } = this;
 		if (!object.matrixAutoUpdate) return differ(object.matrix.elements, 0, last);
@@ -149,7 +148,7 @@ class DrawnObject {
 			|| factors.x !== last[7] || factors.y !== last[8] || factors.z !== last[9];
 	}
 
-	/** Writes that into it. */
+	/** Writes the object's place into the array. */
 	fill(last) {
 		const { object } = this;
 		if (!object.matrixAutoUpdate) {
@@ -169,7 +168,7 @@ class DrawnObject {
 		last[9] = factors.z;
 	}
 
-	/** Reads position, quaternion and scale; whether they are all that there is. */
+	/** Reads position, quaternion and scale. Returns whether they describe the matrix completely. */
 	read() {
 		const { object } = this;
 		if (!object.matrixAutoUpdate) return decompose(matrix.copy(object.matrix));
@@ -183,7 +182,7 @@ class DrawnObject {
 		const { object } = this;
 		object.position.copy(at);
 		object.scale.set(factor, factor, factor);
-		// three.js computes Euler's angles each time
+		// three.js computes Euler angles on each change
 		if (!object.quaternion.equals(turn)) object.quaternion.copy(turn);
 		if (!object.matrixAutoUpdate) object.updateMatrix();
 	}
@@ -217,24 +216,24 @@ class DrawnInstance {
 		const { object: mesh } = this;
 		mesh.setMatrixAt(this.index, matrix.compose(at, turn, scale.set(factor, factor, factor)));
 		mesh.instanceMatrix.needsUpdate = true;
-		// they would be where instances were: what is off the screen is not drawn
+		// The bounding volumes would stay where the instances were, and three.js does not draw what they show off the screen.
 		mesh.boundingSphere = null;
 		mesh.boundingBox = null;
 	}
 }
 
-/** Whether 16 numbers of an array, from one on, are not those of another. */
+/** Whether 16 numbers of an array differ from those of another. The first array's begin at `first`. */
 function differ(array, first, last) {
 	for (let i = 0; i < 16; i++) if (array[first + i] !== last[i]) return true;
 	return false;
 }
 
-/** Takes a matrix apart, into position, quaternion and scale; whether it turns, evenly scales and moves, and nothing else. */
+/** Decomposes a matrix into position, quaternion and scale. Returns whether it only rotates, scales evenly and translates. */
 function decompose(from) {
 	from.decompose(position, quaternion, scale);
 	composed.compose(position, quaternion, scale);
 	return isEven(scale) && from.elements.every((element, i) => Math.abs(element - composed.elements[i]) <= TOLERANCE * scale.x || (i > 11 && i < 15));
 }
 
-/** Whether a scale is positive, finite and the same in x, y and z; false for NaN. */
+/** Whether a scale is positive, finite and the same in x, y and z. False for NaN. */
 const isEven = ({ x, y, z }) => x > 0 && x < Infinity && Math.abs(y - x) <= TOLERANCE * x && Math.abs(z - x) <= TOLERANCE * x;

@@ -1,78 +1,77 @@
 import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Object3D } from "three";
 import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, RayHit, Scaling, Vector3D } from "starlogo-collision";
 
-/** The axis that points up. With y up, three.js's (x, y, z) is the engine's (x, -z, y); with z up, both have the same axes. */
+/** The axis that points up. With y up, a scene's (x, y, z) is the engine's (x, -z, y). With z up, both have the same axes. */
 export type Up = "y" | "z";
 
-/** How modelFromObject reads. */
+/** Options of modelFromObject. */
 export interface ModelOptions {
-    /** The axis of the source that is up: "y" unless told, as three.js and glTF have it. */
+    /** The up axis of the source. The default is "y", as in three.js and glTF. */
     up?: Up;
-    /** How the model is scaled: Model.FOOTPRINT (unless told), Model.VOLUME or Model.AS_GIVEN. */
+    /** How the model is scaled: Model.FOOTPRINT (the default), Model.VOLUME or Model.AS_GIVEN. */
     scaling?: Scaling;
 }
 
-/** Which way is up for a binding. */
+/** The up axes for a binding. */
 export interface BindingOptions {
-    /** The axis of the land that is up: "y" unless told. */
+    /** The up axis of the land. The default is "y". */
     up?: Up;
-    /** The axis that is up in what the model was made of; what modelFromObject was told, and otherwise the same as of the land. */
+    /** The up axis of the model's source. The default is the axis that modelFromObject was given, otherwise the land's. */
     modelUp?: Up;
 }
 
-/** Options of a binding to an instance. */
+/** Options of a binding to an object or an instance. */
 export interface ObjectBindingOptions extends BindingOptions {
-    /** Which instance of an InstancedMesh is bound. */
+    /** The index of the instance in an InstancedMesh. */
     index?: number | null;
 }
 
 /** Options of a wireframe. */
 export interface WireframeOptions {
-    /** Of the lines: 0xrrggbb, or what else three.js takes for a colour. 0xffcc00 unless told. */
+    /** The lines' colour: 0xrrggbb, or any colour that three.js accepts. The default is 0xffcc00. */
     color?: number | string;
-    /** The axis of the land that is up: "y" unless told. */
+    /** The up axis of the land. The default is "y". */
     up?: Up;
 }
 
 /**
- * A model of what three.js draws.
+ * Makes a model from a three.js object or geometry.
  *
- * Of an object all meshes count, those of its children too, visible or not: in the pose that bones and morph targets give them, all instances
- * of an InstancedMesh, the finest level of an LOD. The children's transforms count, mirrors too; the object's own does not: it says
- * where the object is in the world, which is the concern of a ThreeAgentBinding. Draw ranges count, and of a mesh with several materials the
- * groups that have one. What is scaled to nothing, lines, points and sprites are left out.
+ * For an object, all meshes count: also its children's, visible or not. They count in the present pose of their bones and morph targets,
+ * with all instances of an InstancedMesh, and with the finest level of an LOD. The children's transforms count, including mirrors. The
+ * object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
+ * several materials, the groups with a material count. Lines, points, sprites and meshes scaled to 0 are left out.
  *
- * Vertices at equal positions are one; those that no triangle uses are left out. Triangles are counter-clockwise seen from outside, in
- * three.js's order.
+ * Vertices at equal positions become one. Vertices that no triangle uses are left out. Triangles are counter-clockwise seen from outside,
+ * as in three.js.
  *
  * @param name what agents call the shape, not empty
- * @param source an object or a geometry, left as it is, but that its world matrices are brought up to date
- * @param options which axis is up, and the scaling
- * @throws ModelError if the source is neither or has no triangles, a triangle names no vertex, a coordinate is not finite, the name is
- *     empty, or a mesh is a BatchedMesh
+ * @param source an object or a geometry; only its world matrices are updated
+ * @param options the up axis, and the scaling
+ * @throws ModelError if the source is neither or has no triangles, if a triangle uses a missing vertex, if a coordinate is not finite, if
+ * the name is empty, or if a mesh is a BatchedMesh
  * @throws ArgumentError if up is neither "y" nor "z"
  */
 export function modelFromObject(name: string, source: Object3D | BufferGeometry, options?: ModelOptions): Model;
 
 /**
- * Keeps an agent and what three.js draws for it in the same place: position, rotation and size. What is drawn is then what collides.
+ * Keeps an agent and its three.js object in the same place: position, rotation and size. So the player sees what collides.
  *
- * The object's parent is the land: one unit a patch, y up or z up. If the object is, or has, the source of a model, that model says where
- * and how large it is; without one, the object is taken to be drawn as the model is, normalised.
+ * The object's parent must be the land: one unit per patch, y up or z up. If the object is the source of a model or contains it, pass that
+ * model. It gives the object's origin and size. Without a model, the object must be drawn normalised, like the agent's model.
  *
- * Call `updateObject()` each frame when the agent leads, `updateAgent()` when the object does. Either compares both sides, and does nothing
- * when nothing has changed. An object whose `matrixAutoUpdate` is false is read by its matrix.
+ * Call `updateObject()` each frame if the agent leads, or `updateAgent()` if the object leads. Both compare the two sides, and do nothing
+ * if nothing has changed. If an object's `matrixAutoUpdate` is false, its matrix is read.
  */
 export class ThreeAgentBinding<A extends Agent = Agent> {
     /**
-     * Changes neither.
+     * Creates a binding. It changes neither side.
      *
      * @param agent the agent
-     * @param object what is drawn for it
-     * @param model what the agent's model was made of, the object being its source or an object of the same geometry; null if the object
-     *     is drawn normalised
-     * @param options which axes are up
-     * @throws ArgumentError if one of them is not what it has to be, or the model is mirrored or stretched in its source
+     * @param object its object
+     * @param model the agent's model, if the object is its source or has the same geometry; null if the object is drawn normalised
+     * @param options the up axes
+     * @throws ArgumentError if an argument is of the wrong kind, or the model is mirrored or stretched in its source
      * @throws RangeError if the InstancedMesh has no such instance
      */
     constructor(agent: A, object: Object3D, model?: Model | null, options?: ObjectBindingOptions);
@@ -80,75 +79,75 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
     /** The agent. */
     get agent(): A;
 
-    /** What is drawn for the agent; the InstancedMesh of an instance. */
+    /** The agent's object. For an instance, its InstancedMesh. */
     get object(): Object3D;
 
-    /** Puts the object where the agent is, as large, turned the same way. */
+    /** Gives the object the agent's place, size and rotation. */
     updateObject(): void;
 
     /**
-     * Gives the agent the object's place, size and rotation. A rotation that the agent has already, up to rounding, leaves heading, pitch and
-     * roll as they are.
+     * Gives the agent the object's place, size and rotation. If the agent already has the rotation, up to rounding, its heading, pitch and
+     * roll stay.
      *
-     * @throws ArgumentError if the object is mirrored, unevenly scaled or sheared, or a number of it is not finite; the agent is then as
-     *     it was
-     * @throws RangeError if the agent can't be so large, so small or so far away; it is then as it was
+     * @throws ArgumentError if the object is mirrored, unevenly scaled or sheared, or one of its numbers is not finite; the agent is then
+     * unchanged
+     * @throws RangeError if the agent can't have that size or place; the agent is then unchanged
      */
     updateAgent(): void;
 }
 
 /**
- * Binds an agent to an instance of an InstancedMesh. The mesh itself is the land: its own transform moves all.
+ * Binds an agent to an instance of an InstancedMesh. The mesh itself is the land, so its own transform moves all instances.
  *
- * The instances' matrices are of single precision. Bounding sphere and box of the mesh are forgotten when an instance moves; three.js
- * computes them again when it needs them.
+ * The instances' matrices have single precision. When an instance moves, the mesh's bounding sphere and box are reset. three.js computes
+ * them again when it needs them.
  *
  * @param agent the agent
  * @param mesh the mesh
- * @param index which instance, from 0
- * @param model of the mesh's geometry; null if that is normalised
- * @param options which axes are up
- * @throws ArgumentError as ThreeAgentBinding's constructor does
+ * @param index the index of the instance, from 0
+ * @param model the model of the mesh's geometry; null if that is normalised
+ * @param options the up axes
+ * @throws ArgumentError as ThreeAgentBinding's constructor
  * @throws RangeError if there is no such instance
  */
 export function bindInstance<A extends Agent>(agent: A, mesh: InstancedMesh, index: number, model?: Model | null, options?: BindingOptions): ThreeAgentBinding<A>;
 
 /**
- * Lines for structures, levels of hierarchies, contacts and rays, all in one LineSegments, which three.js draws at once. Its parent is the
- * land. What is shown with an agent moves with it, by `update()`; what is shown without is in the world.
+ * Draws structures, levels of hierarchies, contacts and rays as lines, all in one LineSegments, so three.js draws them in one call. Its
+ * parent must be the land. Lines of an agent move with it when you call `update()`. Other lines are in the world.
  */
 export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMaterial> {
     /**
-     * A wireframe without lines.
+     * Creates a wireframe without lines.
      *
-     * @param options the colour, and which axis is up
+     * @param options the colour, and the up axis
      */
     constructor(options?: WireframeOptions);
 
     /**
-     * Shows a structure, beside what is shown already.
+     * Shows a structure, in addition to the lines already shown.
      *
-     * @param structure in the model's space of the agent, as a library has it; without an agent, in the world
-     * @param agent whose it is
+     * @param structure in the space of the agent's model, as in a library; without an agent, in the world
+     * @param agent the agent that it belongs to
      * @returns this
      */
     showStructure(structure: BoundingStructure, agent?: Agent | null): this;
 
     /**
-     * Shows what a collider looks at last when it visits so many levels of a hierarchy.
+     * Shows the structures that a collider reaches if it visits this many levels of a hierarchy.
      *
      * @param root the hierarchy's root
      * @param level from 1
-     * @param agent whose it is
+     * @param agent the agent that it belongs to
      * @returns this
      * @throws RangeError if the level is less than 1
      */
     showLevel(root: HierarchyNode, level: number, agent?: Agent | null): this;
 
     /**
-     * Shows a contact as it is now: a cross at its point, and a line along its normal, as long as it is deep.
+     * Shows a contact as it is now: a cross at its point, and a line along its normal, as long as its depth.
      *
-     * @param contact which a handler was given
+     * @param contact the contact that a handler was given
      * @returns this
      */
     showContact(contact: Contact): this;
@@ -156,10 +155,10 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
     /**
      * Shows a ray.
      *
-     * @param origin where it begins, in the world, z up
+     * @param origin its beginning, in the world, z up
      * @param direction of any length
-     * @param reach how far it goes, in patches, if it hits nothing; 1 unless told
-     * @param hit what it meets: a cross there, and the normal
+     * @param reach its length in patches if it hits nothing; the default is 1
+     * @param hit the hit: it is shown as a cross and a normal
      * @returns this
      * @throws ArgumentError if the direction is 0 or not finite
      */
@@ -168,23 +167,23 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
     /**
      * Shows lines, as Wireframes has them.
      *
-     * @param lines six numbers each, z up, which are copied
-     * @param agent in whose model's space they are; without one, they are in the world
+     * @param lines six numbers each, z up; copied
+     * @param agent the lines are in the space of its model; without an agent, in the world
      * @returns this
-     * @throws ArgumentError if they are not six each
+     * @throws ArgumentError if the numbers are no multiple of six
      */
     showLines(lines: ArrayLike<number>, agent?: Agent | null): this;
 
     /**
-     * Shows nothing more.
+     * Removes all lines.
      *
      * @returns this
      */
     clearLines(): this;
 
-    /** Moves lines to their agents; does nothing where those have not changed. */
+    /** Moves the lines to their agents. If no agent has changed, it does nothing. */
     update(): void;
 
-    /** Frees what the renderer keeps of it. */
+    /** Frees the renderer's data. */
     dispose(): void;
 }

@@ -1,4 +1,4 @@
-/** The collision engine for three.js: models of what it draws, agents in the place of its objects, wireframes of what collides. */
+/** The collision engine for three.js: makes models of its objects, binds agents to objects, and draws wireframes of colliding shapes. */
 export { modelFromObject } from "./model.js";
 export { ThreeAgentBinding, bindInstance } from "./binding.js";
 export { ThreeWireframe } from "./wireframe.js";

@@ -1,19 +1,18 @@
-/** Models of what three.js draws. */
 import { Matrix4, Mesh, Vector3 } from "three";
 import { Model, ModelError } from "starlogo-collision";
 import { isYUp, textOf } from "./axes.js";
 
 const axes = new WeakMap();
 
-/** The axis that was up in what a model was made of, or undefined. */
+/** The up axis of a model's source, or undefined. */
 export const upOf = (model) => axes.get(model);
 
 /**
- * A model of all that is drawn below an object, or of a geometry: every mesh in it, visible or not, in the pose that it has.
+ * A model of an object and everything below it, or of a geometry. Every mesh counts, visible or not, in its present pose.
  *
  * @param {string} name what agents call the shape
  * @param {object} source an Object3D, whose own transform does not count, or a BufferGeometry
- * @param {{up?: "y" | "z", scaling?: string}} options which axis of the source is up, and how the model is scaled (Model's scalings)
+ * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
 export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT } = {}) {
 	const surface = new Surface(name, isYUp(up));
@@ -28,7 +27,7 @@ export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPR
 	return model;
 }
 
-/** Triangles with their corners, each position once, z up. */
+/** Triangles and their corners, z up. Each position appears once. */
 class Surface {
 	vertices = [];
 	triangles = [];
@@ -41,11 +40,11 @@ class Surface {
 		this.#isYUp = isYUp;
 	}
 
-	/** Adds the meshes of a tree; the matrix is the object's place in the source, that of the source itself the identity. */
+	/** Adds the meshes of a tree. The matrix is the object's place in the source. For the source itself it is the identity. */
 	addTree(object, place) {
 		if (object.isMesh) this.addMesh(object, place);
 		for (const child of object.children) {
-			// of an object's levels of detail the first is the finest
+			// the first of an object's levels of detail is the finest
 			if (object.isLOD && object.levels.findIndex((level) => level.object === child) > 0) continue;
 			this.addTree(child, place.clone().multiply(child.matrix));
 		}
@@ -69,7 +68,7 @@ class Surface {
 	}
 
 	#add(points, corners, place) {
-		// scaled to nothing, as instances are that are not to be seen
+		// scaled to 0, as hidden instances often are
 		if (place.getMaxScaleOnAxis() === 0) return;
 		const [second, third] = place.determinant() < 0 ? [2, 1] : [1, 2];
 		const pointOf = new Int32Array(points.length).fill(-1);
@@ -90,7 +89,10 @@ class Surface {
 	}
 }
 
-/** The vertices of the triangles that are drawn, three each: those of the draw range and, of several materials, of the groups that have one. */
+/**
+ * The vertices of the triangles that are drawn, three each: those in the draw range and, with several materials, in the groups that have
+ * one.
+ */
 function cornersOf({ index, attributes, drawRange, groups }, material) {
 	const total = index ? index.count : attributes.position.count;
 	const drawn = Array.isArray(material) ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total }];
@@ -106,7 +108,7 @@ function cornersOf({ index, attributes, drawRange, groups }, material) {
 	return corners;
 }
 
-/** Positions by their numbers: equal ones are one, which exporters repeat for normals and textures. */
+/** Gives positions indices. Equal positions get one index, because exporters repeat them for normals and textures. */
 class PointTable {
 	#points;
 	#numbers = new Map();
@@ -114,7 +116,7 @@ class PointTable {
 	#words = new Uint32Array(this.#bits.buffer);
 	#next = [];
 
-	/** @param {number[]} points x, y, z, ...: new ones are added to it */
+	/** @param {number[]} points x, y, z, ...: new positions are appended */
 	constructor(points) {
 		this.#points = points;
 	}
@@ -131,7 +133,7 @@ class PointTable {
 	}
 
 	#hash(x, y, z) {
-		// -0 is 0
+		// turns -0 into 0
 		this.#bits.set([x + 0, y + 0, z + 0]);
 		return this.#words.reduce((hash, word) => Math.imul(hash ^ word, 0x9e3779b1) ^ (hash >>> 15), 0);
 	}

@@ -1,4 +1,3 @@
-/** Wireframes of what collides. */
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
 import { ArgumentError, Wireframes } from "starlogo-collision";
 import { AgentPlace, isYUp } from "./axes.js";
@@ -11,19 +10,19 @@ const point = new Vector3();
 const CROSS = 0.05;
 
 /**
- * Lines for structures, levels of hierarchies, contacts and rays, all in one LineSegments whose parent is the land. What is shown with an
- * agent moves with it.
+ * Draws structures, levels of hierarchies, contacts and rays as lines, all in one LineSegments. Its parent is the land. Lines that belong
+ * to an agent move with it.
  */
 export class ThreeWireframe extends LineSegments {
 	#isYUp;
-	// { place, lines, first }: where an agent is or null, six numbers a line with z up, where they begin in the attribute
+	// { place, lines, first }: the agent's place or null; six numbers for each line, z up; the first index in the attribute
 	#parts = [];
 	#count = 0;
 
 	/**
-	 * A wireframe without lines.
+	 * Creates a wireframe without lines.
 	 *
-	 * @param {{color?: number | string, up?: "y" | "z"}} options the lines' colour, and which axis of the land is up
+	 * @param {{color?: number | string, up?: "y" | "z"}} options the lines' colour, and the up axis of the land
 	 */
 	constructor({ color = 0xffcc00, up = "y" } = {}) {
 		super(new BufferGeometry(), new LineBasicMaterial({ color }));
@@ -32,24 +31,24 @@ export class ThreeWireframe extends LineSegments {
 		this.clearLines();
 	}
 
-	/** Shows a structure: in an agent's model's space, as a library has it; or in the world. */
+	/** Shows a structure. With an agent, it is in the space of the agent's model, as in a library. Without one, it is in the world. */
 	showStructure(structure, agent = null) {
 		return this.showLines(Wireframes.ofStructure(structure), agent);
 	}
 
-	/** Shows what a collider looks at last when it visits so many levels of a hierarchy. */
+	/** Shows the structures that a collider reaches if it visits this many levels of a hierarchy. */
 	showLevel(root, level, agent = null) {
 		return this.showLines(Wireframes.ofLevel(root, level), agent);
 	}
 
-	/** Shows where a contact is, and which way and how deep. */
+	/** Shows a contact: its point, its normal and its depth. */
 	showContact({ point: { x, y, z }, normal, depth }) {
 		const lines = crossAt(x, y, z);
 		lines.push(x, y, z, x + normal.x * depth, y + normal.y * depth, z + normal.z * depth);
 		return this.showLines(lines);
 	}
 
-	/** Shows a ray: to what it hits, with the normal there, or so far. */
+	/** Shows a ray up to its hit, with the normal there. Without a hit it is `reach` long. */
 	showRay(origin, direction, reach = 1, hit = null) {
 		const { x, y, z } = origin;
 		const length = Math.hypot(direction.x, direction.y, direction.z);
@@ -61,7 +60,10 @@ export class ThreeWireframe extends LineSegments {
 		return this.showLines(lines);
 	}
 
-	/** Shows lines, six numbers each, z up: an agent's, in its model's space; or the world's. They are copied. */
+	/**
+	 * Shows lines, six numbers each, z up. With an agent, they are in the space of its model. Without one, they are in the world. They are
+	 * copied.
+	 */
 	showLines(lines, agent = null) {
 		if (lines.length % 6 !== 0) throw new ArgumentError(`a line is six numbers: ${lines.length} are no lines`);
 		const part = { place: agent === null ? null : new AgentPlace(agent, this.#isYUp), lines: Float64Array.from(lines), first: this.#count };
@@ -74,7 +76,7 @@ export class ThreeWireframe extends LineSegments {
 		return this;
 	}
 
-	/** Shows nothing more. */
+	/** Removes all lines. */
 	clearLines() {
 		this.#parts = [];
 		this.#count = 0;
@@ -82,21 +84,21 @@ export class ThreeWireframe extends LineSegments {
 		return this;
 	}
 
-	/** Moves lines to their agents; does nothing where those have not changed. */
+	/** Moves the lines to their agents. If no agent has changed, it does nothing. */
 	update() {
 		for (const part of this.#parts) if (part.place?.read()) this.#write(part);
 	}
 
-	/** Lines are no object that a pointer is on. */
+	/** the pointer never hits lines */
 	raycast() {}
 
-	/** Frees what the renderer keeps of it. */
+	/** Frees the renderer's data. */
 	dispose() {
 		this.geometry.dispose();
 		this.material.dispose();
 	}
 
-	// Twice as much as is needed: an attribute cannot grow.
+	// Twice as much as is needed, because an attribute cannot grow.
 	#makeRoom() {
 		if (this.#count <= (this.geometry.getAttribute("position")?.count ?? -1)) return;
 		this.geometry.dispose();

@@ -1,15 +1,15 @@
-/** Two agents and a collision system as a program of the npm package. */
+/** Writes a program for the npm package with two agents and a collision system. */
 import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
 
-/** What a new agent has: where it is otherwise, the code says. */
+/** The traits of a new agent. The code sets only traits that differ. */
 const USUAL = { x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, hierarchical: false };
 
 /**
  * A program that asks a collision system about two agents.
  *
- * @param {object[]} agents the two
- * @param {string} system its name
- * @param {boolean} areColliding what it answers
+ * @param {object[]} agents the two agents
+ * @param {string} system the system's name
+ * @param {boolean} areColliding the system's answer
  */
 export function codeOf(agents, system, areColliding) {
 	const shapes = [...new Set(agents.map(({ shape }) => shape))];

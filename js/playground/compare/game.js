@@ -1,21 +1,24 @@
-/** A game of agents all over the ground, and what each collision system makes of it. Nothing here draws. */
+/** A game of agents all over the ground, and the pairs that each collision system finds in it. Nothing here draws. */
 import { Agent, CollisionBlocks } from "starlogo-collision";
 
-/** Half the width of the ground of a usual game. */
+/** Half the width of the ground. */
 export const HALF_WIDTH = 50;
 const STEP = 0.3;
 const SIZE = 5;
 
-/** The shapes of its agents, in turn. */
+/** The shapes of its agents, used in turn. */
 export const CAST = ["bear", "dragon", "fireman", "seagull", "fortress", "person"];
 
-/** The engine's own scattered scene (ScatteredScene.as): all walk on, turn a little every frame, and come in on the other side. */
+/**
+ * The engine's own scattered scene (ScatteredScene.as). All agents walk straight on and turn a little every frame. An agent that leaves
+ * comes in on the other side.
+ */
 export class ScatteredGame {
 	agents = [];
 	#random = 20150601;
 
 	/**
-	 * @param {number} count how many agents
+	 * @param {number} count the number of agents
 	 * @param {number} halfWidth half the width of their ground
 	 */
 	constructor(count, halfWidth = HALF_WIDTH) {
@@ -25,7 +28,7 @@ export class ScatteredGame {
 			agent.moveTo(this.#between(-halfWidth, halfWidth), this.#between(-halfWidth, halfWidth), 0);
 			agent.heading = this.#between(0, 360);
 			agent.size = SIZE;
-			// every other one is the main character of a combination
+			// every other agent is hierarchical, for the combination
 			agent.hierarchical = i % 2 === 0;
 			this.agents.push(agent);
 		}
@@ -51,7 +54,7 @@ export class ScatteredGame {
 	}
 }
 
-/** The pairs that a system finds, as a map from a key to the two. */
+/** The pairs that a system finds, as a map from a key to the two agents. */
 export function pairsOf(system, agents) {
 	const found = system.findCollisions(agents);
 	const pairs = new Map();
@@ -63,11 +66,11 @@ export function pairsOf(system, agents) {
 }
 
 /**
- * What each system says of a game, beside what another one says, of which all is taken for right.
+ * Compares the pairs of all systems with those of a reference system, which is taken as right.
  *
- * @param {CollisionBlocks} blocks know the systems by their names
+ * @param {CollisionBlocks} blocks has the systems by their names
  * @param {Agent[]} agents
- * @param {string} reference the other one
+ * @param {string} reference the reference system's name
  * @returns {{truth: Map, systems: Record<string, {right: Agent[][], wrong: Agent[][], missed: Agent[][]}>}} pairs of agents
  */
 export function compare(blocks, agents, reference) {

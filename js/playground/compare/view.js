@@ -1,4 +1,4 @@
-/** Compare: what each collision system says of two agents, and of a game of many. */
+/** Compare: shows which collisions each system finds, for two agents, and for a game of many. */
 import { Agent, CollisionBlocks, GreatLand } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
 import { button, choice, field, h } from "../shared/dom.js";
@@ -15,9 +15,9 @@ import { ScatteredGame, compare } from "./game.js";
 const words = texts.compare;
 const COLOURS = [AGENTS.first, AGENTS.other];
 const COUNT = 150;
-/** What is said of pairs, as the language of colours has it. */
+/** The kinds of pairs, with their colours' names. */
 const KINDS = { right: "hit", wrong: "wrong", missed: "missed" };
-/** A ball beneath the dragon's wing: the box says yes, and the dragon no. */
+/** A ball beneath the dragon's wing: it touches the dragon's box, but not the dragon. */
 const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0.6, z: 0.1, size: 0.2 }];
 
 export async function createView(main) {
@@ -73,7 +73,7 @@ class CompareView {
 				h("div.screen", {}, this.gameHost)));
 		this.stage = new Lab(this.pairHost, { label: words.world, eye: [1.6, 2.35, 1.2], target: [0, 0, 0.35], ground: 6 });
 		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -45, 142], target: [0, 0, 0], ground: 100, cell: 5 });
-		// seen from so far, outlines would hide the lines
+		// from this distance, outlines would hide the lines
 		if (this.gameStage.renderer) this.gameStage.agents.materials.outline.visible = false;
 		orbitByKeys(this.stage, this.pairHost);
 		this.sight = new Sight(this.stage, greatLand, models, this.agents, CollisionBlocks.TIGHTEST_FITS);
@@ -87,7 +87,7 @@ class CompareView {
 		this.#restart();
 	}
 
-	/** Either two agents are compared, or a whole game: each has the window to itself. */
+	/** Shows either two agents or a whole game. Each has the window to itself. */
 	#modes(main) {
 		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
 			h("input", { type: "radio", name: "mode", value: name, checked: name === "pair", onchange: () => {
@@ -120,7 +120,7 @@ class CompareView {
 		this.verdicts.replaceChildren(...this.rows.map(({ row }) => row));
 	}
 
-	/** Says anew what is so, and draws it. */
+	/** Updates the answers and the picture. */
 	#update() {
 		const [a, b] = this.agents;
 		const truth = this.blocks.systemNamed(CollisionBlocks.EXACT).areColliding(a, b);
@@ -174,7 +174,7 @@ class CompareView {
 		this.#colour();
 	}
 
-	/** Each pair is a line between its two, who have the colour of the worst that is said of them. */
+	/** Draws each pair as a line between its agents. An agent has the colour of its worst pair. */
 	#colour() {
 		const pairs = this.judged.systems[this.gameSystem];
 		for (const agent of this.game.agents) agent.color = VERDICTS.none;

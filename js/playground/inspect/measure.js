@@ -1,4 +1,4 @@
-/** What Inspect's table says of a model. */
+/** Computes Inspect's table of a model. */
 import {
 	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, GreatLand, MinimalBoxFitter, MinimalCapsuleFitter, MinimalSphereFitter,
 	NaiveSphereFitter, OrientedBoxFitter, RitterSphereFitter, ZAlignedBoxFitter,
@@ -19,17 +19,17 @@ const FITTERS = {
 	cylinder: (increment) => new CylinderFitter(new OrientedBoxFitter(increment)),
 };
 
-/** Those that the engine compares by itself (thesis §3.7). */
+/** The fitters that the engine compares by default (thesis §3.7). */
 const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
 
 /**
- * Fits everything to a model.
+ * Fits all structures to a model.
  *
  * @param {object} model
  * @param {{increment: number, tolerance: number, minVertices: number, byMean: boolean}} settings
- * @param {() => boolean} isWanted whether it goes on
+ * @param {() => boolean} isWanted whether to go on
  * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number, greatLand: object}>}
- * @throws {Error} the engine's own, if a setting is not possible
+ * @throws {Error} the engine's own error, if a setting is not possible
  */
 export async function measure(model, settings, isWanted) {
 	const greatLand = new GreatLand();
@@ -55,10 +55,10 @@ export async function measure(model, settings, isWanted) {
 const SAMPLES = 5;
 const FEWEST_SAMPLES = 3;
 const MOST_MS = 50;
-/** The browser's clock is coarse. */
+/** Samples take at least this long, because the browser's clock is coarse. */
 const SAMPLE_MS = 2;
 
-/** What an action gives, and its time: the middle one of some samples of warm runs. */
+/** The result of an action and its time: the median of some samples after a warm-up. */
 function timed(action) {
 	const result = action();
 	const samples = [];
@@ -81,12 +81,12 @@ function timed(action) {
 /** Lets the browser draw. */
 const breath = () => new Promise((resolve) => setTimeout(resolve));
 
-/** How many levels a hierarchy has. */
+/** The number of levels of a hierarchy. */
 export function depthOf(node) {
 	return node.isLeaf ? 1 : 1 + Math.max(depthOf(node.left), depthOf(node.right));
 }
 
-/** How many nodes a collider looks at last that visits so many levels. */
+/** The number of nodes that a collider reaches if it visits this many levels. */
 export function nodesAt(node, level) {
 	return level === 1 || node.isLeaf ? 1 : nodesAt(node.left, level - 1) + nodesAt(node.right, level - 1);
 }
@@ -94,14 +94,14 @@ export function nodesAt(node, level) {
 const COLUMNS = 160;
 
 /**
- * The volume that a model fills, its parts counted once where they overlap: lengths of columns along z between entering and leaving
- * its surface. NaN where the surface is not closed.
+ * The volume inside a model's surface. Overlapping parts count once. It sums the lengths of columns along z between entering and leaving
+ * the surface. NaN if the surface is not closed.
  */
 export function volumeOf({ vertices, triangles }) {
 	if (!triangles) return NaN;
 	const cell = 1.0001 / COLUMNS;
 	const columns = Array.from({ length: COLUMNS * COLUMNS }, () => []);
-	// off the middle, so that no column runs along an edge
+	// not in the middle, so that no column runs along an edge
 	const at = (i) => (i + 0.4997) * cell - 0.50003;
 	const from = (x) => Math.max(0, Math.ceil((x + 0.50003) / cell - 0.4997));
 	const to = (x) => Math.min(COLUMNS - 1, Math.floor((x + 0.50003) / cell - 0.4997));

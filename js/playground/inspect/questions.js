@@ -13,7 +13,7 @@ const RAY = { color: LINES.ray, isOnTop: true };
 const NEAREST = { color: LINES.distance, isOnTop: true };
 const MOST = 8;
 const FIRST_SHAPE = "sphere";
-/** Farther away there is nothing that the pointer could mean. */
+/** The reach of the pointer's ray. Nothing is farther away. */
 const REACH = 8;
 const SIZE = 0.6;
 const STILL = 5;
@@ -22,7 +22,7 @@ export class Questions {
 	sight = null;
 	#hit = new RayHit();
 	#isKept = false;
-	/** The ray that was asked about last: whoever moves then, a kept answer is what is so now. */
+	/** The ray of the last question. If an agent moves, a kept answer is computed again. */
 	#ray = null;
 	#shape = FIRST_SHAPE;
 	#count = 3;
@@ -30,7 +30,7 @@ export class Questions {
 	#isTestedShown = false;
 	#turn = 0;
 
-	/** @param {object} stage whose pointer asks */
+	/** @param {object} stage its pointer asks */
 	constructor(stage) {
 		this.stage = stage;
 		this.answers = Object.fromEntries(Object.keys(words.answers).map((name) => [name, h("dd", {}, words.ask)]));
@@ -62,19 +62,19 @@ export class Questions {
 		if (stage.renderer) this.#listen(stage.canvas);
 	}
 
-	/** Whether there is something to ask about. */
+	/** Whether there is a model to ask about. */
 	get isOpen() {
 		return this.sight !== null;
 	}
 
-	/** Puts a model in the middle, which the land knows, and others around it. */
+	/** Puts a model of the land in the middle, and others around it. */
 	async open(model, greatLand) {
 		Object.assign(this, { model, greatLand });
 		this.stage.frame([0, 0, 0.5], 1.8);
 		await this.#populate();
 	}
 
-	/** Takes all that it drew away. */
+	/** Removes everything that it drew. */
 	close() {
 		this.#turn++;
 		this.sight = null;
@@ -89,7 +89,7 @@ export class Questions {
 		const { model, greatLand } = this;
 		const other = await loadModel(this.#shape);
 		if (turn !== this.#turn) return;
-		// a file may have the name of a model of the game
+		// a user's file may have the name of a model of the game
 		if (!greatLand.hasModel(other.name)) greatLand.addModel(other);
 		const agents = [new Agent(model.name)];
 		for (let i = 0; i < this.#count; i++) {
@@ -105,7 +105,7 @@ export class Questions {
 		this.#take(agents[1]);
 	}
 
-	/** What to call an agent: the model's name, or the others' with a number. */
+	/** The name of an agent: the model's name, or the other models' names with a number. */
 	#nameOf(agent) {
 		const i = this.sight.agents.indexOf(agent);
 		return i === 0 ? texts.shapes[agent.shape] ?? agent.shape : words.other(texts.shapes[agent.shape], i);
@@ -119,7 +119,7 @@ export class Questions {
 		this.#update();
 	}
 
-	/** Sees all anew, and says how far apart the chosen one and its neighbour are. */
+	/** Takes all agents' present places, and says how far the chosen one and its neighbour are apart. */
 	#update() {
 		const { sight, chosen } = this;
 		if (!sight) return;
@@ -153,7 +153,7 @@ export class Questions {
 			this.#isKept = !this.#isKept;
 			this.#ask(this.stage.rayAt(event));
 		});
-		// without a pointer, the middle of the picture
+		// without a pointer, the ray goes through the middle of the picture
 		this.stage.host.addEventListener("keydown", (event) => {
 			if (!this.isOpen || event.key !== "Enter") return;
 			const box = canvas.getBoundingClientRect();
@@ -162,7 +162,7 @@ export class Questions {
 		});
 	}
 
-	/** What a ray meets first, and whose place is nearest to where it ends. */
+	/** Finds the first agent on a ray, and the agent whose place is nearest to the ray's end. */
 	#ask({ origin, direction }) {
 		this.#ray = { origin: origin.clone(), direction: direction.clone() };
 		const { queries } = this.sight;

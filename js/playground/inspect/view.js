@@ -1,4 +1,4 @@
-/** Inspect: a model, what can be put around it, and what that costs. */
+/** Inspect: shows a model, the structures around it, and their costs. */
 import { Agent, Model } from "starlogo-collision";
 import { AGENTS, LINES } from "../shared/colours.js";
 import { button, choice, field, fileButton, h, short, slider, tick } from "../shared/dom.js";
@@ -56,7 +56,7 @@ class InspectView {
 		main.querySelector(".facts").append(this.questions.element);
 	}
 
-	/** Either the structures around the model are shown, or questions are asked. */
+	/** Shows either the structures around the model or the questions. */
 	#modes() {
 		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
 			h("input", { type: "radio", name: "mode", value: name, checked: name === "structures", onchange: () => {
@@ -125,7 +125,7 @@ class InspectView {
 		await this.#measure();
 	}
 
-	/** The model alone, and what is chosen of what is around it; or all that questions are about, once it is measured. */
+	/** Shows the model and the chosen structure, or all agents of the questions, once the model is measured. */
 	#showModel() {
 		const { model } = this;
 		if (!model) return;
@@ -218,10 +218,13 @@ class InspectView {
 	}
 }
 
-/** Where a place of a model comes to be with another of its axes up: as the engine turns what a file says, and then over if the axis points down. */
+/**
+ * The place of a model's point if another axis is up. The engine turns what a file says in this way. If the axis points down, the model is
+ * then turned over.
+ */
 const UPS = { z: ([x, y, z]) => [x, y, z], y: ([x, y, z]) => [x, -z, y], x: ([x, y, z]) => [-y, -z, x] };
 
-/** A model with another of its axes up, and turned by some quarters about it. */
+/** A model with another axis up, and turned about it by some quarters. */
 function withUp(model, axis, quarters) {
 	if (axis === "z" && quarters === 0) return model;
 	const { name, vertices, triangles } = model;

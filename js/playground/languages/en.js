@@ -1,13 +1,15 @@
-/** The page's words in English. A language is a file like this one with the same keys. The words of the engine's errors are the engine's. */
+/**
+ * The page's words in English. Each language has a file like this one with the same keys. The engine's errors have the engine's own words.
+ */
 const lower = (noun) => noun.toLowerCase();
 const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
 
 export const texts = {
 	code: "en",
 	numbers: { decimal: ".", between: ", " },
-	/** A noun of these texts as it is written inside of a sentence. */
+	/** A noun of these texts as it is written inside a sentence. */
 	inSentence: lower,
-	/** The page's own words: its name, its parts, the switch of languages. */
+	/** The page's own words: its name, its views, the choice of languages. */
 	page: { name: "Collision playground", views: "Views", language: "Language" },
 	views: { play: "Play", inspect: "Inspect", compare: "Compare", measure: "Measure", teach: "For teachers" },
 	loading: "Loading…",
@@ -375,7 +377,7 @@ export const texts = {
 			hunt: { title: "The hunt", text: "All together now: look for the nearest turtle, turn, go, touch.", challenge: "Catch all eight turtles within 30 seconds.", hint: "“turn towards”, under Movement, with “nearest of turtles within 50” before “forward”.", why: "The bear looks for the nearest turtle in every frame. So it always follows the one that is easiest to catch." },
 		},
 	},
-	/** Words of Blockly's and of its keyboard plugin's that Blockly has in English alone, or has other words for than this page. */
+	/** Words of Blockly and its keyboard plugin that Blockly has only in English, or for which this page has other words. */
 	blockly: {
 		CLEAN_UP: "Clean up blocks", COLLAPSE_ALL: "Collapse blocks", COLLAPSE_BLOCK: "Collapse block", DELETE_ALL_BLOCKS: "Delete all %1 blocks?", DELETE_BLOCK: "Delete block", DELETE_X_BLOCKS: "Delete %1 blocks",
 		DISABLE_BLOCK: "Disable block", DUPLICATE_BLOCK: "Duplicate", ENABLE_BLOCK: "Enable block", EXPAND_ALL: "Expand blocks", EXPAND_BLOCK: "Expand block",
@@ -383,7 +385,7 @@ export const texts = {
 		HELP_PROMPT: "Arrow keys go from block to block, Enter edits, M moves, Delete deletes.", LINUX: "Linux", MAC_OS: "macOS", MOVE_BLOCK: "Move block", OPTION_KEY: "⌥ Option", PASTE_SHORTCUT: "Paste",
 		SHORTCUTS_CODE_NAVIGATION: "Code navigation", SHORTCUTS_EDITING: "Editing", SHORTCUTS_GENERAL: "General", UNKNOWN: "Unknown", WINDOWS: "Windows",
 	},
-	/** What the keyboard plugin says while blocks are moved and copied, by its own names. */
+	/** The keyboard plugin's hints for moving and copying blocks, by the plugin's names. */
 	blocklyHints: {
 		unconstrainedMoveHint: "Hold %1 and use arrow keys to move freely, then Enter to accept the position",
 		constrainedMoveHint: "Use the arrow keys to move, then Enter to accept the position",

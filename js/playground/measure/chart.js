@@ -1,13 +1,16 @@
-/** A chart of agents against milliseconds, both in powers: lines with a sign for each system, those of another machine dashed. */
+/**
+ * A chart of agents against milliseconds with logarithmic axes. Each system has a line with a sign. The lines of another machine are
+ * dashed.
+ */
 import { plain } from "../shared/language.js";
 
 const [WIDTH, HEIGHT] = [760, 440];
 const [LEFT, RIGHT, TOP, BOTTOM] = [56, 150, 16, 44];
 const MILLISECONDS = [0.001, 0.01, 0.1, 1, 10, 100, 1000];
 const SPACE = "http://www.w3.org/2000/svg";
-/** The signs of systems: paths around the middle. */
+/** The systems' signs: paths around the middle. */
 const SIGNS = ["M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "M-4-4h8v8h-8z", "M0-5L5 4H-5z", "M0-5.500L5.500 0 0 5.500-5.500 0z", "M-4-4L4 4M-4 4L4-4"];
-/** How far apart names at the ends of lines are. */
+/** The distance between names at the ends of lines. */
 const LINE = 15;
 
 function s(tag, attributes, ...children) {
@@ -24,8 +27,8 @@ const between = (value, low, high, from, to) => from + ((Math.log(value) - Math.
  *
  * @param {object} words the page's words for it
  * @param {number[]} counts the numbers of agents
- * @param {{name: string, points: number[][]}[]} systems their names, and numbers of agents with milliseconds
- * @param {{name: string, points: number[][]}[]|null} others the same of another machine
+ * @param {{name: string, points: number[][]}[]} systems their names, and pairs of a number of agents and milliseconds
+ * @param {{name: string, points: number[][]}[]|null} others the same for another machine
  */
 export function chart(words, counts, systems, others) {
 	const values = [...systems, ...(others ?? [])].flatMap(({ points }) => points.map(([, ms]) => ms));
@@ -61,7 +64,7 @@ export function chart(words, counts, systems, others) {
 	return picture;
 }
 
-/** The names of lines at their ends, none over another. */
+/** Writes the names at the ends of the lines, so that none covers another. */
 function names(picture, systems, x, y, label) {
 	const ends = systems.map(({ name, points }, i) => ({ name, i, at: points.at(-1) })).filter(({ at }) => at).map(({ name, i, at: [count, ms] }) => ({ name, i, left: x(count), top: y(ms) }));
 	ends.sort((a, b) => a.top - b.top);
@@ -72,7 +75,7 @@ function names(picture, systems, x, y, label) {
 	}
 }
 
-/** The chart as the text of a file, black on white. */
+/** The chart as a file's text, black on white. */
 export function fileOf(picture) {
 	const copy = picture.cloneNode(true);
 	copy.setAttribute("color", "#1c2430");

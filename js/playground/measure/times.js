@@ -1,30 +1,32 @@
-/** How long frames of a game take, by collision systems and numbers of agents. Nothing here draws. */
+/** Measures how long the frames of a game take, for each collision system and number of agents. Nothing here draws. */
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
 
 /** The numbers of agents that are measured, in turn. */
 export const COUNTS = [25, 50, 100, 200, 400, 800, 1600];
-/** The number that the scattered game is made for: with others the ground is as much wider or narrower. */
+/** The usual number of agents in the scattered game. For other numbers the ground is wider or narrower in proportion. */
 const USUAL = 150;
 const WARM = 10;
-/** How many times are taken, and of how many milliseconds at least, since browsers' clocks go in steps of a tenth; each is of one frame or more. */
+/**
+ * The number of samples, and their least milliseconds, because browsers' clocks have steps of a tenth. Each sample has at least one frame.
+ */
 const [FEWEST, MOST_TIMES] = [5, 15];
 const LEAST_MS = 6;
 const ENOUGH_MS = 250;
-/** How many frames a browser is asked for whose clock stands still. */
+/** The most frames of a sample, for a browser whose clock stands still. */
 const MOST_FRAMES = 20000;
-/** A system that takes longer for a frame is not asked about more agents. */
+/** A system that takes longer for a frame is not measured with more agents. */
 const TOO_LONG = 150;
-/** How long the page may stand still. */
+/** The longest time, in milliseconds, that the page may stand still. */
 const SLICE = 12;
 
 /**
- * Measures all systems, with few agents first.
+ * Measures all systems, beginning with few agents.
  *
  * @param {object} greatLand has the game's models
  * @param {number} most the largest number of agents
- * @param {(system: string, count: number, ms: number) => void} onFound called with each result: what a frame takes
- * @param {() => boolean} isWanted whether it goes on
+ * @param {(system: string, count: number, ms: number) => void} onFound called with each result, in milliseconds per frame
+ * @param {() => boolean} isWanted whether to go on
  */
 export async function measureAll(greatLand, most, onFound, isWanted) {
 	const slow = new Set();
@@ -38,7 +40,7 @@ export async function measureAll(greatLand, most, onFound, isWanted) {
 	}
 }
 
-/** What a frame's collision detection takes, in milliseconds: the middle one of some times. */
+/** The milliseconds of a frame's collision detection: the median of some samples. */
 async function timeOf(greatLand, system, count, isWanted) {
 	const game = new ScatteredGame(count, HALF_WIDTH * Math.sqrt(count / USUAL));
 	const blocks = new CollisionBlocks(greatLand, game.agents);
@@ -72,6 +74,6 @@ async function timeOf(greatLand, system, count, isWanted) {
 	return times.length > 0 ? times.sort((a, b) => a - b)[times.length >> 1] : taken / frames;
 }
 
-/** Whether something read from outside is what this page has measured. */
+/** Whether a value read from a file is a measurement of this page. */
 export const isMeasured = (value) => typeof value?.machine === "string" && typeof value?.points === "object" && value.points !== null
 	&& Object.values(value.points).every((points) => Array.isArray(points) && points.every((point) => Array.isArray(point) && point.length === 2 && point.every((each) => Number.isFinite(each) && each > 0)));

@@ -1,4 +1,6 @@
-/** Measure: how long a frame's collisions take on this machine, by systems and numbers of agents, beside what another one has measured. */
+/**
+ * Measure: shows how long a frame's collisions take on this machine, by system and number of agents, beside the times of another machine.
+ */
 import { CollisionBlocks, GreatLand } from "starlogo-collision";
 import { CAST } from "../compare/game.js";
 import { button, choice, field, fileButton, h, short } from "../shared/dom.js";
@@ -20,9 +22,12 @@ export async function createView(main) {
 }
 
 class MeasureView {
-	/** What is measured: the machine's name, when, on how many processors, and for each system numbers of agents with milliseconds. */
+	/**
+	 * The measurement: the machine's name, the date, the number of processors, and for each system pairs of a number of agents and
+	 * milliseconds.
+	 */
 	result = null;
-	/** What another machine, or this one earlier, has measured. */
+	/** The measurement of another machine, or an earlier one of this machine. */
 	other = null;
 	#turn = 0;
 	#isRunning = false;
@@ -62,7 +67,7 @@ class MeasureView {
 		this.#show();
 		this.status.textContent = words.running;
 		await measureAll(this.greatLand, this.#most, (system, count, ms) => {
-			// the browser's clock is coarse: less than it can tell is not nothing
+			// the browser's clock is coarse: a time below its step is not 0
 			points[system].push([count, Math.max(ms, 0.001)]);
 			this.#show();
 		}, () => turn === this.#turn);
@@ -122,7 +127,7 @@ class MeasureView {
 		this.#show();
 	}
 
-	/** Puts what another machine has measured beside this one's. */
+	/** Shows the measurement of another machine beside this one's. */
 	async openFile(file) {
 		try {
 			const result = JSON.parse(await file.text());

@@ -1,8 +1,8 @@
-/** Stands in for flash.utils.ByteArray: as much of it as the engine and its tests use. */
+/** Stands in for flash.utils.ByteArray. It has the members that the engine and its tests use. */
 
 const DEFAULT_ROOM = 64;
 
-/** Bytes with a place to read and write at. */
+/** Bytes, with a position for reading and writing. */
 export class ByteArray {
 	#bytes;
 	#view;
@@ -10,17 +10,17 @@ export class ByteArray {
 
 	#isLittle = false;
 
-	/** Where the next byte is read or written. */
+	/** The index of the next byte to read or write. */
 	position = 0;
 
-	/** @param source bytes to begin with, which are copied: an ArrayBuffer or a view of one */
+	/** @param source the first bytes; they are copied from an ArrayBuffer or a view of one */
 	constructor(source = null) {
 		const given = source === null ? new Uint8Array() : toBytes(source);
 		this.#length = given.length;
 		this.#take(given.slice());
 	}
 
-	/** The bytes of a ByteArray, an ArrayBuffer or a view of one, as a ByteArray. */
+	/** A ByteArray with the bytes of a ByteArray, an ArrayBuffer or a view of one. */
 	static from(source) {
 		return source === null || source === undefined || source instanceof ByteArray ? source : new ByteArray(source);
 	}
@@ -49,12 +49,12 @@ export class ByteArray {
 		return Math.max(0, this.#length - this.position);
 	}
 
-	/** A byte; undefined behind the last. */
+	/** A byte; undefined after the last one. */
 	byteAt(index) {
 		return index < this.#length ? this.#bytes[index] : undefined;
 	}
 
-	/** Sets a byte; the bytes grow if need be. */
+	/** Sets a byte. The array grows if necessary. */
 	setByte(index, value) {
 		if (index >= this.#length) this.length = index + 1;
 		this.#bytes[index] = value;
@@ -96,7 +96,7 @@ export class ByteArray {
 		return this.#view.getFloat64(this.#advance(8), this.#isLittle);
 	}
 
-	/** Text in UTF-8; a byte order mark at its beginning is left out, and it ends at a zero. */
+	/** Reads text in UTF-8. A byte order mark at the beginning is skipped, and the text ends at a zero. */
 	readUTFBytes(length) {
 		const start = this.#advance(length);
 		const text = new TextDecoder().decode(this.#bytes.subarray(start, start + length));
@@ -149,14 +149,14 @@ export class ByteArray {
 		this.#write(bytes);
 	}
 
-	/** Writes bytes of another; all from offset on if length is 0. */
+	/** Writes bytes of another ByteArray. If length is 0, all bytes from offset on. */
 	writeBytes(source, offset = 0, length = 0) {
 		const count = length === 0 ? source.length - offset : length;
 		if (offset + count > source.length) throw new RangeError("Error #2006: The supplied index is out of bounds.");
 		this.#write(source.#bytes.slice(offset, offset + count));
 	}
 
-	/** The bytes, copied. */
+	/** A copy of the bytes. */
 	toUint8Array() {
 		return this.#bytes.slice(0, this.#length);
 	}
@@ -198,7 +198,7 @@ export class ByteArray {
 	}
 }
 
-/** There were fewer bytes than were to be read. */
+/** Thrown if too few bytes are left. */
 export class EOFError extends Error {
 	constructor(message = "Error #2030: End of file was encountered.") {
 		super(message);

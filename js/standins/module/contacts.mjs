@@ -1,10 +1,10 @@
-/** The third argument of handlers in JavaScript, whose functions need not say how many they take. */
+/** The third argument of handlers in JavaScript. There a function need not declare how many arguments it takes. */
 
 const PARTS = ["time", "point", "normal", "depth"];
 
 /**
- * Whether a handler that seems to take fewer than three arguments may look at a third: with `(...all)`, a default value or
- * `arguments`; or what is bound, or a mock, of which nothing is known.
+ * Whether a handler that declares fewer than three arguments may still read a third: by `(...all)`, a default value or `arguments`, or
+ * because it is bound or a mock, whose code is not known.
  */
 export function mayTakeMore(handler) {
 	const text = Function.prototype.toString.call(handler);
@@ -17,7 +17,7 @@ export function mayTakeMore(handler) {
 	return /\.\.\.|=/.test(text.slice(start, end)) || /\barguments\b|\[native code\]/.test(text);
 }
 
-/** A Contact that is computed when it is looked at, as most of those handlers do not. */
+/** A Contact that is computed when it is first read, because most of these handlers do not read it. */
 class ContactWhenAsked {
 	#contact = new Contact();
 	#ask = null;
@@ -33,7 +33,7 @@ class ContactWhenAsked {
 		}
 	}
 
-	/** The contact of a pair; after the frame it stays what it was when it was looked at. */
+	/** Sets the pair. After the frame, the contact keeps the values that it had when it was read. */
 	of(contacts, pair, first, second, isBack) {
 		this.#ask = { contacts, pair, first, second, isBack };
 		return this.#contact;
@@ -53,7 +53,7 @@ class ContactWhenAsked {
 
 const whenAsked = new WeakMap();
 
-/** A Contact that is computed when it is looked at, by FrameContacts.contactOf. */
+/** A Contact that is computed when it is first read, by FrameContacts.contactOf. */
 export function contactWhenAsked(contacts, ...pair) {
 	if (!whenAsked.has(contacts)) whenAsked.set(contacts, new ContactWhenAsked());
 	return whenAsked.get(contacts).of(contacts, ...pair);

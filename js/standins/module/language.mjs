@@ -1,16 +1,16 @@
 /**
- * What ActionScript has and JavaScript lacks: what the translated classes call beside themselves. A Vector is a plain array here; whoever
- * makes one longer says what the new elements are.
+ * Functions for features of ActionScript that JavaScript lacks. The translated classes call them. A Vector is a plain array here, so the
+ * code that makes one longer passes the value of the new elements.
  */
 
 const closures = new WeakMap();
 
-/** `new Vector.<T>(length)`: zero is what T begins with. */
+/** `new Vector.<T>(length)`. zero is the first value of a T. */
 export function $vector(length, zero) {
 	return new Array(length).fill(zero);
 }
 
-/** `vector.length = length`, which is the new length as an expression. */
+/** `vector.length = length`. As an expression it is the new length. */
 export function $resize(vector, length, zero) {
 	const before = vector.length;
 	vector.length = length;
@@ -18,14 +18,14 @@ export function $resize(vector, length, zero) {
 	return length;
 }
 
-/** The mark of what this copy of the engine made: pages and programs can load two. */
+/** Marks objects of this copy of the engine, because a page or program can load two copies. */
 const $copy = {};
 
 /**
- * A value as an error names it.
+ * The text for a value in an error.
  *
- * @param value what was given
- * @param wanted what it had to be: "an Agent", say
+ * @param value the value
+ * @param wanted the kind that is required, for example "an Agent"
  */
 export function $named(value, wanted = "") {
 	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import starlogo-collision from one address alone";
@@ -47,7 +47,7 @@ export function $named(value, wanted = "") {
 	}
 }
 
-/** Whether an object is of a class of the name that is wanted, though not of this copy's. */
+/** Whether an object's class has the wanted name, but belongs to another copy of the engine. */
 function isOfOtherCopy(value, wanted) {
 	const names = wanted.match(/\b[A-Z]\w*/g)?.filter((name) => name !== "ArrayBuffer") ?? [];
 	if (names.length === 0 || typeof value !== "object") return false;
@@ -59,12 +59,12 @@ function isOfOtherCopy(value, wanted) {
 }
 
 /**
- * Throws what says that an argument is not what it has to be.
+ * Throws an error for an argument of the wrong kind.
  *
- * @param target the object that it is given to, if that says which it is, else null
- * @param name the argument's, with the member's if there is no target
+ * @param target the object that gets the argument, if that identifies the member, otherwise null
+ * @param name the argument's name, with the member's if there is no target
  * @param value the argument
- * @param kind what it has to be
+ * @param kind the required kind
  */
 export function $refuse(target, name, value, kind) {
 	const given = target === null ? name : `${target}: ${name}`;
@@ -72,7 +72,7 @@ export function $refuse(target, name, value, kind) {
 	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}`);
 }
 
-/** What a member that is in no hot loop calls for an argument: `$aNumber("Class.method: name", value)`. */
+/** Checks of arguments, for members outside of hot loops: `$aNumber("Class.method: name", value)`. */
 export function $aNumber(name, value) {
 	if (typeof value !== "number") $refuse(null, name, value, "a number");
 }
@@ -101,18 +101,18 @@ export function $aFunction(name, value) {
 	if (typeof value !== "function") $refuse(null, name, value, "a function");
 }
 
-/** Refuses what is no number, of the arguments of a method: the names after a colon and these. */
+/** Throws if one of a method's arguments is no number. `names` is the method, a colon, and the arguments' names. */
 export function $checkNumbers(names, ...values) {
 	const place = values.findIndex((value) => typeof value !== "number");
 	if (place >= 0) $refuse(null, names.replace(/: .*/, `: ${names.split(": ")[1].split(", ")[place]}`), values[place], "a number");
 }
 
-/** Whether an object is of a class that has such a mark, in this copy of the engine. */
+/** Whether an object's class has such a mark, in this copy of the engine. */
 export function $isMarked(value, mark) {
 	return typeof value === "object" && value !== null && value[mark] === $copy;
 }
 
-/** Refuses what is no array, and arrays with what fails the test: "an Agent", say, is what each has to be. */
+/** Throws if the value is no array, or if an element fails the test. `kind` is the required kind of an element, for example "an Agent". */
 export function $checkList(target, name, list, kind = "", test = null) {
 	if (!Array.isArray(list)) $refuse(target, name, list, kind === "" ? "an array" : `an array of ${kind.replace(/^an? /, "")}s`);
 	if (test === null) return;
@@ -120,7 +120,7 @@ export function $checkList(target, name, list, kind = "", test = null) {
 	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], kind);
 }
 
-/** Refuses what is no Vector3D of numbers. */
+/** Throws if the value is no Vector3D of numbers. */
 export function $checkVector(target, name, value) {
 	if (!(value instanceof Vector3D)) $refuse(target, name, value, "a Vector3D");
 	if (typeof value.x !== "number") $refuse(target, `${name}.x`, value.x, "a number");
@@ -128,7 +128,7 @@ export function $checkVector(target, name, value) {
 	if (typeof value.z !== "number") $refuse(target, `${name}.z`, value.z, "a number");
 }
 
-/** Numbers that a public method takes for a Vector: an array, or a typed array's numbers in one. */
+/** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */
 export function $numbers(target, name, list, type, isNullable) {
 	if (isNullable && (list === null || list === undefined)) return null;
 	if (ArrayBuffer.isView(list) && !(list instanceof DataView)) return $numbers(target, name, Array.from(list), type, false);
@@ -146,7 +146,7 @@ export function $numbers(target, name, list, type, isNullable) {
 	return list;
 }
 
-/** Bytes that a public method takes: a ByteArray, or an ArrayBuffer or a view of one as such. */
+/** The bytes for an argument of a public method: a ByteArray. An ArrayBuffer or a view of one is converted to one. */
 export function $bytes(target, name, value, isNullable) {
 	if (isNullable && (value === null || value === undefined)) return null;
 	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || value instanceof ArrayBuffer || Object.prototype.toString.call(value) === "[object SharedArrayBuffer]";
@@ -154,7 +154,7 @@ export function $bytes(target, name, value, isNullable) {
 	return ByteArray.from(value);
 }
 
-/** Whether something other than a Boolean is given for it: the options of the platform's own addEventListener. */
+/** Whether an object was passed instead of a Boolean: the options of the platform's own addEventListener. */
 export function $areOptions(value) {
 	return typeof value === "object" && value !== null;
 }
@@ -186,7 +186,7 @@ export function $loadAsync(loader, name, url, { upAxis = "z", scaling = "footpri
 	});
 }
 
-/** What an object is like, for tools: its public fields, what can be set, and what is no object. Inner things begin with _ or $. */
+/** The state of an object, for tools: its public fields and settable properties that are no objects. Internal names begin with _ or $. */
 function $stateOf(object) {
 	const state = {};
 	const note = (name, value) => {
@@ -200,14 +200,14 @@ function $stateOf(object) {
 			const value = get.call(object);
 			if (set || typeof value !== "object" || value === null) note(name, value);
 		} catch {
-			// it can't be asked for now
+			// it can't be read now
 		}
 	}
 	for (const name of Object.keys(object)) note(name, object[name]);
 	return state;
 }
 
-/** A class whose objects tools show as what $stateOf says: JSON.stringify, and Node's console.log. */
+/** Makes JSON.stringify and Node's console.log show a class's objects as $stateOf describes them. */
 export function $shown(type) {
 	const inspect = function(depth, options, inspectAny) {
 		const name = this.constructor.name;
@@ -222,7 +222,7 @@ export function $shown(type) {
 	return type;
 }
 
-/** What a `for each` goes over: the elements of an array, the values of an object, nothing of null. */
+/** The values for a `for each`: the elements of an array, or the values of an object. Nothing for null. */
 export function $values(list) {
 	if (Array.isArray(list)) return list;
 	if (list === null || list === undefined) return [];
@@ -264,7 +264,7 @@ export function $hasMembers(value, names) {
 	return typeof value === "object" && value !== null && names.every((name) => name in value);
 }
 
-/** A method of an object as a function: the same one each time, as in ActionScript. */
+/** A method of an object as a function. It is the same function each time, as in ActionScript. */
 export function $bound(object, name) {
 	let own = closures.get(object);
 	if (own === undefined) {
@@ -280,12 +280,12 @@ export function $bound(object, name) {
 	return closure;
 }
 
-/** `object[name]`, where it may be a method. */
+/** `object[name]`, which may be a method. */
 export function $taken(object, name) {
 	return typeof object[name] === "function" && name in Object.getPrototypeOf(object) ? $bound(object, name) : object[name];
 }
 
-/** A value in a variable of type String. */
+/** Converts a value for a variable of type String. */
 export function $string(value) {
 	return value === null || value === undefined ? null : String(value);
 }
@@ -294,7 +294,7 @@ const DESCENDING = 2;
 const INDEXED = 8;
 const NUMERIC = 16;
 
-/** `array.sort(...)`: with a function, or with the numbers of Array.NUMERIC, DESCENDING and RETURNINDEXEDARRAY. */
+/** `array.sort(...)`, with a function, or with the flags Array.NUMERIC, DESCENDING and RETURNINDEXEDARRAY. */
 export function $sort(array, how = 0) {
 	if (typeof how === "function") return array.sort((a, b) => Number(how(a, b)));
 	const compare = comparison(how);
@@ -318,7 +318,7 @@ function comparison(how) {
 	};
 }
 
-/** An argument is not what it has to be. */
+/** Thrown if an argument is of the wrong kind or has a wrong value. */
 export class ArgumentError extends Error {
 	constructor(message = "") {
 		super(message);

@@ -1,26 +1,26 @@
-/** What the stand-ins for Flash's classes need of the machine: time, frames, files. Nothing of it is looked at before it is needed. */
+/** The stand-ins' access to the machine: time, frames and files. Nothing is accessed before it is needed. */
 
 /** Milliseconds from one frame to the next. */
 const FRAME_MS = 1000 / 60;
 
-/** Milliseconds. */
+/** The present time in milliseconds. */
 export function now() {
 	return performance.now();
 }
 
-/** Throws an error that no caller can catch, for whoever listens for such. */
+/** Throws an error that no caller can catch, only global error listeners. */
 export function uncaught(error) {
 	setTimeout(() => {
 		throw error;
 	});
 }
 
-/** The error of an error event that nothing listens for. */
+/** The error for an error event without a listener. */
 export function unheard(type, text) {
 	return new Error(text);
 }
 
-/** The list of who listens for frames; frames come while there is anybody. */
+/** The list of frame listeners. Frames are sent as long as it is not empty. */
 export class FrameListeners extends Array {
 	#isTicking = false;
 
@@ -45,7 +45,7 @@ export class FrameListeners extends Array {
 	}
 }
 
-/** Who listens for frames: EventDispatchers, each once. */
+/** The frame listeners: EventDispatchers, each once. */
 export const frameListeners = /* @__PURE__ */ new FrameListeners();
 
 /** The name of an object's class. */
@@ -53,7 +53,7 @@ export function classNameOf(value) {
 	return value.constructor.name;
 }
 
-/** Fetches a file as fetchFile does, but hands over a ByteArray. */
+/** Fetches a file like fetchFile, but passes a ByteArray. */
 export function fetchBytes(url, onProgress, onDone, onError) {
 	return fetchFile(url, onProgress, (bytes) => onDone(new ByteArray(bytes)), onError);
 }
@@ -62,9 +62,9 @@ export function fetchBytes(url, onProgress, onDone, onError) {
  * Fetches a file.
  *
  * @param url its address
- * @param onProgress called with the bytes that are here and those of all, 0 if that is not known
+ * @param onProgress called with the number of bytes that have arrived and of all bytes, 0 if that is not known
  * @param onDone called with the bytes, a Uint8Array
- * @param onError called with what is wrong
+ * @param onError called with the problem
  * @returns a function that stops it
  */
 export function fetchFile(url, onProgress, onDone, onError) {
@@ -99,7 +99,7 @@ async function read(url, signal, onProgress) {
 	return bytes;
 }
 
-/** Bytes in the page's local storage; null where there are none, or no storage. */
+/** Reads bytes from the page's local storage; null if there are none, or no storage. */
 export function readLocal(name) {
 	try {
 		const text = localStorageOfPage()?.getItem(name) ?? null;
@@ -109,7 +109,7 @@ export function readLocal(name) {
 	}
 }
 
-/** Puts bytes into the page's local storage; returns whether they are there now. */
+/** Writes bytes to the page's local storage. Returns whether they are stored. */
 export function writeLocal(name, bytes) {
 	try {
 		const storage = localStorageOfPage();
@@ -120,16 +120,16 @@ export function writeLocal(name, bytes) {
 	}
 }
 
-/** Takes something out of the page's local storage. */
+/** Removes an entry from the page's local storage. */
 export function removeLocal(name) {
 	try {
 		localStorageOfPage()?.removeItem(name);
 	} catch {
-		// it is switched off: nothing is there
+		// storage is switched off, so there is no entry
 	}
 }
 
-/** Node's own is for all programs of a machine, and not asked for here. */
+/** Node's own storage is shared by all programs of a machine, so it is not used. */
 function localStorageOfPage() {
 	return typeof document === "object" ? globalThis.localStorage : null;
 }

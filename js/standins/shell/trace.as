@@ -1,6 +1,6 @@
 package
 {
-    /** Prints a line. The shell has it itself and takes its own: this is for the compiler. */
+    /** Prints a line. The shell uses its own function. This one is for the compiler. */
     public function trace(...values):void
     {
     }

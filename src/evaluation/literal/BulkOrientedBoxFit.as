@@ -4,8 +4,7 @@ package evaluation.literal
     import flash.geom.Vector3D;
 
     /**
-     * The brute force of LiteralOrientedBoxFit without an object for each vertex: the player rotates them all in one native
-     * call. Its result is the same.
+     * LiteralOrientedBoxFit without an object for each vertex. The player rotates all vertices in one native call. The result is the same.
      */
     public final class BulkOrientedBoxFit
     {

@@ -3,7 +3,7 @@ package evaluation.literal
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
 
-    /** The client's first collision system (§2.2) within one bin: the distance of two agents against their sizes. */
+    /** The client's first collision system (§2.2) in one bin: compares the distance of two agents with their sizes. */
     public final class LiteralBinCollider
     {
         /** Whether two agents collide. */

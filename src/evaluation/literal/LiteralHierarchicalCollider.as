@@ -1,16 +1,14 @@
 package evaluation.literal
 {
-    import flash.geom.Matrix3D;
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.hierarchy.HierarchyNode;
 
     /**
-     * The HierarchicalCollider as the thesis describes it (§4.5, §4.6): for each pair of nodes that is visited, both boxes are
-     * copied and put through scale, rotation and translation, then tested by eight corners on fifteen axes; where they
-     * intersect, each child of the one is visited with each of the other.
+     * The HierarchicalCollider as the thesis describes it (§4.5, §4.6). For each visited pair of nodes, both boxes are copied, scaled,
+     * rotated and translated. Then their eight corners are tested on fifteen axes. If the boxes intersect, each child of one is visited
+     * with each child of the other.
      */
     public final class LiteralHierarchicalCollider
     {
@@ -21,7 +19,7 @@ package evaluation.literal
 
         /**
          * @param library has the hierarchies
-         * @param maxDepth how many levels are visited
+         * @param maxDepth the number of levels to visit
          */
         public function LiteralHierarchicalCollider(library:HierarchiesLibrary, maxDepth:int = 5)
         {
@@ -39,7 +37,7 @@ package evaluation.literal
 
         private function nodesMeet(a:HierarchyNode, b:HierarchyNode, depth:int):Boolean
         {
-            if (!boxBox(inWorld(a.bounds as Box, _agentA), inWorld(b.bounds as Box, _agentB)))
+            if (!boxBox(LiteralTightestFitCollider.placed(a.bounds, _agentA) as Box, LiteralTightestFitCollider.placed(b.bounds, _agentB) as Box))
             {
                 return false;
             }
@@ -57,17 +55,6 @@ package evaluation.literal
             }
             return nodesMeet(a.left, b.left, depth + 1) || nodesMeet(a.left, b.right, depth + 1)
                 || nodesMeet(a.right, b.left, depth + 1) || nodesMeet(a.right, b.right, depth + 1);
-        }
-
-        private static function inWorld(box:Box, agent:Agent):Box
-        {
-            var copy:Box = box.clone() as Box;
-            var rotation:Matrix3D = new Matrix3D();
-            rotation.appendRotation(agent.heading, Vector3D.Z_AXIS);
-            copy.scale(agent.size);
-            copy.rotate(rotation);
-            copy.translate(new Vector3D(agent.x, agent.y, agent.z));
-            return copy;
         }
     }
 }

@@ -4,8 +4,8 @@ package evaluation.literal
     import starlogo.bounding.Box;
 
     /**
-     * A node of a hierarchy as the thesis builds it (§4.4): the axis-aligned box of some vertices, split halfway along its
-     * longest axis down to five vertices or the tenth level.
+     * A node of a hierarchy as the thesis builds it (§4.4): the axis-aligned box of some vertices. It is split halfway along its longest
+     * axis. A node with at most five vertices, or on the tenth level, is a leaf.
      */
     public final class LiteralHierarchyNode
     {
@@ -21,7 +21,7 @@ package evaluation.literal
         /** The other half; null for a leaf. */
         public var right:LiteralHierarchyNode;
 
-        /** The root around vertices that are x, y, z each. */
+        /** The root around all vertices. @param vertices x, y, z each */
         public static function of(vertices:Vector.<Number>):LiteralHierarchyNode
         {
             var points:Vector.<Vector3D> = new Vector.<Vector3D>();
@@ -32,7 +32,7 @@ package evaluation.literal
             return new LiteralHierarchyNode(points, 1);
         }
 
-        /** A node and all below it, level being 1 at the root. */
+        /** Creates a node and all nodes below it. The root has level 1. */
         public function LiteralHierarchyNode(points:Vector.<Vector3D>, level:int)
         {
             var min:Vector3D = points[0].clone();

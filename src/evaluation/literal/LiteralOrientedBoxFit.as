@@ -4,11 +4,11 @@ package evaluation.literal
     import flash.geom.Vector3D;
 
     /**
-     * The oriented box of thesis §3.4.2, to the letter: every vertex is rotated by every rotation, an axis-aligned box is
-     * found for the rotated vertices, the box is rotated back, and the smallest stays.
+     * The oriented box of thesis §3.4.2, written literally. Every vertex is rotated by every rotation. For each rotation the axis-aligned
+     * box of the rotated vertices is found and rotated back. The smallest box is kept.
      *
-     * <p>Vertices are Vector3D, as everything is in §3.3. Figure 6-2 shows that: it comes to about a microsecond for each vertex
-     * and rotation, on a player that compiles. BulkOrientedBoxFit is the same without objects.</p>
+     * <p>Vertices are Vector3D objects, as in §3.3. The times of Figure 6-2 agree with this: about a microsecond for each vertex and
+     * rotation, on a player with a compiler. BulkOrientedBoxFit does the same without objects.</p>
      */
     public final class LiteralOrientedBoxFit
     {
@@ -27,7 +27,7 @@ package evaluation.literal
         /**
          * @param vertices x, y, z each
          * @param degIncrement step of the rotations about each axis, in degrees
-         * @param endX rotations about x up to below this one, in degrees
+         * @param endX limit of the rotations about x, in degrees, not included
          */
         public function LiteralOrientedBoxFit(vertices:Vector.<Number>, degIncrement:Number, endX:Number = 90)
         {

@@ -5,7 +5,7 @@ package evaluation.literal
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
 
-    /** The thesis's own pair tests for structures whose kinds are only known at run time. */
+    /** The thesis's own pair tests, for structures whose kinds are only known at run time. */
     public final class LiteralTests
     {
         /** Sphere against box (§3.6.6). */

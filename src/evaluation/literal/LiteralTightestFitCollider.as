@@ -9,8 +9,8 @@ package evaluation.literal
     import starlogo.libraries.BoundingStructuresLibrary;
 
     /**
-     * The TightestFitCollider as the thesis describes it (§3.2, §3.5, §3.6.4): for each pair of agents, both structures are
-     * copied and put through scale, rotation and translation, then two boxes are tested by eight corners on fifteen axes.
+     * The TightestFitCollider as the thesis describes it (§3.2, §3.5, §3.6.4). For each pair of agents, both structures are copied, scaled,
+     * rotated and translated. Two boxes are then tested by their eight corners on fifteen axes.
      */
     public final class LiteralTightestFitCollider
     {
@@ -27,25 +27,31 @@ package evaluation.literal
         /** Whether two agents collide. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            var structureA:BoundingStructure = inWorld(a);
-            var structureB:BoundingStructure = inWorld(b);
-            if (structureA is Box && structureB is Box)
-            {
-                return boxBox(structureA as Box, structureB as Box);
-            }
-            return intersects(structureA, structureB);
+            return intersect(inWorld(a), inWorld(b));
         }
 
-        /** The structure of an agent, copied and transformed. */
+        /** A transformed copy of an agent's structure. */
         public function inWorld(agent:Agent):BoundingStructure
         {
-            var structure:BoundingStructure = _library.tightestFit(agent.shape).clone();
+            return placed(_library.tightestFit(agent.shape), agent);
+        }
+
+        /** A copy of a structure of an agent's model, scaled, turned and moved as the agent is. */
+        internal static function placed(structure:BoundingStructure, agent:Agent):BoundingStructure
+        {
+            var copy:BoundingStructure = structure.clone();
             var rotation:Matrix3D = new Matrix3D();
             rotation.appendRotation(agent.heading, Vector3D.Z_AXIS);
-            structure.scale(agent.size);
-            structure.rotate(rotation);
-            structure.translate(new Vector3D(agent.x, agent.y, agent.z));
-            return structure;
+            copy.scale(agent.size);
+            copy.rotate(rotation);
+            copy.translate(new Vector3D(agent.x, agent.y, agent.z));
+            return copy;
+        }
+
+        /** Whether two structures in the world intersect. */
+        internal static function intersect(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return a is Box && b is Box ? boxBox(a as Box, b as Box) : intersects(a, b);
         }
     }
 }

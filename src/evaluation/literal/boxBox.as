@@ -3,7 +3,7 @@ package evaluation.literal
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
 
-    /** Thesis §3.6.4 to the letter: the eight corners of both boxes on up to fifteen axes. */
+    /** Thesis §3.6.4, written literally: the eight corners of both boxes on up to fifteen axes. */
     public function boxBox(a:Box, b:Box):Boolean
     {
         var axesA:Vector.<Vector3D> = Vector.<Vector3D>([a.axisX, a.axisY, a.axisZ]);
@@ -33,7 +33,7 @@ package evaluation.literal
 
 import flash.geom.Vector3D;
 
-/** Whether the projections of two sets of corners on an axis are apart. */
+/** Whether an axis separates the projections of two sets of corners. */
 function areSeparated(axis:Vector3D, cornersA:Vector.<Vector3D>, cornersB:Vector.<Vector3D>):Boolean
 {
     var minA:Number = Infinity;

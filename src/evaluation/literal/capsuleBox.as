@@ -4,7 +4,7 @@ package evaluation.literal
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
 
-    /** Thesis §3.6.7 to the letter: six axes, the capsule's interval widened by its radius. */
+    /** Thesis §3.6.7, written literally: six axes; the capsule's interval is widened by its radius. */
     public function capsuleBox(capsule:Capsule, box:Box):Boolean
     {
         var axes:Vector.<Vector3D> = Vector.<Vector3D>([box.axisX, box.axisY, box.axisZ]);
@@ -33,7 +33,7 @@ package evaluation.literal
 import flash.geom.Vector3D;
 import starlogo.bounding.Capsule;
 
-/** Whether the projections of a capsule and of corners on an axis of unit length are apart. */
+/** Whether an axis of length 1 separates the projections of a capsule and of corners. */
 function areSeparated(axis:Vector3D, capsule:Capsule, corners:Vector.<Vector3D>):Boolean
 {
     var start:Number = capsule.start.dotProduct(axis);

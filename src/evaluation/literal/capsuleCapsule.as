@@ -3,7 +3,7 @@ package evaluation.literal
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
 
-    /** Thesis §3.6.3 to the letter: the closest points of the two lines, each clamped to its segment by itself. */
+    /** Thesis §3.6.3, written literally: the closest points of the two lines. Each point is clamped to its own segment. */
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
         var alongA:Vector3D = a.end.subtract(a.start);

@@ -4,7 +4,10 @@ package evaluation.literal
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
 
-    /** Thesis §3.6.6 to the letter: the distances of the dimensions added up, their sum's square against the radius's. */
+    /**
+     * Thesis §3.6.6, written literally: adds the distances along the three dimensions, and compares the square of the sum with the square
+     * of the radius.
+     */
     public function sphereBox(sphere:Sphere, box:Box):Boolean
     {
         var between:Vector3D = sphere.center.subtract(box.center);
@@ -15,7 +18,7 @@ package evaluation.literal
     }
 }
 
-/** How far a coordinate is outside of a range around 0. */
+/** How far a coordinate is outside a range around 0. */
 function outside(coordinate:Number, half:Number):Number
 {
     if (coordinate < -half)

@@ -8,12 +8,12 @@ package evaluation.pairs
     import evaluation.literal.capsuleCapsule;
     import evaluation.literal.sphereBox;
 
-    /** Runs the thesis's own algorithms over a set; each method returns the hits. */
+    /** Runs the thesis's own pair tests over a set of pairs. Each method returns the number of hits. */
     public final class LiteralPairLoops
     {
         private var _set:PairSet;
 
-        /** Loops over the pairs of a set; those of its kinds may be called. */
+        /** Creates loops over a set. Call only the methods for the set's kinds. */
         public function LiteralPairLoops(pairs:PairSet)
         {
             _set = pairs;

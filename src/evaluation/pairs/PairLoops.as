@@ -12,12 +12,12 @@ package evaluation.pairs
     import starlogo.intersection.sphereCapsule;
     import starlogo.intersection.sphereSphere;
 
-    /** Runs the pair tests over a set; each method returns the hits. */
+    /** Runs the engine's pair tests over a set of pairs. Each method returns the number of hits. */
     public final class PairLoops
     {
         private var _set:PairSet;
 
-        /** Loops over the pairs of a set; those of its kinds may be called. */
+        /** Creates loops over a set. Call only the methods for the set's kinds. */
         public function PairLoops(pairs:PairSet)
         {
             _set = pairs;

@@ -7,12 +7,12 @@ package evaluation.pairs
     import starlogo.intersection.intersects;
 
     /**
-     * Random pairs of two kinds of structures with a given share of hits. All sets of two kinds come from one
-     * distribution: sizes within a factor of five, any orientation, positions in a cube that makes 40 % of the pairs meet.
+     * Random pairs of two kinds of structures, with a given share of hits. All sets of two kinds have the same distribution: sizes within a
+     * factor of five, any orientation, and positions in a cube in which 40 % of the pairs touch.
      */
     public final class PairSet
     {
-        /** How many pairs there are in a set. */
+        /** The number of pairs in a set. */
         public static const COUNT:int = 1000;
 
         private static const NATURAL_HITS:Number = 0.4;
@@ -23,7 +23,7 @@ package evaluation.pairs
         /** @copy #a */
         public var b:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
 
-        /** The same by type: those of the kinds that the set is not of are null. */
+        /** The same structures by type. The vectors of other kinds are null. */
         public var spheresA:Vector.<Sphere>;
 
         /** @copy #spheresA */
@@ -47,9 +47,9 @@ package evaluation.pairs
          * Draws a set.
          *
          * @param kindA the kind of the first structures: BoundingStructure.SPHERE, CAPSULE or BOX
-         * @param kindB that of the second
-         * @param hits the part of the pairs that meet, 0 to 1
-         * @param seed the same draws the same set
+         * @param kindB the kind of the second structures
+         * @param hits the share of pairs that touch, 0 to 1
+         * @param seed the same seed draws the same set
          */
         public function PairSet(kindA:int, kindB:int, hits:Number, seed:uint)
         {

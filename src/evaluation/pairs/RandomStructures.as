@@ -6,18 +6,18 @@ package evaluation.pairs
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
 
-    /** Draws structures of any orientation; sizes and positions are multiples of the given ones. */
+    /** Draws structures of any orientation. Sizes and positions are multiples of the given ones. */
     public final class RandomStructures
     {
         private var _random:SeededRandom;
 
-        /** Structures from the numbers that random gives. */
+        /** Creates a source of structures. @param random gives the random numbers */
         public function RandomStructures(random:SeededRandom)
         {
             _random = random;
         }
 
-        /** A structure of a kind: its extents 0.2 to 1 of size, its middle in a cube of half-edge spread. */
+        /** A structure of a kind. Its extents are 0.2 to 1 of size, and its middle is in a cube with half-edge spread. */
         public function ofKind(kind:int, size:Number, spread:Number):BoundingStructure
         {
             switch (kind)
@@ -33,13 +33,16 @@ package evaluation.pairs
             }
         }
 
-        /** A sphere: its radius 0.2 to 1 of size, its centre in a cube of half-edge spread. */
+        /** A sphere. Its radius is 0.2 to 1 of size, and its centre is in a cube with half-edge spread. */
         public function sphere(size:Number, spread:Number):Sphere
         {
             return new Sphere(position(spread), extent(size));
         }
 
-        /** A capsule: half its segment 0.2 to 1 of size, its radius half of such a number, its middle in a cube of half-edge spread. */
+        /**
+         * A capsule. Half its segment is 0.2 to 1 of size, its radius is half of another such number, and its middle is in a cube with
+         * half-edge spread.
+         */
         public function capsule(size:Number, spread:Number):Capsule
         {
             var middle:Vector3D = position(spread);
@@ -48,14 +51,14 @@ package evaluation.pairs
             return new Capsule(middle.subtract(half), middle.add(half), extent(size) / 2);
         }
 
-        /** A box: its half-extents 0.2 to 1 of size, its centre in a cube of half-edge spread. */
+        /** A box. Its half-extents are 0.2 to 1 of size, and its centre is in a cube with half-edge spread. */
         public function box(size:Number, spread:Number):Box
         {
             var axes:Vector.<Vector3D> = frame();
             return new Box(position(spread), axes[0], axes[1], axes[2], extent(size), extent(size), extent(size));
         }
 
-        /** A point evenly in a cube. */
+        /** A point, uniformly distributed in a cube. */
         public function position(spread:Number):Vector3D
         {
             var x:Number = _random.between(-spread, spread);
@@ -63,7 +66,7 @@ package evaluation.pairs
             return new Vector3D(x, y, _random.between(-spread, spread));
         }
 
-        /** A direction evenly on the unit sphere. */
+        /** A direction, uniformly distributed on the unit sphere. */
         public function direction():Vector3D
         {
             var vector:Vector3D = new Vector3D(_random.normal(), _random.normal(), _random.normal());
@@ -71,7 +74,7 @@ package evaluation.pairs
             return vector;
         }
 
-        /** Three unit vectors at right angles, evenly among all orientations. */
+        /** Three unit vectors at right angles, uniformly distributed among all orientations. */
         public function frame():Vector.<Vector3D>
         {
             var x:Vector3D = direction();

@@ -1,8 +1,8 @@
 package evaluation.pairs
 {
     /**
-     * Random numbers that are the same on every run: xorshift32 (Marsaglia, "Xorshift RNGs", Journal of Statistical
-     * Software 8(14), 2003), two draws a number.
+     * Random numbers that are the same on every run: xorshift32 (Marsaglia, "Xorshift RNGs", Journal of Statistical Software 8(14), 2003).
+     * Each Number takes two draws.
      */
     public final class SeededRandom
     {
@@ -33,43 +33,43 @@ package evaluation.pairs
             return _state;
         }
 
-        /** Evenly in [0, 1), 53 bits. */
+        /** Uniform in [0, 1), with 53 bits. */
         public function next():Number
         {
             return ((nextUint() >>> 5) * 67108864 + (nextUint() >>> 6)) / 9007199254740992;
         }
 
-        /** Evenly in [low, high). */
+        /** Uniform in [low, high). */
         public function between(low:Number, high:Number):Number
         {
             return low + (high - low) * next();
         }
 
-        /** Evenly among low, low + 1, ... high. */
+        /** Uniform among low, low + 1, ... high. */
         public function integer(low:int, high:int):int
         {
             return low + int(next() * (high - low + 1));
         }
 
-        /** Evenly in the exponent: as many between 0.1 and 1 as between 1 and 10. */
+        /** Uniform in the exponent: numbers between 0.1 and 1 are as frequent as between 1 and 10. */
         public function logBetween(low:Number, high:Number):Number
         {
             return Math.exp(between(Math.log(low), Math.log(high)));
         }
 
-        /** True with a probability. */
+        /** True with the given probability. */
         public function chance(probability:Number = 0.5):Boolean
         {
             return next() < probability;
         }
 
-        /** From the normal distribution of mean 0 and deviation 1 (Box and Muller). */
+        /** Normally distributed with mean 0 and deviation 1 (Box and Muller). */
         public function normal():Number
         {
             return Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next());
         }
 
-        /** One of an array's elements. */
+        /** A random element of an array. */
         public function pick(from:Array):*
         {
             return from[integer(0, from.length - 1)];

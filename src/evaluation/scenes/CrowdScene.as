@@ -3,16 +3,16 @@ package evaluation.scenes
     import starlogo.agents.Agent;
 
     /**
-     * The thesis's set-up (§6.1): all agents at (1, 1), so that they are in one bin and every one collides with every
-     * other, each frame. A frame moves them all on by one; they turn back where SpaceLand ends.
+     * The thesis's set-up (§6.1): all agents are at (1, 1), so they are in one bin, and every agent collides with every other in each
+     * frame. Each frame moves all agents by 1. At the border of SpaceLand they turn back.
      */
     public class CrowdScene extends Scene
     {
         private var _direction:int = 1;
 
         /**
-         * @param count how many agents
-         * @param shapes their shapes, in turn
+         * @param count the number of agents
+         * @param shapes their shapes, used in turn
          */
         public function CrowdScene(count:int, shapes:Array)
         {

@@ -3,21 +3,20 @@ package evaluation.scenes
     import starlogo.agents.Agent;
 
     /**
-     * Agents all over SpaceLand, each of which walks straight on, turns a little every frame, and comes in on the
-     * other side when it leaves.
+     * Agents all over SpaceLand. Each walks straight on and turns a little every frame. An agent that leaves comes in on the other side.
      */
     public class ScatteredScene extends Scene
     {
         private static const HALF_WIDTH:Number = 50;
         private static const STEP:Number = 0.3;
 
-        // a linear congruential generator (Knuth, TAOCP 2, §3.3.4): scenes must be the same on every run
+        // a linear congruential generator (Knuth, TAOCP 2, §3.3.4), because scenes must be the same on every run
         private var _random:uint = 20150601;
 
         /**
-         * @param count how many agents
-         * @param shapes their shapes, in turn
-         * @param size of each
+         * @param count the number of agents
+         * @param shapes their shapes, used in turn
+         * @param size the size of each
          */
         public function ScatteredScene(count:int, shapes:Array, size:Number = 1)
         {
@@ -55,7 +54,7 @@ package evaluation.scenes
 
         private function between(low:Number, high:Number):Number
         {
-            // the product of two 32-bit numbers is no longer exact: multiply the halves
+            // The product of two 32-bit numbers is not exact, so the halves are multiplied.
             var lowHalf:uint = (_random & 0xffff) * 1664525;
             var highHalf:uint = ((_random >>> 16) * 1664525) << 16;
             _random = lowHalf + highHalf + 1013904223;

@@ -2,12 +2,10 @@ package evaluation.scenes
 {
     import starlogo.agents.Agent;
 
-    /**
-     * A game without players: agents, and how they move each frame. The same on every run.
-     */
+    /** A game without players: agents that move in every frame. It is the same on every run. */
     public class Scene
     {
-        /** What the scene is, for tables. */
+        /** The scene's name in tables. */
         public var name:String;
 
         /** Its agents. */
@@ -16,14 +14,14 @@ package evaluation.scenes
         /**
          * For subclasses.
          *
-         * @param name what the scene is
+         * @param name the scene's name
          */
         public function Scene(name:String)
         {
             this.name = name;
         }
 
-        /** Moves the agents on by a frame. */
+        /** Moves the agents by one frame. */
         public function step():void
         {
         }

@@ -1,8 +1,6 @@
 package evaluation.scenes
 {
-    /**
-     * The scenes that harness and tests play, by what is in them; each call makes a new one that is the same as the last.
-     */
+    /** The scenes for harness and tests. Each call creates a new scene, and equal arguments give equal scenes. */
     public final class Scenes
     {
         /** The names of the casts. */
@@ -11,7 +9,7 @@ package evaluation.scenes
         private static const SHAPES:Object = {spheres: ["sphere"], bears: ["bear"], mix: ["bear", "sphere", "cube"]};
 
         /**
-         * The shapes of a cast's agents, in turn.
+         * The shapes of a cast's agents, used in turn.
          *
          * @throws ArgumentError if there is no such cast
          */
@@ -25,10 +23,10 @@ package evaluation.scenes
         }
 
         /**
-         * The thesis's set-up (§6.1): all in one bin, all colliding.
+         * The thesis's set-up (§6.1): all agents are in one bin and collide.
          *
-         * @param count how many agents
-         * @param cast who they are, one of CASTS
+         * @param count the number of agents
+         * @param cast one of CASTS
          */
         public static function crowd(count:int, cast:String):Scene
         {
@@ -36,11 +34,11 @@ package evaluation.scenes
         }
 
         /**
-         * Agents all over SpaceLand, of such a size that any number of them covers as much of the ground as a thousand of
-         * size 1 do: each collides as often.
+         * Agents all over SpaceLand. Their size makes any number of them cover as much of the ground as a thousand agents of size 1. So
+         * each agent collides equally often.
          *
-         * @param count how many agents
-         * @param cast who they are, one of CASTS
+         * @param count the number of agents
+         * @param cast one of CASTS
          */
         public static function scatteredAsDense(count:int, cast:String):Scene
         {
@@ -48,10 +46,10 @@ package evaluation.scenes
         }
 
         /**
-         * Agents of size 1 all over SpaceLand: the more there are, the more often each collides.
+         * Agents of size 1 all over SpaceLand. The more there are, the more often each collides.
          *
-         * @param count how many agents
-         * @param cast who they are, one of CASTS
+         * @param count the number of agents
+         * @param cast one of CASTS
          */
         public static function scattered(count:int, cast:String):Scene
         {

@@ -5,15 +5,16 @@ package starlogo.agents
     use namespace engine;
 
     /**
-     * A character or thing of the game, with the client's built-in traits. An AgentBody has its place, its turn and its size.
+     * A character or thing of the game, with the client's built-in traits. Its place, turn and size are properties of AgentBody.
      *
-     * <p>A trait that gets a value that it can't have throws an error that names the agent, and keeps its value.</p>
+     * <p>If you set a trait to a value that is not allowed, it throws an error that names the agent. The trait then keeps its old
+     * value.</p>
      */
     public class Agent extends AgentBody
     {
         /**
-         * The largest coordinate, in patches: squares of distances stay far from what a Number can hold, and all tests are
-         * right up to it.
+         * The largest coordinate, in patches. Up to this limit all tests are correct, because squares of distances are far below the
+         * largest Number.
          */
         public static const LARGEST_COORDINATE:Number = 1e9;
 
@@ -23,28 +24,28 @@ package starlogo.agents
         /** The smallest size. */
         public static const SMALLEST_SIZE:Number = 1e-6;
 
-        /** For <code>collideAs</code>: the tightest of all. */
+        /** For <code>collideAs</code>: the structure with the smallest volume. */
         public static const TIGHTEST:String = "tightest";
 
-        /** For <code>collideAs</code>. */
+        /** For <code>collideAs</code>: the smallest sphere. */
         public static const SPHERE:String = "sphere";
 
-        /** For <code>collideAs</code>. */
+        /** For <code>collideAs</code>: the smallest box. */
         public static const BOX:String = "box";
 
-        /** For <code>collideAs</code>. */
+        /** For <code>collideAs</code>: the smallest capsule. */
         public static const CAPSULE:String = "capsule";
 
-        // by the numbers of the kinds in BoundingStructure
+        // the index is the number of a kind in BoundingStructure
         private static const NAMES_OF_KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
 
-        /** @private Whether any agent has ever swept: while none has, colliders need not look for those that do. */
+        /** @private Whether any agent has ever swept. As long as none has, colliders need not look for sweeping agents. */
         engine static var haveSwept:Boolean = false;
 
         /** @private The number of the breed's name. */
         engine var breedNumber:int;
 
-        /** @private For <code>structureKind</code>: the tightest structure, of whatever kind. */
+        /** @private For <code>structureKind</code>: the tightest structure of any kind. */
         engine static const ANY_KIND:int = -1;
 
         private static var sCreated:int = 0;
@@ -52,7 +53,7 @@ package starlogo.agents
         /** @private The value of <code>id</code>, without a call. */
         engine var number:int;
 
-        /** @private Counts the changes of the agent's shape and of how it collides. */
+        /** @private Counts changes of the agent's shape and of the way it collides. */
         engine var shapeRevision:int = 0;
 
         /** @private The value of <code>traversalDepth</code>, without a call. */
@@ -61,10 +62,10 @@ package starlogo.agents
         /** @private The value of <code>sweeps</code>, without a call. */
         engine var isSweeping:Boolean = false;
 
-        /** @private The kind of structure that represents the agent, ANY_KIND for the tightest. */
+        /** @private The kind of structure for the agent; ANY_KIND for the tightest. */
         engine var structureKind:int = ANY_KIND;
 
-        /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
+        /** The agent's colour, with the client's colour numbers. It has no effect on collisions. */
         public var color:Number = 0;
 
         private var _shape:String;
@@ -72,7 +73,7 @@ package starlogo.agents
         private var _hierarchical:Boolean = false;
 
         /**
-         * An agent of size 1 at the origin.
+         * Creates an agent of size 1 at the origin.
          *
          * @param shape the name of its model; the colliders' GreatLand must have it
          * @param breed the name of its breed
@@ -95,13 +96,13 @@ package starlogo.agents
             sCreated--;
         }
 
-        /** @private How many agents there have been: the greatest id. */
+        /** @private The number of agents created so far, which is also the largest id. */
         engine static function get createdCount():int
         {
             return sCreated;
         }
 
-        /** A number that no other agent of this run has; the first is 1. */
+        /** A number that no other agent of this run has. The first is 1. */
         public function get id():int
         {
             return number;
@@ -147,8 +148,7 @@ package starlogo.agents
         }
 
         /**
-         * Whether a CombinationCollider uses the agent's hierarchy rather than its tightest fit (thesis §5.2). May
-         * change between frames.
+         * Whether a CombinationCollider uses the agent's hierarchy instead of its tightest fit (thesis §5.2). May change between frames.
          */
         public function get hierarchical():Boolean
         {
@@ -166,10 +166,10 @@ package starlogo.agents
         }
 
         /**
-         * How many levels of this agent's hierarchy a collision test visits, the root being level 1 (thesis §4.6); 0
-         * leaves it to the collider's maxDepth.
+         * The number of levels of this agent's hierarchy that a collision test visits (thesis §4.6). The root is level 1. With 0, the
+         * collider's maxDepth decides.
          *
-         * @throws RangeError if set to a negative number
+         * @throws RangeError if you set it to a negative number
          */
         public function get traversalDepth():int
         {
@@ -190,12 +190,12 @@ package starlogo.agents
         }
 
         /**
-         * Which structure around its model represents the agent in the TightestFitCollider and, while it is not hierarchical, in the
-         * CombinationCollider: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3). May change between frames. One that was not kept
-         * when the model was added (loadAllBoundingStructures) is found when a collider first needs it, which takes as long as adding the model
-         * does.
+         * The bounding structure that the agent collides as: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3). It counts in
+         * the TightestFitCollider, and in the CombinationCollider if the agent is not hierarchical. May change between frames. If the
+         * structure was not kept when the model was added (loadAllBoundingStructures), it is computed when a collider first needs it. This
+         * takes as long as adding the model.
          *
-         * @throws ArgumentError if set to anything else
+         * @throws ArgumentError if you set it to anything else
          */
         public function get collideAs():String
         {
@@ -208,7 +208,7 @@ package starlogo.agents
 
         public function set collideAs(value:String):void
         {
-            // ANY_KIND for TIGHTEST, which is no kind's name
+            // ANY_KIND for TIGHTEST, which is no name of a kind
             var kind:int = NAMES_OF_KINDS.indexOf(value);
             if (kind == ANY_KIND && value != TIGHTEST)
             {
@@ -224,13 +224,14 @@ package starlogo.agents
         }
 
         /**
-         * Whether the agent collides with everything that it met as it moved since the last frame, not only with what it overlaps now: so
-         * that it flies through nothing, however fast it is.
+         * Whether the agent collides with everything that it met during its motion since the last frame. Then it cannot pass through
+         * anything, no matter how fast it is. Otherwise it collides only with what it overlaps now.
          *
-         * <p>The motion is the straight line from where the collider saw the agent in its last frame to where it is, both ends included. The
-         * other agent's own motion counts, whether that sweeps or not: the relative motion of the two is tested. Turns and size count as they are
-         * now. An agent has no motion in the first frame that a collider sees it in, after a change of its shape, after <code>jumpTo()</code>,
-         * after a frame whose list did not have it, and while its model was loading: in that frame it is tested only where it is.</p>
+         * <p>The motion is the straight line from the place where the collider saw the agent in its last frame to its present place. Both
+         * ends are included. The engine tests the relative motion of two agents, so the other agent's motion counts too, whether that one
+         * sweeps or not. Turns and size count as they are now. In some frames an agent has no motion and is tested only at its present
+         * place. These are the first frame in which a collider sees it, and the first frame after a change of its shape, after
+         * <code>jumpTo()</code>, after a frame whose list did not have it, or after a frame in which its model was loading.</p>
          */
         public function get sweeps():Boolean
         {
@@ -243,7 +244,7 @@ package starlogo.agents
             haveSwept = haveSwept || value;
         }
 
-        /** The class, id, breed and shape: how errors name the agent. */
+        /** The class, id, breed and shape, as errors name the agent. */
         override public function toString():String
         {
             if (_shape == null)

@@ -8,14 +8,15 @@ package starlogo.agents
     use namespace engine;
 
     /**
-     * Where an agent is in the world, how it is turned, and how large it is. Every Agent is one.
+     * An agent's place, turn and size in the world. Every Agent is one.
      *
-     * <p>The world is right-handed with z up; lengths are in patches, angles in degrees. The agent's model is scaled by
-     * <code>size</code>, turned by <code>roll</code> about x, <code>pitch</code> about y and <code>heading</code> about z
-     * (the world's axes), and moved to (x, y, z), all about the model's origin: its centre in x and y and its lowest
-     * point in z (thesis §2.2, §3.5).</p>
+     * <p>The world is right-handed with z up. Lengths are in patches, angles in degrees. To place an agent, its model is scaled by
+     * <code>size</code>, then turned about the world's axes: by <code>roll</code> about x, <code>pitch</code> about y and
+     * <code>heading</code> about z. Then it is moved to (x, y, z). All this is relative to the model's origin, which is its centre in x and
+     * y and its lowest point in z (thesis §2.2, §3.5).</p>
      *
-     * <p>A trait that gets a value that it can't have throws a RangeError that names the agent, and keeps its value.</p>
+     * <p>If you set a trait to a value that is not allowed, it throws a RangeError that names the agent. The trait then keeps its old
+     * value.</p>
      */
     public class AgentBody
     {
@@ -24,16 +25,16 @@ package starlogo.agents
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
         /**
-         * @private The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
-         * <code>extentsRevision</code> counts every change of its turn, its size, its shape and how it collides: all that
-         * changes its extents.
+         * @private The agent's place in the world. Its rotation may be stale: see <code>worldPlacement</code>. Its
+         * <code>extentsRevision</code> counts all changes that affect the extents: of the turn, the size, the shape and the way the agent
+         * collides.
          */
         engine var placement:Placement = new Placement();
 
-        /** @private Counts the changes of where and how the agent is in the world. */
+        /** @private Counts changes of the agent's place, turn and size. */
         engine var revision:int = 0;
 
-        /** @private The revision that the last jump made: there is no motion to it. */
+        /** @private The revision that the last jump made. The agent has no motion up to this revision. */
         engine var jumpRevision:int = -1;
 
         private var _heading:Number = 0;
@@ -43,18 +44,18 @@ package starlogo.agents
         private var _isTurnedByQuaternion:Boolean = false;
         private var _anglesAreStale:Boolean = false;
 
-        /** For Agent only. At the origin, upright, of size 1. */
+        /** Only Agent calls it. Creates a body at the origin, upright, of size 1. */
         public function AgentBody()
         {
         }
 
-        /** How errors name the agent. */
+        /** The text by which errors name the agent. */
         public function toString():String
         {
             return "a new agent";
         }
 
-        /** The position of the model's origin along the world's x axis, at most Agent.LARGEST_COORDINATE either way. */
+        /** The position of the model's origin along the world's x axis, from -Agent.LARGEST_COORDINATE to Agent.LARGEST_COORDINATE. */
         public function get x():Number
         {
             return placement.x;
@@ -65,7 +66,7 @@ package starlogo.agents
             moveTo(value, placement.y, placement.z);
         }
 
-        /** The position of the model's origin along the world's y axis, at most Agent.LARGEST_COORDINATE either way. */
+        /** The position of the model's origin along the world's y axis, from -Agent.LARGEST_COORDINATE to Agent.LARGEST_COORDINATE. */
         public function get y():Number
         {
             return placement.y;
@@ -77,8 +78,8 @@ package starlogo.agents
         }
 
         /**
-         * The height of the model's lowest point over the ground when the agent stands upright, at most Agent.LARGEST_COORDINATE
-         * either way.
+         * The height of the model's origin over the ground, from -Agent.LARGEST_COORDINATE to Agent.LARGEST_COORDINATE. For an upright
+         * agent, the origin is its lowest point.
          */
         public function get z():Number
         {
@@ -90,7 +91,7 @@ package starlogo.agents
             moveTo(placement.x, placement.y, value);
         }
 
-        /** The turn about the z axis, counter-clockwise seen from above, in degrees, finite. */
+        /** The turn about the z axis in degrees, counter-clockwise seen from above. Any finite number. */
         public function get heading():Number
         {
             findAngles();
@@ -103,7 +104,7 @@ package starlogo.agents
             turnTo(value, _pitch, _roll);
         }
 
-        /** The turn about the world's y axis, before the heading, in degrees, finite. */
+        /** The turn about the world's y axis in degrees, before the heading. Any finite number. */
         public function get pitch():Number
         {
             findAngles();
@@ -116,7 +117,7 @@ package starlogo.agents
             turnTo(_heading, value, _roll);
         }
 
-        /** The turn about the world's x axis, before the pitch, in degrees, finite. */
+        /** The turn about the world's x axis in degrees, before the pitch. Any finite number. */
         public function get roll():Number
         {
             findAngles();
@@ -129,7 +130,7 @@ package starlogo.agents
             turnTo(_heading, _pitch, value);
         }
 
-        /** The uniform scale of the model, from Agent.SMALLEST_SIZE to Agent.LARGEST_SIZE; 1 leaves it a unit wide. */
+        /** The uniform scale of the model, from Agent.SMALLEST_SIZE to Agent.LARGEST_SIZE. With 1 the agent is one patch wide. */
         public function get size():Number
         {
             return placement.size;
@@ -150,33 +151,33 @@ package starlogo.agents
         }
 
         /**
-         * Moves the agent to a place without a motion: one that sweeps meets nothing in between.
+         * Moves the agent to a place without a motion. A sweeping agent meets nothing on the way.
          *
          * @param x as in moveTo
          * @param y as in moveTo
          * @param z as in moveTo
-         * @throws RangeError as moveTo does
+         * @throws RangeError as in moveTo
          */
         public function jumpTo(x:Number, y:Number, z:Number):void
         {
             var before:int = revision;
             moveTo(x, y, z);
-            // a jump counts even to where it is
+            // a jump counts even if the place is the same
             revision = before + 1;
             jumpRevision = revision;
         }
 
         /**
-         * Moves the agent, in one call instead of three. Nothing changes if it is there already.
+         * Moves the agent to a place. One call replaces setting x, y and z. If it is there already, nothing changes.
          *
-         * @param x patches, at most Agent.LARGEST_COORDINATE either way
+         * @param x patches, from -Agent.LARGEST_COORDINATE to Agent.LARGEST_COORDINATE
          * @param y as x
          * @param z as x
          * @throws RangeError if one is not finite, or beyond Agent.LARGEST_COORDINATE; the agent then stays where it was
          */
         public function moveTo(x:Number, y:Number, z:Number):void
         {
-            // LARGEST_COORDINATE squared; false for NaN too
+            // LARGEST_COORDINATE squared; the comparison is false for NaN too
             if (!(x * x + y * y + z * z <= 1e18))
             {
                 requireCoordinate("x", x);
@@ -195,8 +196,8 @@ package starlogo.agents
         }
 
         /**
-         * The transform from the model's space to the world: a new matrix, which is the caller's. <code>getMatrix()</code> writes into a matrix
-         * that is there already.
+         * A new matrix that transforms the model's space to the world. Use <code>getMatrix()</code> to write into an existing matrix
+         * instead.
          */
         public function get transform():Matrix3D
         {
@@ -204,15 +205,15 @@ package starlogo.agents
         }
 
         /**
-         * Turns the agent as a quaternion says, which loses nothing where heading and roll turn about the same axis. Afterwards heading, pitch and
-         * roll are angles that give the same rotation, the pitch between -90 and 90; setting one of them makes the rotation of the
-         * three again.
+         * Turns the agent by a quaternion. It loses nothing when heading and roll turn about the same axis. Afterwards heading, pitch and
+         * roll are angles that give the same rotation, with the pitch between -90 and 90. If you then set one of them, the three angles
+         * make the rotation again.
          *
-         * @param x of the quaternion x i + y j + z k + w, of any length but 0
-         * @param y of the same
-         * @param z of the same
-         * @param w of the same
-         * @throws RangeError if one is not finite, or all are 0; the agent then stays as it was
+         * @param x of the quaternion x i + y j + z k + w; it may have any length but 0
+         * @param y of the same quaternion
+         * @param z of the same quaternion
+         * @param w of the same quaternion
+         * @throws RangeError if one is not finite, or all are 0; the agent is then unchanged
          */
         public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
@@ -229,10 +230,10 @@ package starlogo.agents
         }
 
         /**
-         * The quaternion of the agent's rotation, of length 1, its w not negative.
+         * The unit quaternion of the agent's rotation. Its w is not negative.
          *
-         * @param out takes it; made if null
-         * @return out: x, y, z, w
+         * @param out takes x, y, z, w; created if null
+         * @return out
          */
         public function getQuaternion(out:Vector.<Number> = null):Vector.<Number>
         {
@@ -242,12 +243,13 @@ package starlogo.agents
         }
 
         /**
-         * Moves, turns and scales the agent as a matrix says: the counterpart of <code>transform</code>. Flash Player keeps a Matrix3D in
-         * single precision, which loses 1e-7 of each; setQuaternion, moveTo and size lose nothing.
+         * Moves, turns and scales the agent by a matrix. <code>transform</code> returns such a matrix. Flash Player stores a Matrix3D in
+         * single precision, which rounds each number by up to 1e-7 of its size. The methods setQuaternion and moveTo and the property size keep
+         * full precision.
          *
-         * @param matrix from the model's space to the world: turned, evenly scaled, moved
+         * @param matrix from the model's space to the world; it may rotate, scale evenly and translate
          * @throws ArgumentError if it is null, or mirrors, shears, or scales unevenly
-         * @throws RangeError if the place or the size cannot be an agent's; in either case the agent stays as it was
+         * @throws RangeError if an agent can't have the place or the size. After either error the agent is unchanged
          */
         public function setMatrix(matrix:Matrix3D):void
         {
@@ -274,7 +276,7 @@ package starlogo.agents
         /**
          * The transform from the model's space to the world.
          *
-         * @param out takes it; made if null
+         * @param out takes it; created if null
          * @return out
          */
         public function getMatrix(out:Matrix3D = null):Matrix3D
@@ -285,7 +287,7 @@ package starlogo.agents
             return out;
         }
 
-        /** @private The agent's place in the world with its rotation up to date. */
+        /** @private The agent's place in the world. Its rotation is up to date. */
         engine function worldPlacement():Placement
         {
             if (_rotationIsStale)
@@ -316,7 +318,7 @@ package starlogo.agents
             extentsChanged();
         }
 
-        // By a quaternion of any length.
+        // By a quaternion of any length except 0.
         private function turnBy(x:Number, y:Number, z:Number, w:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z + w * w);
@@ -330,7 +332,7 @@ package starlogo.agents
             }
         }
 
-        // Three arctangents, which most games that turn by quaternions never need.
+        // It takes three arctangents, and most games that turn by quaternions never read the angles. So they are computed only when needed.
         private function findAngles():void
         {
             if (_anglesAreStale)
@@ -343,7 +345,7 @@ package starlogo.agents
             }
         }
 
-        /** @private Notes a change of more than the place. */
+        /** @private Call it after a change of anything but the place. */
         internal function extentsChanged():void
         {
             placement.extentsRevision++;

@@ -3,8 +3,8 @@ package starlogo.agents
     import flash.errors.IllegalOperationError;
 
     /**
-     * Says which agents count: what AgentFilter is to the parts of the engine that know nothing of questions. Abstract; a subclass of a client's own may be the
-     * filter of a Collision.
+     * Decides which agents count. It is the abstract base class of AgentFilter. Write a subclass of your own to filter the agents of a
+     * Collision.
      */
     public class AgentPredicate
     {

@@ -1,7 +1,8 @@
 package starlogo.agents
 {
     /**
-     * Numbers for the names of breeds, so that frames and questions compare no text. A name keeps its number as long as the program runs.
+     * Gives each breed's name a number, so that frames and questions need not compare text. A name keeps its number as long as the program
+     * runs.
      *
      * @private
      */
@@ -18,7 +19,8 @@ package starlogo.agents
 
         private static var sNames:Vector.<String> = new <String>[TERRAIN, EDGE];
 
-        // The numbers in the order of the names: so a name is found without a text that is made for a key. The last that was asked for.
+        // The numbers in the order of their names. A binary search in it needs no key, so it allocates no text. sLast is the last number
+        // asked for.
         private static var sOrder:Vector.<int> = new <int>[1, 0];
         private static var sLast:int = 0;
 
@@ -27,13 +29,13 @@ package starlogo.agents
         {
         }
 
-        /** How many names have a number. */
+        /** The number of names so far. */
         public static function get count():int
         {
             return sNames.length;
         }
 
-        /** The number of a name, from 0 on. A new name gets the next one. */
+        /** The number of a name, from 0. A new name gets the next number. */
         public static function numberOf(name:String):int
         {
             if (sNames.length == 0 || sNames[sLast] != name)
@@ -67,7 +69,7 @@ package starlogo.agents
             return number < RESERVED;
         }
 
-        /** The name that has a number. */
+        /** The name for a number. */
         public static function nameOf(number:int):String
         {
             return sNames[number];

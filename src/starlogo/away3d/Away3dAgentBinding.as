@@ -9,18 +9,18 @@ package starlogo.away3d
     use namespace engine;
 
     /**
-     * Keeps an agent and what Away3D draws for it in the same place: position, all three turns and size. What is drawn is then
-     * what collides.
+     * Keeps an agent and its Away3D object in the same place: position, all three turns and size. So the player sees what collides.
      *
-     * <p>The object's parent is the land: y up, one unit a patch. If the object is, or has, the source of an Away3dModel, that
-     * model says where and how large it is; without one, the object is taken to be normalised: a unit wide, its
-     * lowest point at its origin. The object may turn about a pivot point.</p>
+     * <p>The object's parent must be the land: y up, one unit per patch. If the object is the source of an Away3dModel or contains it, pass
+     * that model. It gives the object's origin and width. Without a model, the object must be normalised: one unit wide, with its lowest
+     * point at its origin. The object may have a pivot point.</p>
      *
-     * <p>Call <code>updateObject()</code> each frame when the agent leads, <code>updateAgent()</code> when the object does. Either compares
-     * both sides, does nothing when nothing has changed, and allocates nothing; Away3D does not send an event for every change.</p>
+     * <p>Call <code>updateObject()</code> each frame if the agent leads, or <code>updateAgent()</code> if the object leads. Both compare
+     * the two sides, because Away3D does not send an event for every change. They do nothing if nothing has changed, and they allocate
+     * nothing.</p>
      *
-     * <p>Away3D's DAEParser sets matrices that the first change of a trait overwrites: bind a new ObjectContainer3D around what it
-     * loads.</p>
+     * <p>Away3D's DAEParser sets matrices, and the first change of a trait overwrites them. So bind a new ObjectContainer3D that contains
+     * the loaded object.</p>
      */
     public final class Away3dAgentBinding
     {
@@ -30,23 +30,22 @@ package starlogo.away3d
         private var _agent:Agent;
         private var _object:Object3D;
 
-        // The model's origin in the object's own space, in Away3D's axes, and its width there.
+        // The model's origin in the object's own space, in Away3D's axes, and the model's width there.
         private var _originX:Number = 0;
         private var _originY:Number = 0;
         private var _originZ:Number = 0;
         private var _width:Number = 1;
 
-        // What both sides were when they were last made the same.
+        // The state of both sides at the last update.
         private var _revision:int = -1;
         private var _traits:Vector.<Number> = new Vector.<Number>(12, true);
 
         /**
-         * Changes neither.
+         * Creates a binding. It changes neither side.
          *
          * @param agent the agent
-         * @param object what is drawn for it: a Mesh or a container, say
-         * @param model what the agent's model was made of, the object being its source or an object of the same geometry; null
-         *     if the object is drawn normalised
+         * @param object its object, for example a Mesh or a container
+         * @param model the agent's model, if the object is its source or has the same geometry; null if the object is drawn normalised
          * @throws ArgumentError if the agent or the object is null
          */
         public function Away3dAgentBinding(agent:Agent, object:Object3D, model:Away3dModel = null)
@@ -72,13 +71,13 @@ package starlogo.away3d
             return _agent;
         }
 
-        /** What is drawn for the agent. */
+        /** The agent's object. */
         public function get object():Object3D
         {
             return _object;
         }
 
-        /** Puts the object where the agent is, as large, turned the same way. */
+        /** Gives the object the agent's place, size and turns. */
         public function updateObject():void
         {
             if (isUnchanged())
@@ -90,13 +89,13 @@ package starlogo.away3d
             var pivot:Vector3D = drawn.pivotPoint;
             var turn:SwappedTurn = sTurn;
             turn.setAngles(_agent.heading, _agent.pitch, _agent.roll);
-            // unlike moveTo, rotateTo always has the matrix computed again
+            // unlike moveTo, rotateTo always causes the matrix to be computed again
             if (differ(turn.roll, drawn.rotationX) || differ(turn.pitch, drawn.rotationY) || differ(turn.heading, drawn.rotationZ))
             {
                 drawn.rotateTo(turn.roll, turn.pitch, turn.heading);
             }
             drawn.scaleX = drawn.scaleY = drawn.scaleZ = scale;
-            // y and z swapped: a turn on the agent's side
+            // y and z are swapped, because it turns in the agent's space
             turn.turn(scale * _originX - pivot.x, scale * _originZ - pivot.z, scale * _originY - pivot.y);
             drawn.moveTo(_agent.x - pivot.x - turn.x, _agent.z - pivot.y - turn.z, _agent.y - pivot.z - turn.y);
             remember();
@@ -105,9 +104,9 @@ package starlogo.away3d
         /**
          * Gives the agent the object's place, size and turns.
          *
-         * @throws ArgumentError if the object's scale is mirrored, uneven, zero or not finite, or another trait of it is not
-         *     finite; the agent is then as it was
-         * @throws RangeError if the agent can't be so large, so small or so far away; it is then as it was
+         * @throws ArgumentError if the object's scale is mirrored, uneven, zero or not finite, or another of its traits is not finite; the
+         * agent is then unchanged
+         * @throws RangeError if the agent can't have that size or place; the agent is then unchanged
          */
         public function updateAgent():void
         {
@@ -178,7 +177,7 @@ package starlogo.away3d
             traits[11] = pivot.z;
         }
 
-        // The object keeps radians: an angle comes back rounded.
+        // The object stores radians, so an angle comes back rounded.
         private static function differ(angle:Number, rotation:Number):Boolean
         {
             return !(Math.abs(angle - rotation) <= Tolerances.ROUNDING * Math.abs(angle));
@@ -190,10 +189,10 @@ package starlogo.away3d
             var y:Number = _object.scaleY;
             var z:Number = _object.scaleZ;
             var most:Number = x * Tolerances.SINGLE_PRECISION;
-            // false for NaN too
+            // the comparisons are false for NaN too
             if (!(x > 0 && x < Infinity && Math.abs(y - x) <= most && Math.abs(z - x) <= most))
             {
-                throw new ArgumentError(_agent + " can't be as its object is: the scale must be positive, finite and the same in x, y and z, not "
+                throw new ArgumentError(_agent + " can't take the scale of its object: it must be positive, finite and the same in x, y and z, not "
                         + x + ", " + y + ", " + z);
             }
         }
@@ -202,14 +201,14 @@ package starlogo.away3d
         {
             if (!isFinite(x) || !isFinite(y) || !isFinite(z) || !isFinite(turns))
             {
-                throw new ArgumentError(_agent + " can't be where its object is: position, rotation and pivot point must be finite numbers, not ("
+                throw new ArgumentError(_agent + " can't take the place of its object: position, rotation and pivot point must be finite numbers, not ("
                         + _object.x + ", " + _object.y + ", " + _object.z + "), (" + _object.rotationX + ", " + _object.rotationY + ", "
                         + _object.rotationZ + ") and " + _object.pivotPoint);
             }
             if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE
                         && Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= Agent.LARGEST_COORDINATE))
             {
-                throw new RangeError(_agent + " can't be of size " + size + " at (" + x + ", " + y + ", " + z + "), as its object is: see Agent's limits");
+                throw new RangeError(_agent + " can't be of size " + size + " at (" + x + ", " + y + ", " + z + "), as its object demands: see Agent's limits");
             }
         }
     }

@@ -5,17 +5,18 @@ package starlogo.away3d
     import starlogo.steps.finish;
 
     /**
-     * A model of what Away3D draws. Away3D's (x, y, z), y up, is the engine's (x, z, y).
+     * A model made from Away3D's own objects or geometry. A point (x, y, z) of Away3D, with y up, becomes (x, z, y) in the engine.
      *
-     * <p>The source is an ObjectContainer3D (a Mesh is one), a Geometry, an ISubGeometry, or an Array or Vector of such, which are
-     * taken together: the geometries of an animated mesh's frames make one model that encloses them all. The transforms of a
-     * container's children count, mirrors and those in shared geometry too; the source's own does not: it says where the object
-     * is in the world, which is the concern of an Away3dAgentBinding. All meshes count, visible or not.</p>
+     * <p>The source is an ObjectContainer3D (a Mesh is one), a Geometry, an ISubGeometry, or an Array or Vector of these. A list makes one
+     * model. For example, the geometries of an animated mesh's frames make one model that encloses all frames. The transforms of a
+     * container's children count, including mirrors and shared geometry. The source's own transform does not count, because it places the
+     * object in the world, as an Away3dAgentBinding does. All meshes count, visible or not.</p>
      *
-     * <p>Vertices at equal positions are one, since Away3D's parsers and primitives repeat them for their normals; those that no
-     * triangle uses are left out. Triangles are counter-clockwise seen from where Away3D shows them.</p>
+     * <p>Vertices at equal positions become one, because Away3D's parsers and primitives repeat vertices for their normals. Vertices that
+     * no triangle uses are left out. Triangles are counter-clockwise seen from the side that Away3D shows.</p>
      *
-     * <p>20,000 vertices with their triangles take about a quarter of a second in Ruffle: an Away3dModelReader reads them while a game runs.</p>
+     * <p>20,000 vertices with their triangles take about a quarter of a second in Ruffle. To read while a game runs, use an
+     * Away3dModelReader.</p>
      */
     public final class Away3dModel extends Model
     {
@@ -25,9 +26,9 @@ package starlogo.away3d
          * Reads a model at once.
          *
          * @param name what agents call the shape, not empty
-         * @param source the object or geometry; left as it is
-         * @throws ModelError if the source is none of the above or has no vertices, its data end early, or a coordinate is not
-         *     finite; if the name is empty
+         * @param source the object or geometry; is not changed
+         * @throws ModelError if the source is none of the above or has no vertices, if its data end early, if a coordinate is not finite,
+         * or if the name is empty
          */
         public function Away3dModel(name:String, source:Object)
         {
@@ -43,15 +44,14 @@ package starlogo.away3d
         }
 
         /**
-         * The point of the source's own space, in Away3D's axes, that is the model's origin. The model's own: do not change
-         * it.
+         * The point of the source's own space, in Away3D's axes, that becomes the model's origin. Shared with the model: do not change it.
          */
         public function get origin():Vector3D
         {
             return _origin;
         }
 
-        /** How wide the source is, in its own units: what a unit of the model is there. */
+        /** The width of the source in its own units. It is the length of the model's unit. */
         public function get width():Number
         {
             return this.source.unit;

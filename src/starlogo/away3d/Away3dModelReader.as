@@ -5,7 +5,7 @@ package starlogo.away3d
     import starlogo.steps.StepSequence;
 
     /**
-     * Makes an Away3dModel in steps, while a game runs: give it to a ModelLoader.
+     * Makes an Away3dModel in steps, while a game runs. Give it to a ModelLoader.
      *
      * <listing version="3.0">
      * loader.loadFrom(new Away3dModelReader("bear", mesh));
@@ -15,7 +15,7 @@ package starlogo.away3d
      */
     public final class Away3dModelReader implements ModelSource
     {
-        // normalising what is read takes the rest
+        // the progress after reading; normalising is the rest
         private static const READ:Number = 0.9;
 
         private var _name:String;
@@ -24,10 +24,10 @@ package starlogo.away3d
         private var _model:Away3dModel = null;
 
         /**
-         * Does nothing yet.
+         * Creates the reader. It does nothing yet.
          *
          * @param name what agents call the shape
-         * @param source what Away3dModel takes
+         * @param source as for Away3dModel
          */
         public function Away3dModelReader(name:String, source:Object)
         {
@@ -48,7 +48,7 @@ package starlogo.away3d
             return _model == null ? READ * _reader.progress : 1;
         }
 
-        /** The model, when no step is left: an Away3dModel. */
+        /** The Away3dModel. Read it when no step is left. */
         public function get model():Model
         {
             return _model;
@@ -57,7 +57,7 @@ package starlogo.away3d
         /**
          * @inheritDoc
          *
-         * @throws ModelError as Away3dModel() does
+         * @throws ModelError as Away3dModel()
          */
         public function step():Boolean
         {

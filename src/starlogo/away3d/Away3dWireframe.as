@@ -11,8 +11,8 @@ package starlogo.away3d
     import starlogo.hierarchy.HierarchyNode;
 
     /**
-     * The wireframe of an agent's structure, or of a level of its hierarchy, among what Away3D draws. It is built when one is shown and
-     * then moves with the agent; its parent is the land, as an Away3dAgentBinding's object's is.
+     * Draws an agent's bounding structure, or a level of its hierarchy, as lines in an Away3D scene. The lines move with the agent. The
+     * parent must be the land, as for an Away3dAgentBinding's object.
      *
      * <listing version="3.0">
      * var wireframe:Away3dWireframe = new Away3dWireframe(bear);
@@ -28,11 +28,11 @@ package starlogo.away3d
         private var _thickness:Number;
 
         /**
-         * A wireframe without lines.
+         * Creates a wireframe without lines.
          *
          * @param agent the agent
-         * @param color of the lines: 0xrrggbb
-         * @param thickness of the lines, as LineSegment counts it
+         * @param color the lines' colour: 0xrrggbb
+         * @param thickness the lines' thickness, as for LineSegment
          * @throws ArgumentError if the agent is null
          */
         public function Away3dWireframe(agent:Agent, color:uint = 0xffcc00, thickness:Number = 1)
@@ -43,7 +43,7 @@ package starlogo.away3d
         }
 
         /**
-         * Shows a structure, in place of what was shown.
+         * Shows a structure and removes the lines shown before.
          *
          * @param structure in the model's space, as a library has it
          * @throws ArgumentError if it is null
@@ -54,7 +54,7 @@ package starlogo.away3d
         }
 
         /**
-         * Shows what a collider looks at last when it visits so many levels of a hierarchy, in place of what was shown.
+         * Shows the structures that a collider reaches if it visits this many levels of a hierarchy. Removes the lines shown before.
          *
          * @param root the hierarchy's root
          * @param level from 1
@@ -66,19 +66,19 @@ package starlogo.away3d
             show(Wireframes.ofLevel(root, level));
         }
 
-        /** Moves it to the agent; does nothing and allocates nothing when that has not changed. */
+        /** Moves the lines to the agent. If the agent has not changed, it does nothing. It allocates nothing. */
         public function update():void
         {
             _binding.updateObject();
         }
 
-        /** @private A box: the sphere that a SegmentSet has leaves corners out, and is not drawn when they alone are in view. */
+        /** @private A box. A SegmentSet's own bounding sphere does not contain the corners, so it is not drawn if only they are in view. */
         override protected function getDefaultBoundingVolume():BoundingVolumeBase
         {
             return new AxisAlignedBoundingBox();
         }
 
-        // All anew: a segment that is added after a frame is not drawn.
+        // Creates all segments again, because a segment that is added after a frame is not drawn.
         private function show(lines:Vector.<Number>):void
         {
             removeAllSegments();

@@ -6,20 +6,20 @@ package starlogo.away3d
     import starlogo.geometry.Tolerances;
     import starlogo.models.AffineTransform;
 
-    /** Where an object of Away3D's is in the object that contains it, in Away3D's axes. */
+    /** The transform of an Away3D object in its container, in Away3D's axes. */
     internal final class NodeTransform
     {
         private static var sPlacement:Placement = new Placement();
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        /** All is static. */
+        /** Has only static members. */
         public function NodeTransform()
         {
         }
 
         /**
-         * The transform of an object. It is computed from the object's traits, because a Matrix3D has single precision in Flash Player. Where
-         * the object's matrix says something else, the matrix counts, because Away3D draws that: its DAEParser writes there alone.
+         * The transform of an object. It is computed from the object's traits, because a Matrix3D has single precision in Flash Player. If
+         * the object's matrix differs, the matrix counts, because Away3D draws with it. For example, the DAEParser sets only the matrix.
          */
         internal static function of(object:Object3D):AffineTransform
         {
@@ -38,7 +38,8 @@ package starlogo.away3d
                     scale = Math.max(scale, Math.abs(traits[at]));
                     difference = Math.max(difference, Math.abs(traits[at] - drawn[at]));
                 }
-                // up to what single precision leaves of it: of the scale in three columns, of the position in the fourth
+                // The comparison allows for single precision: relative to the scale in the first three columns, and to the position in the
+                // fourth.
                 if (column >= 2)
                 {
                     areSame = areSame && difference <= scale * Tolerances.SINGLE_PRECISION;
@@ -48,7 +49,7 @@ package starlogo.away3d
             return areSame ? new AffineTransform(traits) : new AffineTransform(drawn);
         }
 
-        // Scaled, turned about the pivot point, moved: T(position) T(pivot) R T(-pivot) S.
+        // First the scale, then the turn about the pivot point, then the move: T(position) T(pivot) R T(-pivot) S.
         private static function ofTraits(object:Object3D):AffineTransform
         {
             var p:Placement = sPlacement;

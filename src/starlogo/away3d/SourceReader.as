@@ -11,24 +11,24 @@ package starlogo.away3d
     import starlogo.models.ModelReader;
     import starlogo.models.refuseIf;
 
-    /** Reads what Away3dModel takes, in steps of about a millisecond. */
+    /** Reads the source of an Away3dModel, in steps of about a millisecond. */
     internal final class SourceReader extends ModelReader
     {
         private static const INDICES_PER_STEP:int = 900;
 
-        // the swap of y and z, which is a mirror
+        // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
 
         private var _source:Object;
 
-        // the parts, and what takes the vertices of each to the engine's space
+        // the parts, and the transform of each to the engine's space
         private var _parts:Vector.<ISubGeometry> = new Vector.<ISubGeometry>();
         private var _places:Vector.<AffineTransform> = new Vector.<AffineTransform>();
         private var _hasTriangles:Boolean = false;
         private var _points:PointTable;
 
-        // How many parts are done, and of the one that is next: its data, how far it is read, and for each vertex the number
-        // of its point, -1 where it has none yet.
+        // _part is the index of the present part. The others belong to it: its data, the place reached, and for each vertex the index of
+        // its point, or -1 if it has none yet.
         private var _part:int = 0;
         private var _next:int = 0;
         private var _geometry:ISubGeometry = null;
@@ -39,7 +39,7 @@ package starlogo.away3d
 
         /**
          * @param name what agents call the shape
-         * @param source what Away3dModel takes
+         * @param source as for Away3dModel
          */
         public function SourceReader(name:String, source:Object)
         {
@@ -123,7 +123,7 @@ package starlogo.away3d
             _places.push(place);
         }
 
-        /** A step through the parts; whether there is more of them. */
+        /** Reads some of the parts. Returns whether there are more. */
         private function readSome():Boolean
         {
             if (_part == _parts.length)
@@ -173,7 +173,7 @@ package starlogo.away3d
             }
         }
 
-        // With triangles, what they do not use is not drawn; without any, all vertices count.
+        // With triangles, only the vertices that they use count, because others are not drawn. Without triangles, all vertices count.
         private function get itemCount():int
         {
             return _hasTriangles ? 3 * _geometry.numTriangles : _geometry.numVertices;

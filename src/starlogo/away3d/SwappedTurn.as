@@ -4,24 +4,23 @@ package starlogo.away3d
     import starlogo.geometry.Placement;
 
     /**
-     * A rotation as it is on the other side: with y and z swapped, which takes the engine's space to Away3D's and back.
+     * Converts a rotation between the engine's space and Away3D's. Their y and z axes are swapped.
      *
-     * <p>Both turn about x first, then about y, then about z. The mirror makes
-     * <code>Rz(heading) Ry(pitch) Rx(roll)</code> the same as <code>Ry(-heading) Rz(-pitch) Rx(-roll)</code>, which is taken
-     * apart into angles in the order of before.</p>
+     * <p>Both sides turn about x first, then about y, then about z. The swap mirrors, so <code>Rz(heading) Ry(pitch) Rx(roll)</code>
+     * becomes <code>Ry(-heading) Rz(-pitch) Rx(-roll)</code>. The result is then expressed as three angles in the usual order.</p>
      */
     internal final class SwappedTurn
     {
-        /** On the other side: degrees about z, the last turn. */
+        /** The result: degrees about z, the last turn. */
         public var heading:Number = 0;
 
-        /** On the other side: degrees about y. */
+        /** The result: degrees about y. */
         public var pitch:Number = 0;
 
-        /** On the other side: degrees about x, the first turn. */
+        /** The result: degrees about x, the first turn. */
         public var roll:Number = 0;
 
-        /** A point that was turned, on this side. */
+        /** A point after <code>turn()</code>, in the space that the angles came from. */
         public var x:Number = 0;
 
         /** @copy #x */
@@ -34,16 +33,16 @@ package starlogo.away3d
         private var _swapped:Placement = new Placement();
         private var _angles:Vector3D = new Vector3D();
 
-        /** No turn. */
+        /** Creates the identity rotation. */
         public function SwappedTurn()
         {
         }
 
-        /** Sets the rotation by its angles on this side, in degrees. */
+        /** Sets the rotation by its angles on one side, in degrees. The results are the angles on the other side. */
         public function setAngles(heading:Number, pitch:Number, roll:Number):void
         {
             _placement.setRotation(heading, pitch, roll);
-            // a game's agents mostly turn one way: these angles are taken over as they are, full turns included
+            // Most agents turn about one axis only. Then the angles are copied exactly, including full turns.
             if (heading == 0 || pitch == 0 && roll == 0)
             {
                 this.heading = 0 - pitch;
@@ -54,7 +53,7 @@ package starlogo.away3d
             readRotation();
         }
 
-        /** Turns a point of this side. */
+        /** Turns a point. The point is in the space that the angles came from. */
         public function turn(fromX:Number, fromY:Number, fromZ:Number):void
         {
             x = _placement.r00 * fromX + _placement.r01 * fromY + _placement.r02 * fromZ;
@@ -62,7 +61,7 @@ package starlogo.away3d
             z = _placement.r20 * fromX + _placement.r21 * fromY + _placement.r22 * fromZ;
         }
 
-        // Rows and columns 1 and 2 are swapped.
+        // Reads the matrix with rows and columns 1 and 2 swapped.
         private function readRotation():void
         {
             _swapped.r00 = _placement.r00;

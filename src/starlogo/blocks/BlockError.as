@@ -1,15 +1,15 @@
 package starlogo.blocks
 {
-    /** What is wrong with the use of a block, in words for students. */
+    /** Thrown if a block is used wrongly. The message is written for students. */
     public class BlockError extends Error
     {
         private var _block:String;
 
         /**
-         * An error about the use of a block.
+         * Creates an error for a block.
          *
          * @param block the words on the block
-         * @param problem what follows them in a sentence
+         * @param problem follows these words in the message's sentence
          */
         public function BlockError(block:String, problem:String)
         {

@@ -2,10 +2,10 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
 
-    /** What a block is about: an agent, or all agents of a breed, given by its name. */
+    /** Checks the subject of a block: an agent, or the name of a breed, which stands for all its agents. */
     internal final class BlockSubject
     {
-        /** Makes sure that it is one of the two. */
+        /** Throws a BlockError if the subject is neither an agent nor a breed's name. */
         public static function check(block:String, subject:Object):void
         {
             if (subject is String)
@@ -19,7 +19,7 @@ package starlogo.blocks
             }
         }
 
-        /** Makes sure that a breed has a name. */
+        /** Throws a BlockError if the breed's name is missing. */
         public static function checkBreed(block:String, breed:String):void
         {
             if (breed == null || breed == "")
@@ -28,7 +28,7 @@ package starlogo.blocks
             }
         }
 
-        /** How a message names what a student put into a block. */
+        /** The words for a value in a message. */
         public static function nameOf(value:Object):String
         {
             if (value == null || value === "")

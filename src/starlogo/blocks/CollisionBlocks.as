@@ -10,29 +10,29 @@ package starlogo.blocks
     import starlogo.collision.TightestFitCollider;
 
     /**
-     * The blocks for what happens at collisions, and for how they are found: "on collision with", "when touching starts",
-     * "when touching ends", "use collision system" (thesis §7.1).
+     * The blocks that react to collisions and choose how they are found: "on collision with", "when touching starts", "when touching ends",
+     * "use collision system" (thesis §7.1).
      */
     public class CollisionBlocks
     {
-        /** Every agent is a sphere of its size: BinCollider. */
+        /** Every agent counts as a sphere of its size: BinCollider. */
         public static const UNIT_SPHERES:String = "unit spheres";
 
-        /** Every agent is the structure that it collides as: TightestFitCollider. */
+        /** Every agent counts as its bounding structure: TightestFitCollider. */
         public static const TIGHTEST_FITS:String = "tightest fits";
 
-        /** Every agent is a hierarchy: HierarchicalCollider. */
+        /** Every agent counts as its hierarchy: HierarchicalCollider. */
         public static const HIERARCHIES:String = "hierarchies";
 
-        /** Agents that are hierarchical are hierarchies, the others what they collide as: CombinationCollider. */
+        /** Hierarchical agents count as their hierarchies, all others as their bounding structures: CombinationCollider. */
         public static const COMBINATION:String = "combination";
 
-        /** The triangles of the models decide: HierarchicalCollider in exact mode. */
+        /** Every agent counts as the triangles of its model: HierarchicalCollider in exact mode. */
         public static const EXACT:String = "exact";
 
         private static const NAMES:Array = [UNIT_SPHERES, TIGHTEST_FITS, HIERARCHIES, COMBINATION, EXACT];
 
-        /** How often scripts were forgotten. */
+        /** The number of times that scripts were removed. */
         internal var runs:int = 0;
 
         private var _greatLand:GreatLand;
@@ -42,10 +42,10 @@ package starlogo.blocks
         private var _collision:Collision;
 
         /**
-         * Blocks without scripts, with the tightest fits.
+         * Creates blocks without scripts. The collision system is "tightest fits".
          *
          * @param greatLand has the models of the agents
-         * @param agents the game's own list of its agents, which is not copied
+         * @param agents the game's own list of its agents; it is not copied
          * @throws ArgumentError if one is null
          */
         public function CollisionBlocks(greatLand:GreatLand, agents:Vector.<Agent>)
@@ -90,9 +90,9 @@ package starlogo.blocks
         }
 
         /**
-         * A collision system by its name; the same one for the same name.
+         * The collision system with a name. The same name always gives the same system.
          *
-         * @throws BlockError if there is none of that name
+         * @throws BlockError if there is no such system
          */
         public function systemNamed(name:String):CollisionSystem
         {
@@ -108,7 +108,7 @@ package starlogo.blocks
         }
 
         /**
-         * The block "use collision system": from the next frame on.
+         * The block "use collision system". The change counts from the next frame on.
          *
          * @param name one of systemNames
          * @throws BlockError if it is none of them
@@ -123,8 +123,8 @@ package starlogo.blocks
          * The block "on collision with ... do".
          *
          * @param breed the breed that has the block
-         * @param otherBreed the breed that they collide with, or Collision.ANY_BREED
-         * @param script called with the collider and the collidee, every frame in which they touch
+         * @param otherBreed the breed that it collides with, or Collision.ANY_BREED
+         * @param script called with the collider and the collidee in every frame in which they touch
          * @throws BlockError if something is missing
          */
         public function onCollision(breed:String, otherBreed:String, script:Function):void
@@ -138,7 +138,7 @@ package starlogo.blocks
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
-         * @param script called in the first frame in which they touch
+         * @param script called in the first frame in which the two agents touch
          * @throws BlockError if something is missing
          */
         public function whenTouchingStarts(breed:String, otherBreed:String, script:Function):void
@@ -152,7 +152,7 @@ package starlogo.blocks
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
-         * @param script called in the first frame in which they do not touch any more
+         * @param script called in the first frame in which the two agents no longer touch
          * @throws BlockError if something is missing
          */
         public function whenTouchingEnds(breed:String, otherBreed:String, script:Function):void
@@ -161,7 +161,10 @@ package starlogo.blocks
             _collision.onCollisionEnd(breed, otherBreed, script);
         }
 
-        /** Takes all scripts away, and forgets what touches, as before a program runs anew. The collision system and the filter stay. */
+        /**
+         * Removes all scripts and forgets which agents touch. Call it before a program starts again. The collision system and the filter
+         * stay.
+         */
         public function forgetScripts():void
         {
             _collision.reset();

@@ -6,8 +6,9 @@ package starlogo.blocks
     import starlogo.queries.AgentQueries;
 
     /**
-     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?", "distance to". The agent that asks
-     * is never in an answer. It is where it is; the others are where they were when the frame began, or when <code>moved()</code> told of them.
+     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?",
+     * "distance to". An answer never contains the agent that asks. That agent counts at its present place. The others count where they were
+     * when the frame began, or at the last call of <code>moved()</code>.
      */
     public class DetectionBlocks
     {
@@ -16,9 +17,9 @@ package starlogo.blocks
         private var _updatedIn:int = -1;
 
         /**
-         * Blocks for the agents of a game.
+         * Creates blocks for the agents of a game.
          *
-         * @param collisions know the agents, and the collision system in use
+         * @param collisions has the agents and the collision system in use
          * @throws ArgumentError if it is null
          */
         public function DetectionBlocks(collisions:CollisionBlocks)
@@ -31,7 +32,7 @@ package starlogo.blocks
             _queries = new AgentQueries(collisions.collision);
         }
 
-        /** The questions that the blocks ask, with the agents of the last update. */
+        /** The AgentQueries that the blocks use. It sees the agents as they were at the last update. */
         public function get queries():AgentQueries
         {
             if (_updatedIn != _collisions.runs)
@@ -42,9 +43,9 @@ package starlogo.blocks
         }
 
         /**
-         * Takes the game's agents where they are: once a frame, before scripts run.
+         * Takes the present places of all agents. Call it once a frame, before scripts run.
          *
-         * @throws ArgumentError as AgentQueries.update does
+         * @throws ArgumentError as AgentQueries.update
          */
         public function update():void
         {
@@ -53,9 +54,9 @@ package starlogo.blocks
         }
 
         /**
-         * Takes one agent where it is now, so that others find it there.
+         * Takes the present place of one agent, so that others find it there.
          *
-         * @throws ArgumentError as AgentQueries.moved does
+         * @throws ArgumentError as AgentQueries.moved
          */
         public function moved(agent:Agent):void
         {
@@ -63,11 +64,11 @@ package starlogo.blocks
         }
 
         /**
-         * The block "count within": how many agents of a breed are within a distance.
+         * The block "count within": counts the agents of a breed within a distance.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @param breed the name of a breed, or Collision.ANY_BREED
-         * @param distance in patches
+         * @param distance in patches, 0 or more
          * @throws BlockError if something is missing, or the distance is negative
          */
         public function countWithin(agent:Agent, breed:String, distance:Number):int
@@ -78,12 +79,12 @@ package starlogo.blocks
         }
 
         /**
-         * The block "count with": how many agents of a breed have a trait of a value, wherever they are.
+         * The block "count with": counts the agents of a breed with a given value of a trait, at any distance.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @param breed as in countWithin
-         * @param trait the name of a trait, as "color"
-         * @param value what it has to be
+         * @param trait the name of a trait, for example "color"
+         * @param value the value that the trait must have
          * @throws BlockError if something is missing, or agents have no such trait
          */
         public function countWith(agent:Agent, breed:String, trait:String, value:Object):int
@@ -93,7 +94,7 @@ package starlogo.blocks
         }
 
         /**
-         * The block "nearest within": the agent of a breed that is nearest, if it is within a distance.
+         * The block "nearest within": the nearest agent of a breed, if it is within a distance.
          *
          * @param agent as in countWithin
          * @param breed as in countWithin
@@ -109,7 +110,7 @@ package starlogo.blocks
         }
 
         /**
-         * The block "nearest with": the agent of a breed that is nearest of those that have a trait of a value.
+         * The block "nearest with": the nearest agent of a breed with a given value of a trait.
          *
          * @param agent as in countWith
          * @param breed as in countWith
@@ -125,9 +126,9 @@ package starlogo.blocks
         }
 
         /**
-         * The block "touching?": whether the agent touches another, or one of a breed.
+         * The block "touching?": whether the agent touches another agent, or any agent of a breed.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @param subject an agent, or the name of a breed, or Collision.ANY_BREED
          * @throws BlockError if something is missing
          */
@@ -140,11 +141,12 @@ package starlogo.blocks
         }
 
         /**
-         * The block "can see?": whether no agent is between the middles of the two, as the collision system sees agents.
+         * The block "can see?": whether no agent is on the line between the middles of the two. Agents have the shapes that the collision
+         * system uses.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @param other another agent
-         * @throws BlockError if something is missing, or both are one
+         * @throws BlockError if something is missing, or both are the same agent
          */
         public function canSee(agent:Agent, other:Agent):Boolean
         {
@@ -153,12 +155,13 @@ package starlogo.blocks
         }
 
         /**
-         * The block "distance to": how far the surfaces of the agent and another are apart, as the collision system sees them; 0 if they touch.
+         * The block "distance to": the distance between the surfaces of two agents; 0 if they touch. Agents have the shapes that the
+         * collision system uses.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @param other another agent
          * @return patches; Infinity while the model of one is loading
-         * @throws BlockError if something is missing, or both are one
+         * @throws BlockError if something is missing, or both are the same agent
          */
         public function distanceTo(agent:Agent, other:Agent):Number
         {
@@ -168,7 +171,7 @@ package starlogo.blocks
 
         private static function filterFor(breed:String, accepts:Function = null):AgentFilter
         {
-            // one for each question: a trait's getter may ask another while this is being asked
+            // Each question gets its own filter, because a trait's getter may ask another question meanwhile.
             var filter:AgentFilter = breed == Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
             filter.accepts = accepts;
             return filter;

@@ -4,20 +4,24 @@ package starlogo.blocks
     import starlogo.debug.CollisionLines;
     import starlogo.search.IdTable;
 
-    /** The block "show bounding structures": which agents it shows, and the lines of what the collision system in use tests. */
+    /**
+     * The block "show bounding structures". It says which agents' structures are shown, and returns lines to draw: the shapes that the
+     * collision system in use tests.
+     */
     public class StructureBlocks
     {
         private var _collisions:CollisionBlocks;
         private var _breeds:Vector.<String> = new Vector.<String>();
 
-        // By the ids of agents, 1 for those that are shown: agents that leave the game are not kept.
+        // By the ids of agents: 1 for agents whose structures are shown. Only ids are stored, so agents that have left the game can be
+        // garbage-collected.
         private var _agents:IdTable = new IdTable();
         private var _lines:CollisionLines;
 
         /**
-         * Shows no agent's structures.
+         * Shows no structures at first.
          *
-         * @param collisions know the agents, and the collision system in use
+         * @param collisions has the agents and the collision system in use
          * @throws ArgumentError if it is null
          */
         public function StructureBlocks(collisions:CollisionBlocks)
@@ -34,8 +38,8 @@ package starlogo.blocks
          * The block "show bounding structures".
          *
          * @param subject an agent, or the name of a breed
-         * @param isOn whether to show them, or to cease to
-         * @throws BlockError if it is neither
+         * @param isOn whether to show or hide the structures
+         * @throws BlockError if the subject is neither
          */
         public function show(subject:Object, isOn:Boolean):void
         {
@@ -56,23 +60,23 @@ package starlogo.blocks
             }
         }
 
-        /** Shows no agent's structures any more. */
+        /** Hides all structures. */
         public function showNone():void
         {
             _breeds.length = 0;
             _agents.clear();
         }
 
-        /** Whether an agent's structures are shown, for itself or for its breed. */
+        /** Whether an agent's structures are shown, because of the agent itself or its breed. */
         public function isShown(agent:Agent):Boolean
         {
             return _agents.valueOf(agent.id) == 1 || _breeds.indexOf(agent.breed) >= 0;
         }
 
         /**
-         * The lines of all that is shown, in the world: six numbers each, x, y and z of one end, then of the other.
+         * The lines of everything that is shown, in world coordinates. A line is six numbers: x, y and z of one end, then of the other.
          *
-         * @param out the lines are added to it; made if null
+         * @param out the lines are appended to it; created if null
          * @return out
          */
         public function lines(out:Vector.<Number> = null):Vector.<Number>
@@ -89,13 +93,13 @@ package starlogo.blocks
         }
 
         /**
-         * The lines of what the collision system in use tests of an agent, shown or not; none while its model is loading. Of a hierarchy,
-         * the level at which the collider stops; in exact mode the triangles, which decide.
+         * The lines of the shape that the collision system tests for an agent, whether it is shown or not. For a hierarchy, the lines are
+         * the level at which the collider stops. In exact mode they are the triangles. While the agent's model is loading, there are none.
          *
-         * @param agent one of the game
-         * @param out the lines are added to it; made if null
-         * @return out, in the world as in <code>lines()</code>
-         * @throws ArgumentError if what the collision system needs of the agent's model was not loaded
+         * @param agent an agent of the game
+         * @param out the lines are appended to it; created if null
+         * @return out, in world coordinates as in <code>lines()</code>
+         * @throws ArgumentError if the collision system needs data of the agent's model that was not loaded
          */
         public function linesOf(agent:Agent, out:Vector.<Number> = null):Vector.<Number>
         {

@@ -3,25 +3,25 @@ package starlogo.blocks
     import starlogo.agents.Agent;
 
     /**
-     * The blocks for how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as"
-     * (thesis §7.1 to §7.3). What is set for a breed counts for its agents and, by <code>welcome()</code>, for those that join it later.
+     * The blocks that set how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as" (thesis §7.1 to §7.3).
+     * A setting for a breed counts for its agents. Call <code>welcome()</code> for agents that join the breed later.
      */
     public class TraitBlocks
     {
-        // in front of every key: a breed may be called "hasOwnProperty"
+        // stands before every key, because a breed may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
         private static const STRUCTURES:Array = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE];
 
         private var _agents:Vector.<Agent>;
 
-        // By breed, the traits that were set, by their names.
+        // By breed: the traits that were set, by their names.
         private var _breeds:Object = {};
 
         /**
-         * Nothing is set.
+         * Creates blocks without settings.
          *
-         * @param agents the game's own list of its agents, which is not copied
+         * @param agents the game's own list of its agents; it is not copied
          * @throws ArgumentError if it is null
          */
         public function TraitBlocks(agents:Vector.<Agent>)
@@ -43,8 +43,8 @@ package starlogo.blocks
          * The block "set hierarchical".
          *
          * @param subject an agent, or the name of a breed
-         * @param isOn whether the combination takes it for its hierarchy
-         * @throws BlockError if it is neither
+         * @param isOn whether the combination uses the agent's hierarchy
+         * @throws BlockError if the subject is neither
          */
         public function setHierarchical(subject:Object, isOn:Boolean):void
         {
@@ -56,8 +56,8 @@ package starlogo.blocks
          * The block "set collision depth".
          *
          * @param subject an agent, or the name of a breed
-         * @param levels how many levels of its hierarchy count, from 1; 0 for as many as the collision system says
-         * @throws BlockError if it is neither, or the levels are no such number
+         * @param levels the number of levels of the hierarchy that are tested, from 1; with 0 the collision system decides
+         * @throws BlockError if the subject is neither, or levels is no such number
          */
         public function setCollisionDepth(subject:Object, levels:Number):void
         {
@@ -87,7 +87,7 @@ package starlogo.blocks
             apply(subject, "collideAs", structure);
         }
 
-        /** Gives an agent that joins the game, or has changed its breed, what was set for the breed. */
+        /** Gives an agent the settings of its breed. Call it when an agent has joined the game or changed its breed. */
         public function welcome(agent:Agent):void
         {
             var traits:Object = _breeds[PREFIX + agent.breed];
@@ -97,7 +97,7 @@ package starlogo.blocks
             }
         }
 
-        /** Forgets what was set for breeds, as before a program runs anew. Agents stay as they are. */
+        /** Forgets the settings of breeds. Call it before a program starts again. Agents keep their traits. */
         public function forgetBreeds():void
         {
             _breeds = {};

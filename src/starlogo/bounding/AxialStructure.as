@@ -4,7 +4,7 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
 
-    /** What a capsule and a cylinder have in common: an axis between two points, and a radius. Abstract. */
+    /** Base class of Capsule and Cylinder: an axis between two points, and a radius. Abstract. */
     public class AxialStructure extends BoundingStructure
     {
         /** One end of the axis. */
@@ -23,9 +23,9 @@ package starlogo.bounding
          * @param start copied
          * @param end copied; may equal start
          * @param radius in patches; 0 is allowed
-         * @param name of what it is, for messages
-         * @throws ArgumentError when an end is null
-         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         * @param name the structure's name in messages
+         * @throws ArgumentError if an end is null
+         * @throws RangeError if a coordinate is not finite, or if the radius is negative or not finite
          */
         public function AxialStructure(kind:int, start:Vector3D, end:Vector3D, radius:Number, name:String)
         {

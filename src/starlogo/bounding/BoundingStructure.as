@@ -10,15 +10,14 @@ package starlogo.bounding
     use namespace engine;
 
     /**
-     * A simple solid that encloses a model: what the collision systems test in its place (thesis §3.3).
+     * A simple solid that encloses a model. The collision systems test it instead of the model (thesis §3.3). The subclasses are Sphere,
+     * Capsule, Box and Cylinder, and the pair tests know only these.
      *
-     * <p>Every structure is a closed set: its surface belongs to it. Two structures that merely touch collide, here and
-     * everywhere in the engine.</p>
+     * <p>A structure includes its surface: two structures that only touch collide, here and everywhere in the engine.</p>
      *
-     * <p>A structure lives either in the space of its model or, once placed, in the world; lengths are in patches.
-     * Scaling, rotating and translating are about the origin of that space, change the structure in place and return
-     * it, so that calls can be chained; <code>clone()</code> first to keep the original. A call that throws changes
-     * nothing. The subclasses are Sphere, Capsule, Box and Cylinder. The pair tests know these only.</p>
+     * <p>A structure is in the space of its model or, once it is placed, in the world. Lengths are in patches. Scaling, rotating and
+     * translating are about the origin of that space. They change the structure and return it, so that calls can be chained. Call
+     * <code>clone()</code> first to keep the original. A call that throws changes nothing.</p>
      */
     public class BoundingStructure
     {
@@ -36,7 +35,7 @@ package starlogo.bounding
 
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        /** Which structure this is: SPHERE, CAPSULE, BOX or CYLINDER. To be read only. */
+        /** The kind of this structure: SPHERE, CAPSULE, BOX or CYLINDER. Read only. */
         public var kind:int;
 
         /**
@@ -49,24 +48,24 @@ package starlogo.bounding
             this.kind = kind;
         }
 
-        /** What it is, and where, for messages. */
+        /** A description of the structure and its place, for messages. */
         public function toString():String
         {
             return "a structure of kind " + kind;
         }
 
-        /** The volume in cubic patches; 0 for a structure that is flat, a line or a point. */
+        /** The volume in cubic patches. 0 for a structure that is a rectangle, a segment or a point. */
         public function get volume():Number
         {
             throw missing("volume");
         }
 
         /**
-         * Scales the structure about the origin, uniformly.
+         * Scales the structure uniformly about the origin.
          *
          * @param factor positive and finite
          * @return this structure
-         * @throws RangeError when the factor is not positive and finite
+         * @throws RangeError if the factor is not positive and finite
          */
         public function scale(factor:Number):BoundingStructure
         {
@@ -74,12 +73,12 @@ package starlogo.bounding
         }
 
         /**
-         * Rotates the structure about the origin. In single precision, which is what Flash Player's Matrix3D has, the
-         * result is as precise as the matrix. A box's axes stay unit vectors at right angles in double precision.
+         * Rotates the structure about the origin. The result is as precise as the matrix, which has single precision in Flash Player. A
+         * box's axes stay perpendicular unit vectors in double precision.
          *
-         * @param rotation a rotation and nothing else; a reflection passes too, structures being symmetric
+         * @param rotation must only rotate; a reflection is accepted too, because structures are symmetric
          * @return this structure
-         * @throws ArgumentError when the matrix is null, scales, shears, projects or translates
+         * @throws ArgumentError if the matrix is null, scales, shears, projects or translates
          */
         public function rotate(rotation:Matrix3D):BoundingStructure
         {
@@ -91,8 +90,8 @@ package starlogo.bounding
          *
          * @param offset in patches
          * @return this structure
-         * @throws ArgumentError when the offset is null
-         * @throws RangeError when a component is not finite
+         * @throws ArgumentError if the offset is null
+         * @throws RangeError if a component is not finite
          */
         public function translate(offset:Vector3D):BoundingStructure
         {
@@ -100,8 +99,8 @@ package starlogo.bounding
         }
 
         /**
-         * Whether a point is inside of the structure or on its surface. Points outside by no more than
-         * Tolerances.CONTAINMENT of the structure's size count as inside: rounding never excludes what a fit enclosed.
+         * Whether a point is inside of the structure or on its surface. Points outside by at most Tolerances.CONTAINMENT of the structure's
+         * size count as inside, so that rounding never excludes vertices that a fit enclosed.
          *
          * @param point in the structure's space
          */
@@ -110,41 +109,40 @@ package starlogo.bounding
             throw missing("contains");
         }
 
-        /** A copy that shares nothing with this structure. */
+        /** Returns a copy that shares nothing with this structure. */
         public function clone():BoundingStructure
         {
             throw missing("clone");
         }
 
         /**
-         * This structure put through an agent's whole transform: scaled, rotated, translated (thesis §3.5). In double
-         * precision throughout. Allocates nothing when <code>out</code> is given.
+         * Transforms this structure by an agent's placement: scales, rotates, then translates it (thesis §3.5). It uses double precision
+         * throughout. Allocates nothing if <code>out</code> is given.
          *
-         * @param placement where the model stands; its numbers are not checked
-         * @param out a structure of the same kind that takes the result; may be this structure itself
+         * @param placement the model's placement; its numbers are not checked
+         * @param out a structure of the same kind, which receives the result; may be this structure
          * @return out, or a new structure
-         * @throws ArgumentError when out is of another kind
+         * @throws ArgumentError if out is of another kind
          */
         public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
             throw missing("place");
         }
 
-        /** A structure for the result of <code>place</code> where out is not of its kind: a new one for null, or an error. */
+        /** A new structure for the result of <code>place</code> if out is null. If out is of another kind, throws an error. */
         protected final function newFor(out:BoundingStructure):BoundingStructure
         {
             if (out != null)
             {
-                throw new ArgumentError("out must be of the kind of " + this + ", or null: " + out);
+                throw new ArgumentError("out must be null or of the same kind as " + this + ": " + out);
             }
             return clone();
         }
 
         /**
-         * Makes the structure wider on all sides: by the margin of touching at its place.
+         * Enlarges the structure on all sides, by the gap across which it touches others at its place.
          *
          * @param by a length, not negative
-         *
          * @private
          */
         engine function widen(by:Number):void
@@ -153,11 +151,11 @@ package starlogo.bounding
         }
 
         /**
-         * Writes the extents along the axes of the structure's space: minX, maxX, minY, maxY, minZ, maxZ. They are the
-         * tightest, widened by a rounding error (Tolerances.ROUNDING), so that the extents of structures that touch
-         * always overlap or touch. Allocates nothing.
+         * Writes the extents along the axes of the structure's space: minX, maxX, minY, maxY, minZ, maxZ. They are the tightest ones,
+         * enlarged by a rounding error (Tolerances.ROUNDING). So the extents of structures that touch always touch or overlap. Allocates
+         * nothing.
          *
-         * @param out takes six numbers
+         * @param out receives six numbers
          * @param offset the index of the first
          */
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
@@ -166,13 +164,12 @@ package starlogo.bounding
         }
 
         /**
-         * Writes the extents that this structure has where a placement puts it, without putting it there: the middle, as seen
-         * from the placement's position, and half the lengths. They stay while an agent only moves. Allocates nothing.
+         * Writes the extents that this structure would have after a placement: the middle relative to the placement's position, and half
+         * the lengths. They stay the same while an agent only moves. Allocates nothing.
          *
-         * @param placement where the model stands; its position does not count
-         * @param out takes six numbers: x, y, z of the middle, half the lengths along x, y, z, widened like extentsInto's
-         *     but for the rounding of the position
-         *
+         * @param placement the model's placement; its position is ignored
+         * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. They are enlarged like those of
+         *     extentsInto, except for the rounding of the position
          * @private
          */
         engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
@@ -183,11 +180,11 @@ package starlogo.bounding
         /**
          * Checks a vector.
          *
-         * @param vector what was given
-         * @param what its name, for the message
+         * @param vector the argument
+         * @param what its name in the message
          * @return the vector
-         * @throws ArgumentError when it is null
-         * @throws RangeError when a component is not finite
+         * @throws ArgumentError if it is null
+         * @throws RangeError if a component is not finite
          */
         protected static function checkVector(vector:Vector3D, what:String):Vector3D
         {
@@ -205,10 +202,10 @@ package starlogo.bounding
         /**
          * Checks a radius or half-extent.
          *
-         * @param length what was given
-         * @param what its name, for the message
+         * @param length the argument
+         * @param what its name in the message
          * @return the length
-         * @throws RangeError when it is negative or not finite
+         * @throws RangeError if it is negative or not finite
          */
         protected static function checkLength(length:Number, what:String):Number
         {
@@ -222,9 +219,9 @@ package starlogo.bounding
         /**
          * Checks a scale factor.
          *
-         * @param factor what was given
+         * @param factor the argument
          * @return the factor
-         * @throws RangeError when it is not positive and finite
+         * @throws RangeError if it is not positive and finite
          */
         protected static function checkFactor(factor:Number):Number
         {
@@ -236,11 +233,11 @@ package starlogo.bounding
         }
 
         /**
-         * Checks a matrix and reads it.
+         * Checks and reads a rotation matrix.
          *
-         * @param rotation what was given
+         * @param rotation the argument
          * @return its sixteen numbers, column by column, in a vector that the next call overwrites
-         * @throws ArgumentError when it is null or no rotation
+         * @throws ArgumentError if it is null or not a rotation
          */
         protected static function readRotation(rotation:Matrix3D):Vector.<Number>
         {
@@ -259,7 +256,7 @@ package starlogo.bounding
             return m;
         }
 
-        /** Whether three vectors are of unit length and at right angles, within Tolerances.ORTHONORMALITY. */
+        /** Whether three vectors are perpendicular unit vectors, within Tolerances.ORTHONORMALITY. */
         protected static function isOrthonormal(xx:Number, xy:Number, xz:Number, yx:Number, yy:Number, yz:Number,
                 zx:Number, zy:Number, zz:Number):Boolean
         {
@@ -269,7 +266,7 @@ package starlogo.bounding
                 && isNear(yx * zx + yy * zy + yz * zz, 0);
         }
 
-        /** Rotates a vector in place, by a matrix as readRotation gives it. */
+        /** Rotates a vector in place, by a matrix from readRotation. */
         protected static function turn(vector:Vector3D, m:Vector.<Number>):void
         {
             var x:Number = vector.x;
@@ -281,11 +278,11 @@ package starlogo.bounding
         }
 
         /**
-         * Puts a point through a placement.
+         * Transforms a point by a placement.
          *
          * @param point in the model's space
-         * @param placement where the model stands
-         * @param out takes the point in the world; may be the point itself
+         * @param placement the model's placement
+         * @param out receives the point in the world; may be the point itself
          */
         protected static function placePoint(point:Vector3D, placement:Placement, out:Vector3D):void
         {
@@ -305,7 +302,7 @@ package starlogo.bounding
             out.z = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
         }
 
-        /** Turns a vector by the rotation of a placement. The result goes into out, which may be the vector itself. */
+        /** Rotates a vector by the rotation of a placement. The result is written to out, which may be the vector itself. */
         protected static function turnInto(vector:Vector3D, placement:Placement, out:Vector3D):void
         {
             var x:Number = vector.x;
@@ -317,7 +314,7 @@ package starlogo.bounding
         }
 
         /**
-         * How far outside a point may be and still be contained.
+         * How far outside a point may be and still count as inside.
          *
          * @param size the largest extent from the middle
          * @param at a point of the structure
@@ -338,7 +335,7 @@ package starlogo.bounding
             return Tolerances.ROUNDING * (size + Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
         }
 
-        /** Writes one of the extents: that between two coordinates, in either order, wider by a length on both sides. */
+        /** Writes the extent between two coordinates, in either order, enlarged by a length on both sides. */
         protected static function writeExtent(from:Number, to:Number, reach:Number, out:Vector.<Number>, offset:int):void
         {
             out[offset] = Math.min(from, to) - reach;

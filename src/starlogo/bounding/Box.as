@@ -9,11 +9,11 @@ package starlogo.bounding
     use namespace engine;
 
     /**
-     * A box of any orientation: the points that are, along each of three axes, no farther from <code>center</code> than
-     * that axis's half-extent (thesis §3.3). Half-extents of 0 make it a rectangle, a segment or a point.
+     * A box of any orientation: all points whose distance from <code>center</code> along each of three axes is at most that axis's
+     * half-extent (thesis §3.3). Half-extents of 0 make it a rectangle, a segment or a point.
      *
-     * <p>The axes are unit vectors at right angles, of either handedness. The tests rely on it: code that changes an axis directly has to keep it
-     * so.</p>
+     * <p>The axes are perpendicular unit vectors, of either handedness. The tests rely on this, so code that changes an axis must keep it
+     * true.</p>
      */
     public final class Box extends BoundingStructure
     {
@@ -41,18 +41,18 @@ package starlogo.bounding
         public var halfZ:Number;
 
         /**
-         * A box by its middle, its axes and its half-extents.
+         * Creates a box from its middle, its axes and its half-extents.
          *
          * @param center copied
-         * @param axisX copied, and so are the others; they may be as imprecise as those of a single-precision matrix
-         *     (Tolerances.ORTHONORMALITY), and their copies are then unit vectors at right angles in double precision
-         * @param axisY at right angles to axisX
-         * @param axisZ at right angles to both; either handedness is allowed
+         * @param axisX copied, as are the other axes. The axes may be as imprecise as those of a single-precision matrix
+         *     (Tolerances.ORTHONORMALITY). The copies are perpendicular unit vectors in double precision
+         * @param axisY perpendicular to axisX
+         * @param axisZ perpendicular to both; either handedness is allowed
          * @param halfX half-extent along axisX in patches; 0 is allowed
-         * @param halfY half-extent along axisY
-         * @param halfZ half-extent along axisZ
-         * @throws ArgumentError when a vector is null, or the axes are no unit vectors at right angles
-         * @throws RangeError when a number is not finite, or a half-extent negative
+         * @param halfY half-extent along axisY in patches
+         * @param halfZ half-extent along axisZ in patches
+         * @throws ArgumentError if a vector is null, or if the axes are not perpendicular unit vectors
+         * @throws RangeError if a number is not finite, or if a half-extent is negative
          */
         public function Box(center:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D,
                 halfX:Number, halfY:Number, halfZ:Number)
@@ -193,7 +193,7 @@ package starlogo.bounding
             out[1] = turned.y;
             out[2] = turned.z;
 
-            // axis by axis, how far the box reaches along x, y and z
+            // For each axis, how far the box extends along x, y and z.
             turnInto(axisX, placement, turned);
             var reachX:Number = x * Math.abs(turned.x);
             var reachY:Number = x * Math.abs(turned.y);
@@ -208,7 +208,7 @@ package starlogo.bounding
             out[5] = reachZ + z * Math.abs(turned.z) + margin;
         }
 
-        // Along an axis of the space, in which the box's own axes have these components.
+        // Writes the extent along an axis of the space. The box's own axes have the given components along it.
         private function writeExtentOf(middle:Number, alongX:Number, alongY:Number, alongZ:Number, margin:Number, out:Vector.<Number>,
                 offset:int):void
         {
@@ -222,7 +222,7 @@ package starlogo.bounding
             return along <= half && along >= -half;
         }
 
-        // Makes the axes, which are almost so, unit vectors at right angles (Gram and Schmidt).
+        // Makes the axes, which are nearly perpendicular unit vectors, exactly so (Gram and Schmidt).
         private function straighten():void
         {
             normalise(axisX);

@@ -8,9 +8,8 @@ package starlogo.bounding
     use namespace engine;
 
     /**
-     * A ball swept along a segment: the points no farther than <code>radius</code> from the segment between
-     * <code>start</code> and <code>end</code> (thesis §3.3). Where both ends are one, it is a sphere; where the radius is
-     * 0, a segment.
+     * A ball swept along a segment: all points whose distance from the segment between <code>start</code> and <code>end</code> is at most
+     * <code>radius</code> (thesis §3.3). If both ends are one point, it is a ball. If the radius is 0, it is a segment.
      */
     public final class Capsule extends AxialStructure
     {
@@ -18,13 +17,13 @@ package starlogo.bounding
         private static var sHalf:Vector3D = new Vector3D();
 
         /**
-         * A capsule around the segment between two points.
+         * Creates a capsule around the segment between two points.
          *
          * @param start copied
          * @param end copied; may equal start
          * @param radius in patches; 0 is allowed
-         * @throws ArgumentError when an end is null
-         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         * @throws ArgumentError if an end is null
+         * @throws RangeError if a coordinate is not finite, or if the radius is negative or not finite
          */
         public function Capsule(start:Vector3D, end:Vector3D, radius:Number)
         {

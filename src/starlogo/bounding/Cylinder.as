@@ -3,23 +3,23 @@ package starlogo.bounding
     import flash.geom.Vector3D;
 
     /**
-     * A solid cylinder with flat ends: the points no farther than <code>radius</code> from the segment between
-     * <code>start</code> and <code>end</code>, measured at right angles to it (thesis §3.4.3). A radius of 0 makes it a
-     * segment, and ends that are one a point whatever the radius: a disc without an axis has no direction.
+     * A solid cylinder with flat ends: all points whose distance from the segment between <code>start</code> and <code>end</code>, measured
+     * perpendicular to it, is at most <code>radius</code> (thesis §3.4.3). With a radius of 0 it is a segment. If both ends are one point,
+     * it is that point for any radius, because a disc without an axis has no direction.
      *
-     * <p>Cylinders are fitted and measured but never collided: the test of two of them needs a numerical solver (thesis
-     * §3.6.1), and <code>intersects</code> refuses them. Capsules take their place.</p>
+     * <p>Cylinders are fitted and measured but never collided: <code>intersects</code> refuses them, because the test of two cylinders
+     * needs a numerical solver (thesis §3.6.1). Use capsules instead.</p>
      */
     public final class Cylinder extends AxialStructure
     {
         /**
-         * A cylinder around the segment between two points.
+         * Creates a cylinder around the segment between two points.
          *
          * @param start copied
          * @param end copied; may equal start
          * @param radius in patches; 0 is allowed
-         * @throws ArgumentError when an end is null
-         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         * @throws ArgumentError if an end is null
+         * @throws RangeError if a coordinate is not finite, or if the radius is negative or not finite
          */
         public function Cylinder(start:Vector3D, end:Vector3D, radius:Number)
         {

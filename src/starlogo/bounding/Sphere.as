@@ -9,8 +9,8 @@ package starlogo.bounding
     use namespace engine;
 
     /**
-     * A ball: the points no farther than <code>radius</code> from <code>center</code> (thesis §3.3). A radius of 0 makes
-     * it a point.
+     * A ball: all points whose distance from <code>center</code> is at most <code>radius</code> (thesis §3.3). A radius of 0 makes it a
+     * point.
      */
     public final class Sphere extends BoundingStructure
     {
@@ -21,12 +21,12 @@ package starlogo.bounding
         public var radius:Number;
 
         /**
-         * A ball around a point.
+         * Creates a ball around a point.
          *
          * @param center copied
          * @param radius in patches; 0 is allowed
-         * @throws ArgumentError when the centre is null
-         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         * @throws ArgumentError if the centre is null
+         * @throws RangeError if a coordinate is not finite, or if the radius is negative or not finite
          */
         public function Sphere(center:Vector3D, radius:Number)
         {
@@ -94,7 +94,7 @@ package starlogo.bounding
             {
                 placed = newFor(out) as Sphere;
             }
-            // placePoint written out: the call takes a fifth of the time
+            // This repeats placePoint, because the call takes a fifth of the time.
             var size:Number = placement.size;
             var x:Number = center.x * size;
             var y:Number = center.y * size;
@@ -117,7 +117,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            // rounding() written out: V8 makes objects of Numbers that are passed
+            // This repeats rounding(), because V8 would allocate objects for Numbers that are passed.
             var reach:Number = radius + Tolerances.ROUNDING * (radius + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
             writeExtent(center.x, center.x, reach, out, offset);
             writeExtent(center.y, center.y, reach, out, offset + 2);

@@ -1,43 +1,43 @@
 package starlogo.broadphase
 {
-    /** The cells of one width: squares of the ground, numbered by a hash of their column and row. */
+    /** The cells of one width. Cells are squares of the ground. A cell's number is a hash of its column and row. */
     internal final class BinLevel
     {
-        // How far from the origin a level reaches, in widths. There a position is rounded by 2^-29 of a width, and shapes touch across 2^-20 of
-        // one.
+        // A level reaches this many widths from the origin. At that distance a position is rounded to 2^-29 of a width, and shapes within
+        // 2^-20 of a width touch.
         private static const REACH:Number = 1 << 24;
 
         private static const SLACK:Number = 1 / (1 << 18);
 
-        // Extents that fit the level have this number.
+        // Extents that fit the level store this number.
         internal var number:int;
 
-        // A power of two, in patches: as wide as the widest members, and less than twice as wide as any. Cells are a little wider, so that two
-        // members that touch are in cells side by side, or in one.
+        // A power of two, in patches. The widest members are at most this wide, and no member is narrower than half of it, unless it is far
+        // out. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
         internal var width:Number;
         internal var cellsPerPatch:Number;
 
-        // Half the larger side of a member's ground rectangle is at most this large, and larger than this, unless it is too far out for a finer
-        // level.
+        // Half the longer side of a member's ground rectangle is at most largestHalf and more than tooSmallHalf. Members too far out for a
+        // finer level may be smaller.
         internal var largestHalf:Number;
         internal var tooSmallHalf:Number;
 
-        // How far out the level reaches: the square of the distance from the world's origin.
+        // The square of the largest distance from the world's origin at which the level can be used.
         internal var reachSquared:Number;
 
-        // How far apart two extents may be, in patches, and still be a pair: more than rounding comes to anywhere in reach.
+        // Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this everywhere in reach.
         internal var slack:Number;
 
-        // How many members there are in this search, and the number of the first cell's counter.
+        // the number of members in this search, and the index of the first cell's counter
         internal var count:int;
         internal var base:int;
 
-        // The cell at a column and row has the number row times stride plus column, of which the bits of the mask count.
+        // The number of a cell is row times stride plus column. Only the bits in the mask count.
         internal var mask:int;
         internal var stride:int;
 
         /**
-         * @param number different from that of any other level
+         * @param number the level's own number
          * @param width a power of two
          */
         public function BinLevel(number:int, width:Number)
@@ -52,21 +52,22 @@ package starlogo.broadphase
         }
 
         /**
-         * Makes room for the members.
+         * Assigns counters to the cells.
          *
-         * @param base the number of counters that others have
-         * @return that number with its own
+         * @param base the number of counters of other levels
+         * @return the number of counters including this level's
          */
         public function makeRoom(base:int):int
         {
-            // at least 32 cells, so that those near each other never share a number
+            // at least 32 cells, so that cells near each other never share a number
             var bits:int = 5;
             while ((1 << bits) < count)
             {
                 bits++;
             }
             mask = (1 << bits) - 1;
-            // odd, and about the square root: cells side by side, and a whole compact world, get numbers of their own
+            // The stride is odd and about the square root of the number of cells. So neighbouring cells, and all cells of a compact world,
+            // get different numbers.
             stride = (1 << ((bits + 1) >> 1)) + 1;
             this.base = base;
             return base + mask + 1 + Bins.COPIED;

@@ -1,26 +1,26 @@
 package starlogo.broadphase
 {
     /**
-     * The levels of bins: one for each width that extents have needed.
+     * The levels of bins. There is one level for each width that extents have needed.
      *
      * @private
      */
     public final class BinLevels
     {
-        // A point at the origin would ask for no width at all.
+        // A point at the origin has no width, so it gets this one.
         private static const MIN_WIDTH:Number = 1e-300;
 
-        // The levels by their numbers, by which extents refer to them; and from the coarsest to the finest.
+        // The levels by number, as extents refer to them. byWidth has them from the coarsest to the finest.
         internal var byNumber:Vector.<BinLevel> = new <BinLevel>[null];
         internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
 
-        /** No levels yet. */
+        /** Creates an object without levels. */
         public function BinLevels()
         {
         }
 
         /**
-         * Finds the level for a row's extents and their distance from the world's origin.
+         * Finds the level for a row's extents and its distance from the world's origin.
          *
          * @return whether the level is coarser because of the distance
          */
@@ -52,15 +52,15 @@ package starlogo.broadphase
         }
 
         /**
-         * The square of the distance up to which all levels reach: rows that are farther out have to be fitted again. Levels without members count:
-         * rows that are not searched have levels too, and a search of motions uses others.
+         * The square of the distance that all levels reach. Rows farther out must be fitted again. Levels without members count too,
+         * because rows outside the search have levels, and a search of motions uses other levels.
          */
         public function get reachSquared():Number
         {
             return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].reachSquared;
         }
 
-        // The level of the least power of two that is as wide.
+        // The level whose width is the smallest power of two that is at least this large.
         private function levelFor(least:Number):BinLevel
         {
             var width:Number = 1;

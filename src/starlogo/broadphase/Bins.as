@@ -1,39 +1,42 @@
 package starlogo.broadphase
 {
     /**
-     * The bins of the ground plane: finds the pairs of rows of a table whose circles on the ground overlap (thesis §3.7).
+     * The broad phase: finds the pairs of agents that are near each other on the ground (thesis §3.7). More exactly: the pairs of rows
+     * whose circles on the ground overlap.
      *
-     * <p>The rows that a search is about are its members. A member has a number, its index in the list of rows, and a slot, its index in the
-     * order of the cells.</p>
+     * <p>The rows of a search are its members. A member has a number and a slot. The number is its index in the list of rows. The slot is
+     * its index in the order of the cells.</p>
      *
-     * <p>A member is in one cell, that of its middle, and cells are as wide as their members: so two that overlap are in one cell or
-     * in two side by side. The members are put into the order of their cells by counting, with copies of what the search reads: what
-     * is near on the ground is near in memory. Of each cell, the members meet those after them in it and in its right neighbour,
-     * which are one run, and those in the three cells of the next row, which are another: each pair comes from one cell.</p>
+     * <p>A member is in one cell: the cell of its middle. Cells are as wide as the widest members. So if two members overlap, they are in
+     * the same cell or in neighbouring cells. A counting sort puts the members into the order of their cells, with copies of the data that
+     * the search reads. So members that are near on the ground are near in memory. The members of a cell are tested against two runs of
+     * slots. The first run is the rest of the cell and its right neighbour. The second run is three cells of the next row. So each pair is
+     * found from one cell only.</p>
      *
-     * <p>Members of different sizes are in levels (a hierarchical grid: Ericson, Real-Time Collision Detection, §7.2), whose widths
-     * are powers of two; a member also looks into the cells of the coarser levels, where the larger ones are. Cells are numbered by a
-     * hash, whose size goes with the number of members and not with that of the world. Cells far from each other may share a
-     * number, which only costs time; cells that one pair can reach never do.</p>
+     * <p>Members of different sizes are in different levels of a hierarchical grid (Ericson, Real-Time Collision Detection, §7.2). The
+     * widths of the levels are powers of two. A member is also tested against the cells of the coarser levels, which contain the larger
+     * members. A cell's number is a hash. The number of cell counters depends on the number of members, not on the size of the world. Cells
+     * far from each other may share a number, which only costs time. Cells that one pair can reach never share a number.</p>
      *
-     * <p>Bins do not depend on what becomes of the pairs, and keep nothing from search to search but allocated memory. A search takes time
-     * in proportion to the members and the pairs that overlap, memory in proportion to the members, and allocates nothing once it has
-     * run.</p>
+     * <p>The bins do not know how the pairs are used. They keep nothing between searches except allocated memory. The time of a search is
+     * proportional to the number of members and overlapping pairs, the memory to the number of members. After the first search nothing is
+     * allocated.</p>
      *
      * @private
      */
     public final class Bins
     {
-        /** The first cells of a level are repeated after its last, so that neighbours are one run there too. */
+        /** The first cells of a level are repeated after its last, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
 
-        // Makes the number of any cell positive, where cutting off the decimals is the floor: even, and beyond a level's reach.
+        // Added to a column or row, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than any level's
+        // reach.
         private static const BIAS:Number = 1 << 26;
 
         /** The levels of the members. */
         public var levels:BinLevels = new BinLevels();
 
-        /** By slot: the number of the member, which is its index in the list of rows that was searched. */
+        /** By slot: the member's number, which is its index in the list of rows of the search. */
         public var memberAt:Vector.<int> = new Vector.<int>();
 
         /** By slot: the member's row. */
@@ -51,33 +54,34 @@ package starlogo.broadphase
         /** By slot: the radius of its circle. */
         public var radius:Vector.<Number> = new Vector.<Number>();
 
-        /** By how much pairs that are handed over may miss each other, at the time of the call: more than rounding comes to. */
+        /** The circles of a pair may be this far apart, in patches. It is larger than rounding errors. Read it during the sink's call. */
         public var slack:Number;
 
-        /** Pairs that were handed over, in the last search. */
+        /** The number of pairs in the last search. */
         public var pairCount:int = 0;
 
         /**
-         * Entries of members in the thesis's bins, in the last search: squares twice as wide as a level's cells, of which a member may reach
-         * into four. A unit sphere's bins are 2 wide: one at (1, 1) is in one bin, one at the origin in four (§6.1).
+         * The number of entries in the thesis's bins in the last search. These bins are squares twice as wide as a level's cells. A member
+         * can be in up to four. A unit sphere's bins are 2 wide: at (1, 1) it is in one bin, at the origin in four (§6.1).
          */
         public var entryCount:int = 0;
 
-        // The levels by their numbers, and from the coarsest to the finest: those of BinLevels.
+        // The levels by number, and from the coarsest to the finest. Both lists belong to BinLevels.
         private var _levels:Vector.<BinLevel>;
         private var _byWidth:Vector.<BinLevel>;
 
-        // By member: the number of its cell's counter.
+        // By member: the index of its cell's counter.
         private var _cells:Vector.<int> = new Vector.<int>();
 
-        // By counter: how many members, 0 between searches; and, one further on, the slot after the cell's last member.
+        // By counter: _counts has the number of members, and is 0 between searches. _ends has, one place further on, the slot after the
+        // cell's last member.
         private var _counts:Vector.<int> = new Vector.<int>();
         private var _ends:Vector.<int> = new Vector.<int>();
 
-        // The slots of the candidates of the member at hand.
+        // The slots of the candidates of the present member.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
-        /** No bins yet. */
+        /** Creates empty bins. */
         public function Bins()
         {
             _levels = levels.byNumber;
@@ -85,11 +89,11 @@ package starlogo.broadphase
         }
 
         /**
-         * Finds the pairs whose circles on the ground overlap, or nearly so, and hands each to the sink once.
+         * Finds the pairs whose circles on the ground overlap, or nearly so. Each pair is passed to the sink once.
          *
-         * @param extents fitted since they have changed
+         * @param extents must fit their levels
          * @param rows the rows of the members
-         * @param count how many of the rows, from the beginning
+         * @param count the number of rows to use, from the beginning
          * @param sink takes the pairs
          */
         public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
@@ -123,7 +127,7 @@ package starlogo.broadphase
             }
         }
 
-        // How many members each level has, and where its counters are. Returns how many counters there are.
+        // Counts the members of each level, and assigns counters to the levels. Returns the number of counters.
         private function layOut(extents:Extents, rows:Vector.<int>, count:int):int
         {
             var allLevels:Vector.<BinLevel> = _levels;
@@ -156,7 +160,7 @@ package starlogo.broadphase
             return counters;
         }
 
-        // Finds each member's cell, and counts the members of the cells and the entries in the thesis's bins.
+        // Finds each member's cell. Counts the members of the cells, and the entries in the thesis's bins.
         private function countCells(extents:Extents, rows:Vector.<int>, count:int):void
         {
             var xs:Vector.<Number> = extents.x;
@@ -186,7 +190,7 @@ package starlogo.broadphase
                 }
                 var position:Number = xs[row] * cellsPerPatch + BIAS;
                 var column:int = position;
-                // odd columns end a bin: how far in from the border of one the middle is, and whether the rectangle reaches as far
+                // A bin ends after each odd column. crossed is 1 if the rectangle reaches over the border of the middle's bin, otherwise 0.
                 var odd:int = column & 1;
                 position -= column;
                 var crossed:int = halfXs[row] * cellsPerPatch - position + odd * (2 * position - 1) + 1;
@@ -208,8 +212,8 @@ package starlogo.broadphase
             entryCount = entries;
         }
 
-        // Finds the slots where the cells begin: one further on, those are where the cells end once they are filled. Returns how many
-        // slots there are.
+        // Computes the slot where each cell begins, and stores it one place further on. When the cell is filled, that is the slot where it
+        // ends. Returns the number of slots.
         private function sumUp(counters:int):int
         {
             var counts:Vector.<int> = _counts;
@@ -261,7 +265,7 @@ package starlogo.broadphase
             }
         }
 
-        // Reads what is far apart in memory and writes it side by side: the reverse takes longer.
+        // The reads are scattered in memory and the writes are in order. The reverse would be slower.
         private function gather(extents:Extents, rows:Vector.<int>, slots:int):void
         {
             var fromX:Vector.<Number> = extents.x;
@@ -285,8 +289,8 @@ package starlogo.broadphase
             }
         }
 
-        // The pairs of members of one level. All numbers are in locals, each if compares once, and nothing is called but the sink: this and the
-        // next function are the inner loops of every frame.
+        // The pairs of members of one level. This and the next function are the inner loops of every frame. So all numbers are in locals,
+        // each if compares once, and only the sink is called.
         private function collideLevel(level:BinLevel, sink:PairSink):void
         {
             var xs:Vector.<Number> = x;
@@ -311,7 +315,7 @@ package starlogo.broadphase
                 {
                     continue;
                 }
-                // the cell with its right neighbour is one run, the three of the next line are another
+                // the first run is the cell and its right neighbour, the second run is three cells of the next row
                 var runEnd:int = ends[cell + 2];
                 var below:int = ((cell + toNextLine) & mask) + base;
                 var nextLine:int = ends[below];
@@ -357,7 +361,7 @@ package starlogo.broadphase
             pairCount += pairs;
         }
 
-        // The pairs of members of one level with those of a coarser one: of at most three lines of its cells, at most three cells each.
+        // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three rows.
         private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
             var xs:Vector.<Number> = x;

@@ -1,14 +1,14 @@
 package starlogo.broadphase
 {
     /**
-     * Columns of axis-aligned extents: where the middle of each row's is, and half its lengths, in patches; and the level of bins that fits them,
-     * which Bins.fit finds.
+     * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches, and the level of bins that fits the row.
+     * BinLevels.fit finds the level.
      *
      * @private
      */
     public final class Extents
     {
-        /** The middle. */
+        /** By row: the middle. */
         public var x:Vector.<Number> = new Vector.<Number>();
 
         /** @copy #x */
@@ -26,24 +26,24 @@ package starlogo.broadphase
         /** Half the length along z. */
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
-        /** The radius of a circle on the ground, about the middle, around what has the extents. */
+        /** The radius of a circle on the ground around the middle that encloses the row. */
         public var radius:Vector.<Number> = new Vector.<Number>();
 
-        /** The number of the level of bins that fits; 0 for none yet. */
+        /** The number of the level of bins that fits; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        /** No rows. */
+        /** Creates columns without rows. */
         public function Extents()
         {
         }
 
-        /** Half the largest length of a row. */
+        /** Half the longest side of a row. */
         public function largestHalf(row:int):Number
         {
             return Math.max(halfX[row], Math.max(halfY[row], halfZ[row]));
         }
 
-        /** Makes sure that there are so many rows; new ones are points at the origin that fit no level yet. */
+        /** Makes sure that there are at least this many rows. New rows are points at the origin without a level. */
         public function grow(length:int):void
         {
             if (length > level.length)

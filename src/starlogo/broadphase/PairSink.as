@@ -3,8 +3,7 @@ package starlogo.broadphase
     import flash.errors.IllegalOperationError;
 
     /**
-     * Receives the pairs that Bins find. A class rather than an interface because calls through an interface cost
-     * half as much again.
+     * Receives the pairs that Bins find. It is a class and not an interface, because a call through an interface takes 1.5 times as long.
      *
      * @private
      */
@@ -16,12 +15,12 @@ package starlogo.broadphase
         }
 
         /**
-         * Takes the pairs of a member with others whose circles on the ground overlap its own. All at once: a call for each pair
-         * would cost as much as its test.
+         * Takes the pairs of one member with all others whose circles on the ground overlap its own. All come in one call, because a call
+         * for each pair would cost as much as its test.
          *
          * @param slot the member's slot in the bins, see Bins.memberAt
-         * @param others the first of them are the slots of the candidates; no pair comes twice, in either order
-         * @param count how many
+         * @param others begins with the slots of the candidates; no pair comes twice, in either order
+         * @param count the number of candidates
          */
         public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {

@@ -10,8 +10,8 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * A collision system with all parts that a Collision uses. A subclass overrides the parts that it does itself, and another collision system
-     * does the rest.
+     * The base class for collision systems of your own. It has all methods that a Collision uses. A subclass overrides some of them, and another
+     * collision system does the rest.
      */
     public class BaseCollider implements CollisionSystem
     {
@@ -19,9 +19,9 @@ package starlogo.collision
         private var _found:Vector.<Agent> = new Vector.<Agent>();
 
         /**
-         * A collider that finds what another collision system finds.
+         * Creates a collider that finds the same pairs as another collision system.
          *
-         * @param collisionSystem the other; null if a subclass overrides <code>areColliding</code>, <code>findCollisions</code> and
+         * @param collisionSystem the other system; null if a subclass overrides <code>areColliding</code>, <code>findCollisions</code> and
          *     <code>statistics</code>
          */
         public function BaseCollider(collisionSystem:CollisionSystem = null)
@@ -29,13 +29,13 @@ package starlogo.collision
             _collisionSystem = collisionSystem;
         }
 
-        /** @private A collision system with all parts: itself, or a BaseCollider around it. */
+        /** @private Returns the system itself if it is a BaseCollider, otherwise a BaseCollider around it. */
         engine static function of(system:CollisionSystem):BaseCollider
         {
             return system as BaseCollider || new BaseCollider(system);
         }
 
-        /** The collision system that does what a subclass does not override; null if there is none. */
+        /** The collision system that does the work that a subclass does not override; null if there is none. */
         public function get collisionSystem():CollisionSystem
         {
             return _collisionSystem;
@@ -60,12 +60,12 @@ package starlogo.collision
         }
 
         /**
-         * Finds every pair of agents that collide and whose breeds are of interest. It may find others too: here it is <code>findCollisions</code>. A
-         * subclass overrides it to test fewer pairs.
+         * Finds every pair of agents that collide and whose breeds have handlers. It may also find other pairs; by default it calls
+         * <code>findCollisions</code>. A subclass overrides it to test fewer pairs.
          *
          * @param agents the agents of the game
-         * @param interests the pairs of breeds; null for all
-         * @param out where to put the pairs; overwritten, and made if null
+         * @param interests the pairs of breeds that have handlers; null for all
+         * @param out receives the pairs; overwritten, and created if null
          * @return out, as from findCollisions
          * @throws ArgumentError as findCollisions does
          */

@@ -4,18 +4,17 @@ package starlogo.collision
     import starlogo.search.UnitSpheres;
 
     /**
-     * The client's first collision system (thesis §2.2): every agent is a sphere, whatever its model.
+     * Finds collisions by one sphere per agent, whatever its model: the client's first collision system (thesis §2.2), and the fastest.
      *
-     * <p>The sphere has radius 0.5 and its centre at (0, 0, 0.5) of the model; it is scaled by the agent's size and moved
-     * to the agent.</p>
+     * <p>The sphere has radius 0.5 and its centre at (0, 0, 0.5) of the model. It is scaled by the agent's size and moved to the agent. No rotation
+     * moves it.</p>
      */
     public class BinCollider extends Collider
     {
         /**
-         * A collider for the agents of a game.
+         * Creates a collider.
          *
-         * @param greatLand has the models of the agents, which have to be there; null to ask for none, as spheres need none: then an agent's shape
-         *     may be any name
+         * @param greatLand the models of the agents, which must be loaded. With null, agents need no models, and their shapes may have any names
          */
         public function BinCollider(greatLand:GreatLand = null)
         {

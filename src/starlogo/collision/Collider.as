@@ -13,25 +13,25 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * A collision system of the shapes that a ShapeChoice gives; the engine's four collision systems extend it.
+     * The base class of the engine's four collision systems. It finds collisions between the shapes that a ShapeChoice gives to agents.
      *
-     * <p>Only agents that are near each other on the ground plane are tested (thesis §3.7), each pair once. A frame takes time in
-     * proportion to the agents and to the pairs that overlap on the ground plane, and memory in proportion to the agents; after the first it
-     * allocates nothing. An agent's shape is placed anew only when the agent has changed. Any number of colliders may share agents.</p>
+     * <p>It tests only agents that are near each other on the ground plane (thesis §3.7), each pair once. A frame takes time in proportion to the
+     * number of agents and of pairs that overlap on the ground plane. The memory is in proportion to the number of agents. After the first frame it
+     * allocates nothing. It places an agent's shape again only when the agent has changed. Any number of colliders may share agents.</p>
      *
-     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of impact. The order depends only on
-     * the agents whose breeds count, their order in the list, their positions and extents. Of a pair, the agent that is first in the list comes
-     * first.</p>
+     * <p>Pairs come cell by cell of the ground, coarser cells first. If an agent sweeps, they come by time of impact. The order depends only on the
+     * agents whose breeds have handlers: their order in the list, their positions and extents. In a pair, the agent that is first in the list
+     * comes first.</p>
      *
-     * <p>An agent whose model a ModelLoader is still loading collides with nothing, and is counted in the statistics. Models
-     * may be replaced and removed at any time.</p>
+     * <p>An agent whose model a ModelLoader is still loading collides with nothing. The statistics count it. Models may be replaced and removed
+     * at any time.</p>
      */
     public class Collider extends BaseCollider
     {
-        /** @private Finds the shapes of agents, for questions too. */
+        /** @private Chooses the shapes of agents, for questions too. */
         engine var choice:ShapeChoice;
 
-        /** @private Decides which of them touch, for questions too. */
+        /** @private Tests pairs of agents, for questions too. */
         engine var pairs:RowPairs;
 
         /** @private The search that the collider makes. */
@@ -42,9 +42,9 @@ package starlogo.collision
         private var _contactPoint:ContactPoint = new ContactPoint();
 
         /**
-         * A collider for the agents of a game.
+         * Creates a collider.
          *
-         * @param choice says which shapes represent them
+         * @param choice chooses the shapes that represent agents
          */
         public function Collider(choice:ShapeChoice)
         {
@@ -90,12 +90,12 @@ package starlogo.collision
         }
 
         /**
-         * How two agents touch: as they were in the last search, whatever has changed since; or, if not both were in it, as they are now.
+         * Computes how two agents touch. If both were in the last search, it takes them as they were then. Otherwise it takes them as they are now.
          *
          * @param collider the normal points to it
          * @param collidee another agent
-         * @param out takes the contact; made if null
-         * @return out, or the new one. For two that do not touch: where they are nearest, or overlap the least, with a depth of 0
+         * @param out receives the contact; created if null
+         * @return out. If the two do not touch, the point is where they are nearest, and the depth is 0
          * @throws ArgumentError if one is null, both are one, or a model is unknown or still loading
          */
         override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
@@ -123,7 +123,7 @@ package starlogo.collision
             measure(agents, interests, takePart, ground, out, null);
         }
 
-        /** @private The engine's collider that finds what a collision system finds, or null. */
+        /** @private The engine's collider that works for a collision system, or null. */
         engine static function behind(system:Object):Collider
         {
             return system is BaseCollider ? BaseCollider(system).collider : null;
@@ -147,7 +147,7 @@ package starlogo.collision
             }
             if (a === b)
             {
-                throw new ArgumentError("two agents are needed: " + a + " is no pair with itself");
+                throw new ArgumentError("two different agents are needed, not twice " + a + "");
             }
         }
     }

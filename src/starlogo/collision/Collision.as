@@ -18,25 +18,25 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * The collisions of a game: once a frame it finds the pairs of agents that have collided and calls the handlers of their breeds, as the
-     * client's block "on collision with" does (thesis §3.7, §6.1).
+     * Finds the collisions of a game once a frame, and calls the handlers of the agents' breeds, as the client's block "on collision with" does
+     * (thesis §3.7, §6.1).
      *
-     * <p>A frame's pairs are all known before the first handler runs. A handler may do anything to the game. What it
-     * moves or adds counts from the next frame on; for an agent that it takes out of the list no further handler of this frame is called. When a
-     * handler throws, the others are called all the same; update then throws the first error, and <code>handlerErrors</code> has them all.</p>
+     * <p>All pairs of a frame are known before the first handler runs. A handler may do anything to the game. If it moves or adds agents, this
+     * counts from the next frame on. If it removes an agent from the list, no further handler of this frame is called for it. If a handler
+     * throws, the others are still called. Then update throws the first error, and <code>handlerErrors</code> has all of them.</p>
      *
-     * <p>When an agent sweeps (<code>Agent.sweeps</code>), the pairs come in the order of the times at which their motions make them touch:
-     * a handler that takes a paintball out of the list at its first touch stops it there.</p>
+     * <p>If an agent sweeps (<code>Agent.sweeps</code>), the pairs come by the time at which their motions make them touch. So a handler can stop a
+     * paintball at its first touch by removing it from the list.</p>
      *
-     * <p>Of a pair, the handlers of the agent that is first in the list run before those of the other, each in the order
-     * in which they were added. The breeds count that the two have when the pair's turn comes.</p>
+     * <p>In a pair, the handlers of the agent that is first in the list run first. Handlers of one agent run in the order in which they were added.
+     * The two agents' breeds count as they are when the pair's turn comes.</p>
      *
-     * <p>Any number of Collisions and collision systems may share agents, and a handler of one may update another. The time for the calls is
-     * in proportion to the agents and the calls; an agent that was taken out of the list costs one search of it.</p>
+     * <p>Any number of Collisions and collision systems may share agents. A handler of one Collision may update another. The time for the calls is
+     * in proportion to the number of agents and calls. An agent removed from the list costs one search of the list.</p>
      */
     public class Collision
     {
-        /** In place of a breed's name: any breed (§6.1, "any other agent"). */
+        /** Stands for any breed in place of a breed's name (§6.1, "any other agent"). */
         public static const ANY_BREED:String = BreedInterests.ANY_BREED;
 
         /**
@@ -52,9 +52,9 @@ package starlogo.collision
         public var terrain:Terrain = null;
 
         /**
-         * Which agents take part: an AgentFilter, or null for all. The others cost no tests and collide with nothing, as if they were not in the
-         * list; but an agent that takes part again has moved from where the last frame saw it. It is asked once a frame of each agent, before
-         * anything is tested; an error that it throws ends the frame, and no handler runs.
+         * An AgentFilter that chooses the agents that take part; null for all. The others cost no tests and collide with nothing, as if they
+         * were not in the list. An agent that takes part again moves from the place where the last frame saw it. The filter is applied to each
+         * agent once a frame, before all tests. If it throws an error, the frame ends, and no handler runs.
          */
         public var filter:AgentPredicate = null;
 
@@ -71,18 +71,18 @@ package starlogo.collision
         private var _snapshots:Snapshots = new Snapshots();
         private var _isUpdating:Boolean = false;
 
-        // What found the last frame's pairs, or null; whether it refused the list.
+        // The system that found the last frame's pairs, or null; whether it refused the list.
         private var _searched:Collider = null;
         private var _isRefused:Boolean = false;
         private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
 
-        // By index in the list, whether the filter lets the agent take part.
+        // Whether the filter lets an agent take part, by its index in the list.
         private var _takePart:Vector.<Boolean> = new Vector.<Boolean>();
 
         /**
-         * Collisions without handlers.
+         * Creates a Collision without handlers.
          *
-         * @param collisionSystem decides what collides
+         * @param collisionSystem decides which agents collide
          * @throws ArgumentError if it is null
          */
         public function Collision(collisionSystem:CollisionSystem)
@@ -90,7 +90,7 @@ package starlogo.collision
             this.collisionSystem = collisionSystem;
         }
 
-        /** Decides what collides; may be exchanged between frames, and from a handler for the next frame. */
+        /** Decides which agents collide. It may be exchanged between frames; a handler may exchange it for the next frame. */
         public function get collisionSystem():CollisionSystem
         {
             return _collisionSystem;
@@ -106,15 +106,15 @@ package starlogo.collision
             _system = BaseCollider.of(value);
         }
 
-        /** What the last frame did; the next overwrites it. */
+        /** Counts and times of the last frame. The next frame overwrites them. */
         public function get statistics():CollisionStatistics
         {
             return _statistics;
         }
 
         /**
-         * The list of the last update as it was when that began, whatever handlers have done to it since; empty before the first. It is what
-         * <code>restore()</code> wants. The next update overwrites it: copy it to keep it. An update that refuses its list leaves it.
+         * The list of the last update as it was when the update began, before handlers changed it. It is empty before the first update. Pass it to
+         * <code>restore()</code>. The next update overwrites it, so copy it to keep it. An update that refuses its list does not change it.
          */
         public function get lastAgents():Vector.<Agent>
         {
@@ -122,8 +122,8 @@ package starlogo.collision
         }
 
         /**
-         * What handlers have thrown in the last frame, in order; the next frame empties it. A thrown value that is no Error becomes the message of
-         * one.
+         * The errors that handlers threw in the last frame, in order. The next frame empties the list. If a handler throws something else, it
+         * becomes the message of an Error.
          */
         public function get handlerErrors():Vector.<Error>
         {
@@ -131,15 +131,15 @@ package starlogo.collision
         }
 
         /**
-         * Adds a handler: what the agents of a breed do when they collide with those of another.
+         * Adds a function that is called in every frame for each agent of a breed that collides with an agent of another breed.
          *
-         * <p>Within one breed, either agent of a pair collides with the other: the handler is called twice, as
-         * (a, b) and as (b, a). A handler that is added while the handlers run is called from the next frame on.</p>
+         * <p>Within one breed, the handler is called twice for a pair: as (a, b) and as (b, a). A handler added while handlers run is called from
+         * the next frame on.</p>
          *
          * @param breed the breed of the collider, the agent whose handler it is; ANY_BREED for all agents
-         * @param otherBreed the breed of the collidee, the agent that it meets; ANY_BREED for any other agent
+         * @param otherBreed the breed of the collidee, the agent it collides with; ANY_BREED for any other agent
          * @param handler <code>function(collider:Agent, collidee:Agent):void</code>, or with a third argument,
-         *     <code>contact:Contact</code>: how the two touch, computed for handlers that take it only
+         *     <code>contact:Contact</code>. The engine computes contacts only for handlers that take them
          * @throws ArgumentError if one is null, or a breed has no name
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
@@ -148,10 +148,10 @@ package starlogo.collision
         }
 
         /**
-         * Adds a handler for the first frame of a touch: it is called before those of onCollision, and not again while the two touch.
+         * Adds a handler for the first frame of a touch. It is called before the handlers of onCollision, and not again while the two touch.
          *
-         * <p>A touch begins anew when one of the two has changed its breed, and with the first handler for starts or ends of these breeds'
-         * touches.</p>
+         * <p>A touch begins again when one of the two has changed its breed, and when the first handler for starts or ends of these breeds is
+         * added.</p>
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
@@ -164,12 +164,12 @@ package starlogo.collision
         }
 
         /**
-         * Adds a handler for the end of a touch: it is called in the first frame in which the two do not touch any more, also when one of them
-         * has been taken out of the list, the collision system does not find it any more, or one has changed its breed: it is
-         * called for the breeds that they had when it began.
+         * Adds a handler for the end of a touch. It is called in the first frame in which the two no longer touch. A touch also ends when one of
+         * the two was removed from the list, when the collision system no longer finds the pair, and when one has changed its breed. The handler
+         * is called for the breeds that the two had when the touch began.
          *
-         * <p>Ends come before all other calls of a frame, in the order in which the touches began. An end is called for each direction for which
-         * the start was; one of the two agents, or both, may have left the list.</p>
+         * <p>Ends come before all other calls of a frame, in the order in which the touches began. The handlers are called for the same
+         * directions as those for starts. One of the two agents, or both, may have left the list.</p>
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
@@ -182,8 +182,8 @@ package starlogo.collision
         }
 
         /**
-         * Takes away a handler of onCollision, onCollisionStart or onCollisionEnd. Of one that was added several times, one addition is undone. It
-         * is not called again, in this frame either if a handler takes it away.
+         * Removes a handler of onCollision, onCollisionStart or onCollisionEnd. If it was added several times, one of them is removed. A removed
+         * handler is not called again, not even in this frame.
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
@@ -209,8 +209,8 @@ package starlogo.collision
         }
 
         /**
-         * Takes away all handlers, and forgets the last frame: touches begin anew with the next one. The collision system and the filter stay. What
-         * a handler resets does nothing more in this frame.
+         * Removes all handlers and forgets the last frame, so all touches begin again in the next. The collision system and the filter stay. If a
+         * handler calls reset, no further handler runs in this frame.
          */
         public function reset():void
         {
@@ -276,16 +276,13 @@ package starlogo.collision
         }
 
         /**
-         * What the next frame depends on besides the agents and the handlers: where the last frame saw the agents of its list, and which touch.
-         * <code>restore()</code> makes it the last frame again, in this Collision or in another with the same handlers and a collision system of
-         * the same kind. The bytes name agents by their indices in <code>lastAgents</code>: keep a copy of that, and the agents' traits.
+         * Writes down what the next frame needs of the last one: where it saw the agents of its list, and which of them touch.
+         * <code>restore()</code> goes back to that frame, in this Collision or in another with the same handlers and a collision system of the
+         * same kind. The bytes name agents by their indices in <code>lastAgents</code>. So keep a copy of that list, and of the agents' traits.
          *
-         * The heights of the ground are in it.
-         *
-         * @return the bytes, about 29 for each agent of the list, 17 for each pair that touches and has handlers for starts or ends, and 8 for each height
-         *     that is not 0
-         * @throws IllegalOperationError if called from a handler or the filter, if the collision system is none of the engine's, or has searched
-         *     another list since the last frame, or if that has refused its list
+         * @return the bytes, about 29 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
+         * @throws IllegalOperationError if called from a handler or the filter, if the collision system is not one of the engine's or has searched
+         *     another list since the last frame, or if the last frame refused its list
          */
         public function snapshot():ByteArray
         {
@@ -300,14 +297,14 @@ package starlogo.collision
         }
 
         /**
-         * Goes back to the frame after which a snapshot was taken: the next frames find and call what those after it did, to the last bit, if the
-         * agents are what they were then. No handler is called.
+         * Goes back to the frame of a snapshot. If the agents have their traits of that time, the next frames find the same pairs and make the same
+         * calls as the frames after the snapshot, to the last bit. No handler is called.
          *
-         * @param bytes what <code>snapshot()</code> gave; not changed
-         * @param agents what <code>lastAgents</code> was then; the game has given them back the traits that they had. They may be other objects, made
-         *     since in the same order, or for another Collision
-         * @throws ArgumentError if one is null, the bytes are no snapshot, or one of other agents or of ground with another grid, or <code>update()</code> would refuse the
-         *     list; nothing has changed then
+         * @param bytes the result of <code>snapshot()</code>; not changed
+         * @param agents the list <code>lastAgents</code> of that frame, with the agents' traits put back. They may be other objects, created
+         *     since then in the same order, or for another Collision
+         * @throws ArgumentError if one is null, if the bytes are no snapshot of these agents, or if <code>update()</code> would refuse the list;
+         *     nothing has changed then
          * @throws IllegalOperationError as in snapshot
          */
         public function restore(bytes:ByteArray, agents:Vector.<Agent>):void
@@ -347,7 +344,7 @@ package starlogo.collision
             var length:int = agents.length;
             if (agents === _lastAgents)
             {
-                // from now on it is the game's own list
+                // the game's own list, from now on
                 _lastAgents = agents.concat();
             }
             if (_lastAgents.length != length)

@@ -3,7 +3,7 @@ package starlogo.collision
     import starlogo.search.SearchCounts;
 
     /**
-     * What one frame of collision detection did and cost. The next frame overwrites it; copy the numbers to keep them.
+     * Counts and times of one frame of collision detection. The next frame overwrites them; copy numbers that you want to keep.
      */
     public final class CollisionStatistics extends SearchCounts
     {
@@ -13,15 +13,15 @@ package starlogo.collision
         public var handlerCalls:int;
 
         /**
-         * Milliseconds to find the collisions. In a Flash player these are whole milliseconds, because its clock counts no others: one frame's 0 or 1
-         * says little. CollisionRecorder has the mean of many frames.
+         * Milliseconds to find the collisions. A Flash player's clock counts whole milliseconds only, so the time of one frame says little.
+         * CollisionRecorder has the mean of many frames.
          */
         public var findMs:Number = 0;
 
-        /** Milliseconds of the whole frame, handlers included. In a Flash player they are whole, as for findMs. */
+        /** Milliseconds of the whole frame, handlers included. In a Flash player it is a whole number, as findMs is. */
         public var frameMs:Number = 0;
 
-        /** All zero. */
+        /** Creates statistics with all numbers 0. */
         public function CollisionStatistics()
         {
         }

@@ -8,7 +8,7 @@ package starlogo.collision
     public interface CollisionSystem
     {
         /**
-         * Whether two agents collide.
+         * Tells whether two agents collide.
          *
          * @param a an agent
          * @param b another agent
@@ -20,13 +20,13 @@ package starlogo.collision
          * Finds every pair of agents that collide.
          *
          * @param agents the agents of the game
-         * @param out where to put the pairs; overwritten, and made if null
-         * @return out: a0, b0, a1, b1, ..., each pair once, the agent that comes first in the list first
+         * @param out receives the pairs; overwritten, and created if null
+         * @return out: a0, b0, a1, b1, ... Each pair is there once. The agent that comes first in the list comes first
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; out is then unchanged
          */
         function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>;
 
-        /** What the last search did and cost; overwritten by the next. */
+        /** Counts and times of the last search. The next search overwrites them. */
         function get statistics():CollisionStatistics;
     }
 }

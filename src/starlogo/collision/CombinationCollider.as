@@ -8,21 +8,21 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * Takes the agents that are hierarchical for the hierarchies of their models, and all others for their tightest fits
-     * (thesis §5): precise where a player looks, cheap everywhere else.
+     * Finds collisions precisely for the agents that ask for it, and fast for all others. Agents with the trait <code>hierarchical</code>
+     * collide by the hierarchies of their models, all others by their tightest fits (thesis §5).
      *
-     * <p>Two agents that are not hierarchical collide as in the TightestFitCollider, two that are as in the
-     * HierarchicalCollider. If one is, its hierarchy is tested against the other's structure: it is visited down to a leaf, or a
-     * node at the depth limit, that the structure overlaps. The trait <code>hierarchical</code> may change between frames.</p>
+     * <p>Two agents that are not hierarchical collide as in the TightestFitCollider. Two hierarchical agents collide as in the
+     * HierarchicalCollider. If only one is hierarchical, its hierarchy is tested with the other's structure. They collide if the structure overlaps
+     * a leaf, or a node at the depth limit. The trait may change between frames.</p>
      *
-     * <p>Models of hierarchical agents need their hierarchies, other models their tightest fits.</p>
+     * <p>Models of hierarchical agents need hierarchies. Other models need tightest fits.</p>
      */
     public class CombinationCollider extends TreeCollider
     {
         /**
-         * A collider for the agents of a game.
+         * Creates a collider.
          *
-         * @param greatLand has the models of the agents, loaded with loadTightestFit and loadHierarchies
+         * @param greatLand the models of the agents, loaded with loadTightestFit and loadHierarchies
          * @throws ArgumentError if it is null
          */
         public function CombinationCollider(greatLand:GreatLand)
@@ -30,7 +30,7 @@ package starlogo.collision
             super(new TreesAndFits(greatLand));
         }
 
-        /** How the structures of two agents that are not hierarchical are tested. */
+        /** The settings for tests of two agents that are not hierarchical. */
         public function get structureTests():StructureTests
         {
             return pairs.structures;

@@ -7,39 +7,40 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * How two agents touch: when in their motions, where, and how deep. A handler that takes a third argument gets one; the next call
-     * overwrites it, so keep the numbers, or clone the vectors.
+     * Tells when, where and how deep two agents touch. A handler with a third argument gets a Contact. The next call overwrites it, so keep the
+     * numbers, or clone the vectors.
      *
-     * <p>The depth separates, in every one of the engine's systems: moved by it and 1e-9 of the larger extent along the normal, the collider does not
-     * touch the collidee any more, as that system sees them; by 1e-9 less it still does. Far away from the origin, where coordinates are
-     * rounded more coarsely than that (from about a million times the extent on), it separates to the rounding of the coordinates.</p>
+     * <p>The depth separates the two, in each of the engine's systems. Move the collider along the normal by the depth and 1e-9 of the larger
+     * extent more, and the two no longer touch, as that system sees them. Move it by 1e-9 less, and they still do. From about a million times
+     * the extent away from the origin, the rounding of the coordinates is coarser than that, and takes the place of 1e-9.</p>
      *
-     * <p>For spheres, capsules and boxes the normal is the shortest way out. For hierarchies and triangles it is a short one: where the two overlap by
-     * less than 1/256 of the larger extent, the normal of the first two nodes or triangles that touch; else what is found from that, from the shortest
-     * way out of the structures around both, and from the surfaces where these ways end. The way ends at the first place that is free, which
-     * may be a hollow. This takes as long as 30 to 135 tests of whether the two touch. A collision system of a game's own that tells no
-     * contacts has them half way between the agents, with a depth of 0.</p>
+     * <p>For spheres, capsules and boxes the normal is the shortest way out. For hierarchies and triangles it is a short way. If they overlap by
+     * less than 1/256 of the larger extent, it is the normal of the first two nodes or triangles that touch. Otherwise the engine improves this
+     * normal: it also tries the shortest way out of the structures around both, and the surfaces at the ends of these ways. The way ends at the
+     * first free place, which may be a hollow. This takes the time of 30 to 135 tests of whether the two touch.</p>
+     *
+     * <p>If a collision system of your own computes no contacts, the point is half way between the agents, and the depth is 0.</p>
      */
     public final class Contact
     {
         /**
-         * When they first touched in their motions since the last frame: from 0, at the beginning, to 1, at the end. Also 1 where neither sweeps,
+         * The time of the first touch in their motions since the last frame: 0 is the beginning, 1 is the end. It is also 1 if neither agent sweeps
          * or neither has moved.
          */
         public var time:Number = 1;
 
         /**
-         * A point where they touch, in the world, in the middle of the overlap: for hierarchies, of the first two nodes or triangles that touch; for a
-         * model that is inside of another without touching its surface, of the structures around both.
+         * The point where they touch, in the world: the middle of the overlap. For hierarchies it is the overlap of the first two nodes or
+         * triangles that touch. For a model inside another that does not touch its surface, it is the overlap of the structures around both.
          */
         public var point:Vector3D = new Vector3D();
 
-        /** The direction in which the collider has to move to get free: from the collidee to the collider, a unit vector. */
+        /** The direction in which the collider has to move to get free, from the collidee to the collider: a unit vector. */
         public var normal:Vector3D = new Vector3D(0, 0, 1);
 
         /**
-         * How far they overlap along the normal at that time, in patches: 0, but for rounding, where their motions first made them touch. Moved by
-         * as much along the normal, the collider just touches the collidee, without overlapping it.
+         * The length of their overlap along the normal at that time, in patches. If their motions first made them touch, it is 0, except for
+         * rounding. Moved by the depth along the normal, the collider just touches the collidee.
          */
         public var depth:Number = 0;
 
@@ -49,12 +50,12 @@ package starlogo.collision
          */
         public var approachSpeed:Number = 0;
 
-        /** At the origin, upright. */
+        /** Creates a contact at the origin with an upright normal. */
         public function Contact()
         {
         }
 
-        /** @private Half way between two agents, along the line from one to the other. */
+        /** @private Sets a contact half way between two agents, along the line from one to the other. */
         engine function setBetween(collider:Agent, collidee:Agent):void
         {
             var x:Number = collider.x - collidee.x;

@@ -7,20 +7,20 @@ package starlogo.collision
 
     use namespace engine;
 
-    /** The contacts of those pairs of a frame whose handlers take them. */
+    /** Computes the contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts implements ContactSource
     {
-        /** The collision system that has found the pairs. */
+        /** The collision system that found the pairs. */
         public var system:BaseCollider = null;
 
-        // By the numbers of the pairs; there may be more entries than the frame has pairs.
+        // Indexed by the pairs' numbers. There may be more entries than pairs.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
         private var _areKnown:Vector.<Boolean> = new Vector.<Boolean>();
 
-        // The contact that handlers get.
+        // The contact passed to handlers.
         private var _given:Contact = new Contact();
 
-        /** No contacts yet. */
+        /** Creates it without contacts. */
         public function FrameContacts()
         {
         }
@@ -54,7 +54,7 @@ package starlogo.collision
             return handler.takesContact ? contactOf(pair, first, second, isBack) : contactWhenAsked(this, pair, first, second, isBack);
         }
 
-        /** The contact of a pair, for <code>contactWhenAsked()</code> too. */
+        /** Returns the contact of a pair. <code>contactWhenAsked()</code> calls it too. */
         public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
         {
             find(pair, first, second);

@@ -4,28 +4,27 @@ package starlogo.collision
     import starlogo.search.Trees;
 
     /**
-     * Takes every agent for the hierarchy of bounding structures of its model (thesis §4), or, if it is exact, for its
-     * model.
+     * Finds collisions by the hierarchies of the agents' models (thesis §4): trees of boxes around their parts. If it is exact, it finds them by
+     * the models' triangles.
      *
-     * <p>An agent is in the bins that the structure around its whole model reaches into (§4.7). Of two agents whose extents
-     * overlap, the hierarchies are visited together, depth-first, down to two structures that overlap and are leaves or at the depth
-     * limit (§4.6). A depth counts levels, the root being level 1; where one hierarchy ends before the other, only the other is
-     * descended further.</p>
+     * <p>The extents of an agent's whole model decide which agents it is near (§4.7). If the extents of two agents overlap, their hierarchies
+     * are visited together, depth-first (§4.6). The two collide if two of their structures overlap that are leaves or at the depth limit. A
+     * depth counts levels; the root is on level 1. If one hierarchy ends before the other, only the other is descended further.</p>
      *
-     * <p>The thesis puts the two structures of each pair of nodes into the world (§4.5), and goes down in both hierarchies at
-     * once (§4.6). Here one transform for each pair of agents serves all their nodes, and where two nodes overlap the
-     * larger one is divided, or both where one's middle is in the other. The answers are the same but that an overlap of two
-     * nodes at their depth limits counts, whatever their levels.</p>
+     * <p>The thesis transforms the two structures of each pair of nodes into the world (§4.5), and descends both hierarchies at once (§4.6).
+     * Here one transform for each pair of agents serves all nodes. If two nodes overlap, the larger one is divided; if the middle of one is in
+     * the other, both are. The answers are the same with one exception: two nodes at their depth limits count as a collision, whatever their
+     * levels.</p>
      *
-     * <p>With models that have triangles, no depth ever misses a collision of the surfaces, or a model that is inside of a closed
-     * one; a greater depth finds fewer false collisions, and never more. See HierarchiesLibrary.</p>
+     * <p>If models have triangles, no depth misses a collision of their surfaces, or a model inside a closed one. A greater depth finds fewer false
+     * collisions, and never more. See HierarchiesLibrary.</p>
      */
     public class HierarchicalCollider extends TreeCollider
     {
         /**
-         * A collider for the agents of a game.
+         * Creates a collider.
          *
-         * @param greatLand has the models of the agents, loaded with loadHierarchies
+         * @param greatLand the models of the agents, loaded with loadHierarchies
          * @throws ArgumentError if it is null
          */
         public function HierarchicalCollider(greatLand:GreatLand)

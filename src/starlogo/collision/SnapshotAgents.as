@@ -7,40 +7,41 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * Tells which agents a snapshot is of, so that another list is refused. The Collision that took it wants the very same agents, or others that
-     * were made since, as when a game is read from a file. Another Collision takes any others: ids say nothing there.
+     * Tells which agents a snapshot belongs to, so that restoring to another list is refused. The Collision that took the snapshot accepts the same
+     * agents, or agents that were all created since, as when a game is read from a file. Another Collision accepts any agents, because
+     * ids mean nothing there.
      *
      * @private
      */
     public final class SnapshotAgents
     {
-        // So few that an origin is a whole number that a Number holds exactly.
+        // Small enough that a Number holds an origin exactly.
         private static const COUNTS:int = 4096;
 
-        // The bytes of the origin, and of how many agents there were.
+        // The bytes of the origin and of the number of agents.
         private static const HEAD:int = 12;
         private static const BYTES_PER_ID:int = 4;
         private static const NAMED:int = 10;
 
         private static var sCount:int = 0;
 
-        // Tells this Collision's snapshots from those of all others: in this program by the count, elsewhere by the clock.
+        // Tells this Collision's snapshots from all others: the count does it within this program, the clock between programs.
         private var _origin:Number;
 
-        /** For the snapshots of a new Collision. */
+        /** Creates it for a new Collision. */
         public function SnapshotAgents()
         {
             sCount++;
             _origin = new Date().getTime() * COUNTS + sCount % COUNTS;
         }
 
-        /** How many bytes the ids of so many agents take. */
+        /** Returns the bytes that the ids of this number of agents take. */
         public static function lengthOf(agents:int):int
         {
             return HEAD + BYTES_PER_ID * agents;
         }
 
-        /** Writes which agents they are. */
+        /** Writes the ids of the agents. */
         public function write(bytes:ByteArray, agents:Vector.<Agent>):void
         {
             bytes.writeDouble(_origin);
@@ -55,8 +56,8 @@ package starlogo.collision
          * Compares a list with the agents of a snapshot.
          *
          * @param bytes at the position where <code>write()</code> began
-         * @param count how many agents the snapshot is of
-         * @throws ArgumentError if the list is another one
+         * @param count the number of agents of the snapshot
+         * @throws ArgumentError if the list has other agents
          */
         public function check(bytes:ByteArray, count:int, agents:Vector.<Agent>):void
         {

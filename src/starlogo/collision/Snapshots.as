@@ -13,12 +13,12 @@ package starlogo.collision
     import starlogo.terrain.Terrain;
 
     /**
-     * Writes and reads the snapshots of one Collision: what the next frame depends on besides the agents. Agents are numbers, their indices in the
-     * last frame's list.
+     * Writes and reads the snapshots of one Collision. A snapshot has what the next frame needs besides the agents' traits. Agents are numbers
+     * in it: their indices in the last frame's list.
      *
-     * <p>The bytes: a mark; how many agents; of each whether it has a motion from where it was seen, and its position; how many names of breeds, and
-     * the names; how many pairs touch, and of each its agents, their breeds, and whether it touches both ways; the heights of the ground
-     * (SnapshotHeights); which agents they are (SnapshotAgents). The number of the ground's agent is that after the last.</p>
+     * <p>The bytes are: a mark; the number of agents, and for each whether it may have a motion from its last position, and that position; the
+     * number of breeds' names, and the names; the number of touching pairs, and for each its agents, their breeds, and whether it touches both
+     * ways; the agents' ids (SnapshotAgents).</p>
      */
     internal final class Snapshots
     {
@@ -28,24 +28,23 @@ package starlogo.collision
         private static const AGENTS_AT:int = 8;
         private static const BYTES_PER_AGENT:int = 25;
 
-        // Takes which pairs touch when a snapshot is read; empty in between.
+        // Receives the touching pairs when a snapshot is read; otherwise empty.
         private var _read:TouchTracker = new TouchTracker();
         private var _who:SnapshotAgents = new SnapshotAgents();
         private var _heights:SnapshotHeights = new SnapshotHeights();
 
-        /** No snapshot has been taken yet. */
+        /** Creates it for a new Collision. */
         public function Snapshots()
         {
         }
 
         /**
-         * The bytes of a snapshot.
+         * Returns the bytes of a snapshot.
          *
-         * @param tracker knows which pairs touch
-         * @param search of the last frame; null if there was none
-         * @param agents its list
-         * @param keepsMotions whether agents have the motions from there that they had
-         * @param terrain the ground, or null
+         * @param tracker knows the touching pairs
+         * @param search the last frame's search; null if there was none
+         * @param agents the last frame's list
+         * @param keepsMotions whether the agents' next motions begin at their positions in the search
          * @throws IllegalOperationError if the collision system has searched another list
          */
         public function write(tracker:TouchTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain):ByteArray
@@ -77,11 +76,10 @@ package starlogo.collision
         }
 
         /**
-         * Goes back to a snapshot: the last search then is the one before it was taken.
+         * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
-         * @param tracker knows which pairs touch now; it is empty afterwards, and used in the next call
-         * @param terrain the ground, which gets the heights that it had then; or null
-         * @return what knows which pairs touched then
+         * @param tracker knows the pairs that touch now; it is empty afterwards, and is used in the next call
+         * @return a tracker with the pairs that touched at the time of the snapshot
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
         public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker, terrain:Terrain):TouchTracker
@@ -147,7 +145,7 @@ package starlogo.collision
             bytes.writeBytes(pairs);
         }
 
-        // Looks at everything, and reads the pairs into a tracker that has none. False, or an EOFError, for bytes that are no snapshot.
+        // Checks everything, and reads the pairs into an empty tracker. False, or an EOFError, for bytes that are no snapshot.
         private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain):Boolean
         {
             var count:int = bytes.readInt();
@@ -202,7 +200,7 @@ package starlogo.collision
                 }
                 tracker.start(agents[first], isGround ? terrain.agent : agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
             }
-            // each once
+            // each agent is there once
             return tracker.count == pairs;
         }
 

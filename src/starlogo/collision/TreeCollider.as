@@ -5,13 +5,13 @@ package starlogo.collision
 
     use namespace engine;
 
-    /** What the HierarchicalCollider and the CombinationCollider have in common: how deep they visit hierarchies. */
+    /** The base class of the HierarchicalCollider and the CombinationCollider, with their settings. */
     public class TreeCollider extends Collider
     {
         /**
-         * For HierarchicalCollider and CombinationCollider only.
+         * Only HierarchicalCollider and CombinationCollider call it.
          *
-         * @param choice finds the shapes of agents
+         * @param choice chooses the shapes of agents
          */
         public function TreeCollider(choice:ShapeChoice)
         {
@@ -19,9 +19,9 @@ package starlogo.collision
         }
 
         /**
-         * How many levels of a hierarchy are visited, for agents whose own traversalDepth is 0 (§4.8); the root is one. A
-         * number larger than a hierarchy has levels visits them all. A greater depth finds fewer false collisions, and never one
-         * that a smaller depth does not.
+         * The number of levels of a hierarchy that a test visits, for agents whose own traversalDepth is 0 (§4.8). The root is level 1. If the
+         * number is larger than the number of levels, a test visits all of them. A greater depth finds fewer false collisions, and never one
+         * that a smaller depth does not find.
          *
          * @throws RangeError if it is set to less than 1
          */
@@ -40,13 +40,13 @@ package starlogo.collision
         }
 
         /**
-         * Whether the triangles of overlapping leaves decide between two hierarchies. No depth limit applies then, and a model inside of
-         * another, without touching its surface, collides with it if that surface is closed. Where a model has no triangles, and between a
+         * If true, the triangles of overlapping leaves decide whether two hierarchies collide. Depth limits do not apply. A model inside another
+         * collides with it if the outer surface is closed, even if the surfaces do not touch. If a model has no triangles, and between a
          * hierarchy and a structure, the leaves decide.
          *
-         * <p>The first frame in which an exact collider tests a model takes some time to prepare its triangles, tens of milliseconds for
-         * thousands, unless GreatLand.prepareExact was set when the model was added. So does the first frame in which any other
-         * collider tests it without finding a collision: triangles decide at every depth whether one model is inside of the other.</p>
+         * <p>The first frame in which an exact collider tests a model prepares its triangles. This takes tens of milliseconds for thousands of
+         * triangles, unless GreatLand.prepareExact was set when the model was added. Other tree colliders prepare them too, when they first test
+         * the model without finding a collision, because triangles decide at every depth whether one model is inside the other.</p>
          */
         public function get exact():Boolean
         {

@@ -3,8 +3,8 @@ package starlogo.collision
     import starlogo.agents.Agent;
 
     /**
-     * A Contact that is computed when it is looked at, by FrameContacts.contactOf. ActionScript's handlers say what they take, so here it is null. The
-     * ES module has its own answer.
+     * Returns a Contact that FrameContacts.contactOf computes when the handler reads it. ActionScript's handlers declare their parameters, so
+     * here it is null. The ES module has its own version.
      *
      * @private
      */

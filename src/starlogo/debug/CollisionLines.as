@@ -17,19 +17,19 @@ package starlogo.debug
     use namespace engine;
 
     /**
-     * The lines of what a collision system tests of an agent, in the world (§7.3): its unit sphere, its structure, the level of its tree at
-     * which the collider stops, or in exact mode its triangles.
+     * Lines to draw that show what a collision system tests for an agent, in world coordinates (§7.3). They show the agent's unit sphere,
+     * its structure, the level of its hierarchy at which the collider stops, or in exact mode its triangles.
      */
     public final class CollisionLines
     {
         private var _greatLand:GreatLand;
 
-        // In the models' spaces, by level, kind and model; for one revision of the models.
+        // The lines in model space, by level, kind and model. They are valid for one revision of the models.
         private var _lines:Object = {};
         private var _revision:int = -1;
 
         /**
-         * Lines of agents whose models a GreatLand has.
+         * Creates lines for agents whose models a GreatLand has.
          *
          * @throws ArgumentError if it is null
          */
@@ -43,14 +43,14 @@ package starlogo.debug
         }
 
         /**
-         * The lines of what a collision system tests of an agent; none while its model is loading. A model's are found when they are first
-         * asked for; after that the time goes with their number.
+         * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, there are none. The lines
+         * of a model are computed once, on the first call. Later calls take a time proportional to the number of lines.
          *
          * @param agent any agent
-         * @param system one of the engine's, of the same GreatLand
-         * @param out the lines are added to it, six numbers each as in Wireframes; made if null
+         * @param system one of the engine's systems, with the same GreatLand
+         * @param out the lines are appended to it, six numbers each as in Wireframes; created if null
          * @return out
-         * @throws ArgumentError if what the collision system needs of the agent's model was not loaded
+         * @throws ArgumentError if the collision system needs data of the agent's model that was not loaded
          */
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
@@ -88,7 +88,7 @@ package starlogo.debug
                 : Wireframes.ofLevel(_greatLand.hierarchies.root(name), level);
         }
 
-        // All levels where triangles decide.
+        // In exact mode all levels, because the triangles decide.
         private static function levelOf(agent:Agent, trees:TreeCollider):int
         {
             if (trees.exact)
@@ -107,7 +107,7 @@ package starlogo.debug
             return _greatLand.structureOfKind(agent.shape, agent.structureKind);
         }
 
-        // Not by a Matrix3D, which has single precision.
+        // A Matrix3D is not used, because it has single precision.
         private static function placed(lines:Vector.<Number>, placement:Placement, out:Vector.<Number>):Vector.<Number>
         {
             var size:Number = placement.size;

@@ -3,29 +3,27 @@ package starlogo.debug
     import flash.geom.Vector3D;
     import starlogo.geometry.Trigonometry;
 
-    /** Draws lines into a list. */
+    /** Appends lines to a list. */
     internal final class LinePen
     {
         private static const SEGMENTS:int = 32;
 
-        /** Six numbers a line. */
+        /** Six numbers for each line. */
         public var lines:Vector.<Number>;
 
-        /**
-         * @param lines added to; made if null
-         */
+        /** @param lines takes the lines; created if null */
         public function LinePen(lines:Vector.<Number>)
         {
             this.lines = lines == null ? new Vector.<Number>() : lines;
         }
 
-        /** The point at some distances from another, along one or two directions. */
+        /** The point from + atA * a + atB * b. */
         public static function along(from:Vector3D, a:Vector3D, atA:Number, b:Vector3D, atB:Number):Vector3D
         {
             return new Vector3D(from.x + a.x * atA + b.x * atB, from.y + a.y * atA + b.y * atB, from.z + a.z * atA + b.z * atB);
         }
 
-        /** A line, if it has a length. */
+        /** Appends a line, if it has a length. */
         public function drawLine(from:Vector3D, to:Vector3D):void
         {
             if (!from.equals(to))
@@ -34,7 +32,7 @@ package starlogo.debug
             }
         }
 
-        /** A part of a circle, from direction a towards b: unit vectors at right angles. */
+        /** Appends a part of a circle as lines, from direction a towards b. Both are unit vectors at right angles. */
         public function drawArc(center:Vector3D, a:Vector3D, b:Vector3D, radius:Number, degrees:int = 360):void
         {
             var from:Vector3D = along(center, a, radius, b, 0);

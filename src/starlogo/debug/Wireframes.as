@@ -9,17 +9,17 @@ package starlogo.debug
     import starlogo.hierarchy.HierarchyNode;
 
     /**
-     * Structures, levels of hierarchies and triangles as lists of lines, to be drawn by a client.
+     * Lists of lines to draw: structures, levels of hierarchies and triangles.
      *
-     * <p>A line is six numbers: x, y and z of one end, then of the other, in the structure's space. Ends lie on the
-     * structure's surface. Lines without length are left out, so that a point has none.</p>
+     * <p>A line is six numbers: x, y and z of one end, then of the other, in the structure's space. The ends lie on the structure's
+     * surface. Lines without length are left out, so a point has no lines.</p>
      *
-     * <p>A box is its twelve edges; a sphere three circles; a capsule a circle and two half-circles at either end and four lines
-     * between; a cylinder two circles and four lines.</p>
+     * <p>A box has its twelve edges. A sphere has three circles. A capsule has a circle and two half-circles at each end, and four lines
+     * between the ends. A cylinder has two circles and four lines.</p>
      */
     public final class Wireframes
     {
-        /** All is static. */
+        /** Has only static members. */
         public function Wireframes()
         {
         }
@@ -28,15 +28,15 @@ package starlogo.debug
          * The lines of a structure.
          *
          * @param structure in any space
-         * @param out the lines are added to it; made if null
+         * @param out the lines are appended to it; created if null
          * @return out
-         * @throws ArgumentError if the structure is null, or none of the engine's
+         * @throws ArgumentError if the structure is null, or of an unknown class
          */
         public static function ofStructure(structure:BoundingStructure, out:Vector.<Number> = null):Vector.<Number>
         {
             if (structure == null)
             {
-                throw new ArgumentError("there is no structure to draw: null");
+                throw new ArgumentError("the structure to draw must not be null");
             }
             var pen:LinePen = new LinePen(out);
             switch (structure.kind)
@@ -56,18 +56,18 @@ package starlogo.debug
                     drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, false);
                     break;
                 default:
-                    throw new ArgumentError("there are no lines for " + structure);
+                    throw new ArgumentError("this kind of structure can't be drawn: " + structure);
             }
             return pen.lines;
         }
 
         /**
-         * The lines of what a collider looks at last when it visits so many levels of a hierarchy: the structures of the nodes on
-         * that level, and of the leaves above it.
+         * The lines of the structures that a collider reaches if it visits only some levels of a hierarchy: of the nodes on the given
+         * level, and of the leaves above it.
          *
-         * @param root the node whose level is 1: a hierarchy's root, or any other
+         * @param root the node whose level is 1: a hierarchy's root, or any other node
          * @param level from 1
-         * @param out the lines are added to it; made if null
+         * @param out the lines are appended to it; created if null
          * @return out
          * @throws ArgumentError if the root is null
          * @throws RangeError if the level is less than 1
@@ -76,11 +76,11 @@ package starlogo.debug
         {
             if (root == null)
             {
-                throw new ArgumentError("there is no hierarchy to draw: null");
+                throw new ArgumentError("the hierarchy to draw must not be null");
             }
             if (level < 1)
             {
-                throw new RangeError("the root's level is 1: there is no level " + level);
+                throw new RangeError("the level must be 1 (the root) or more, not " + level);
             }
             if (level == 1 || root.isLeaf)
             {
@@ -90,11 +90,11 @@ package starlogo.debug
         }
 
         /**
-         * The edges of triangles, each once.
+         * The edges of triangles. An edge that several triangles share appears once.
          *
-         * @param vertices x, y and z of each
+         * @param vertices x, y and z of each vertex
          * @param triangles three vertex indices each
-         * @param out the lines are added to it; made if null
+         * @param out the lines are appended to it; created if null
          * @return out
          */
         public static function ofTriangles(vertices:Vector.<Number>, triangles:Vector.<uint>, out:Vector.<Number> = null):Vector.<Number>
@@ -134,7 +134,7 @@ package starlogo.debug
             drawEdges(pen, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
         }
 
-        // The four edges of a box that are parallel to axis a.
+        // Draws the four edges of a box that are parallel to axis a.
         private static function drawEdges(pen:LinePen, center:Vector3D, a:Vector3D, halfA:Number, b:Vector3D, halfB:Number, c:Vector3D, halfC:Number):void
         {
             for (var i:int = 0; i < 4; i++)
@@ -144,11 +144,11 @@ package starlogo.debug
             }
         }
 
-        // A capsule, or a cylinder.
+        // Draws a capsule or a cylinder.
         private static function drawRound(pen:LinePen, start:Vector3D, end:Vector3D, radius:Number, isCapsule:Boolean):void
         {
             var w:Vector3D = end.subtract(start);
-            // the largest first: squares neither vanish nor overflow
+            // Divides by the largest coordinate first. Otherwise squares could become 0 or infinite.
             var largest:Number = Math.max(Math.abs(w.x), Math.abs(w.y), Math.abs(w.z));
             if (largest == 0 && !isCapsule)
             {

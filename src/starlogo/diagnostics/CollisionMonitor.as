@@ -19,17 +19,18 @@ package starlogo.diagnostics
     use namespace engine;
 
     /**
-     * An overlay that shows what collision detection does and costs while a game runs:
+     * An overlay that shows, while a game runs, what collision detection does and what it costs:
      *
      * <listing version="3.0">
      * stage.addChild(new CollisionMonitor(collision));
      * </listing>
      *
-     * <p>It shows frames a second; the milliseconds of collision detection, handlers included, as the mean, the median and the most of the last
-     * 180 frames, and as a graph of them, whose height is a frame at 25 a second; and the agents, candidate pairs, tests by kind, node visits,
-     * collisions and memory of the last update. The last line is the cost of the monitor itself, also in parts of a frame at 25 a second.</p>
+     * <p>It shows the frames per second. It shows the milliseconds of collision detection with its handlers: the mean, the median and the
+     * maximum of the last 180 frames, and a graph of them. The height of the graph is 40 ms, a frame at 25 frames per second. For the last
+     * update it shows the agents, the candidate pairs, the tests by kind, the node visits, the collisions and the memory. The last line is
+     * the cost of the monitor itself, in milliseconds and as a share of 40 ms.</p>
      *
-     * <p>A key hides and shows it; hidden, it does nothing. It may be dragged.</p>
+     * <p>A key hides and shows it. While it is hidden, it does nothing. You can drag it.</p>
      */
     public class CollisionMonitor extends Sprite
     {
@@ -66,19 +67,19 @@ package starlogo.diagnostics
         private var _numbers:TextField;
         private var _isShown:Boolean = true;
 
-        // those that the graph shows
+        // the times in the graph
         private var _times:FrameTimes = new FrameTimes(GRAPH_WIDTH);
 
         // since the numbers were last refreshed
         private var _frames:int = 0;
         private var _startMs:int;
 
-        // since the monitor was made
+        // since the monitor was created
         private var _ownMs:Number = 0;
         private var _ownFrames:int = 0;
 
         /**
-         * A monitor, shown as soon as it is on the stage.
+         * Creates a monitor. It starts as soon as it is on the stage.
          *
          * @param collision the game's collisions
          * @throws ArgumentError if it is null
@@ -94,7 +95,7 @@ package starlogo.diagnostics
             addEventListener("mouseUp", onMouseUp);
         }
 
-        /** The game's collisions; may be exchanged for those of another game. */
+        /** The game's collisions. You can set those of another game. */
         public function get collision():Collision
         {
             return _collision;
@@ -109,7 +110,7 @@ package starlogo.diagnostics
             _collision = value;
         }
 
-        /** Whether it is shown and at work. */
+        /** Whether it is shown and works. */
         public function get isShown():Boolean
         {
             return _isShown;
@@ -129,7 +130,7 @@ package starlogo.diagnostics
             }
         }
 
-        /** What the monitor itself costs: the mean milliseconds of a frame since it was made. */
+        /** The cost of the monitor itself: the mean milliseconds per frame since it was created. */
         public function get ownMsPerFrame():Number
         {
             return _ownFrames == 0 ? 0 : _ownMs / _ownFrames;
@@ -178,7 +179,7 @@ package starlogo.diagnostics
                 refresh(start);
                 restart();
             }
-            // the clock counts whole milliseconds, but their mean over many frames is right
+            // The clock counts whole milliseconds. Over many frames the mean is right.
             _ownMs += getTimer() - start;
             _ownFrames++;
         }

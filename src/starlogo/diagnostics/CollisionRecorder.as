@@ -13,9 +13,8 @@ package starlogo.diagnostics
     use namespace engine;
 
     /**
-     * Counts a game's collisions over its whole run, so that the average case of real games can be known (thesis §7.8), and measures how long its
-     * frames take, of any collision system, while the game runs (§6.1, §6.2.5).
-     * It is put around the collision system that does the work, and finds what that one finds. The game is the same with it:
+     * Records a game's collisions and frame times over its whole run, with any collision system (thesis §7.8, §6.1, §6.2.5). Put it around
+     * the collision system that does the work. It finds the same collisions, so the game does not change:
      *
      * <listing version="3.0">
      * var recorder:CollisionRecorder = new CollisionRecorder(new TightestFitCollider(greatLand));
@@ -25,8 +24,8 @@ package starlogo.diagnostics
      * trace(recorder.toText());
      * </listing>
      *
-     * <p>A frame is a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers count only in the former. The cost is
-     * in proportion to the collisions: some ten-thousandths of a millisecond for each.</p>
+     * <p>A frame is one call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers are counted only in findCollisions.
+     * The cost is proportional to the number of collisions: some ten-thousandths of a millisecond for each.</p>
      */
     public final class CollisionRecorder extends BaseCollider
     {
@@ -39,7 +38,7 @@ package starlogo.diagnostics
         private var _frameTimes:FrameTimes = new FrameTimes();
 
         /**
-         * A recorder that has seen no frame yet.
+         * Creates a recorder without frames.
          *
          * @param collisionSystem finds the collisions
          * @throws ArgumentError if it is null
@@ -54,25 +53,25 @@ package starlogo.diagnostics
             _system = BaseCollider.of(collisionSystem);
         }
 
-        /** How many frames were recorded. */
+        /** The number of recorded frames. */
         public function get frames():int
         {
             return _frames;
         }
 
-        /** The collisions of all recorded frames. */
+        /** The number of collisions in all recorded frames. */
         public function get collisions():Number
         {
             return _all.collisions;
         }
 
-        /** How long it took to find the collisions, in the last 10,000 frames. */
+        /** The times to find the collisions, of the last 10,000 frames. */
         public function get findTimes():FrameTimes
         {
             return _findTimes;
         }
 
-        /** How long the whole frames of a Collision took, handlers included; of no frames if the recorder is used without a Collision. */
+        /** The times of the whole frames of a Collision, with its handlers. Without a Collision there are no such times. */
         public function get frameTimes():FrameTimes
         {
             return _frameTimes;
@@ -122,7 +121,7 @@ package starlogo.diagnostics
             _system.onFrame(statistics);
         }
 
-        /** Forgets all frames. */
+        /** Removes all recorded frames. */
         public function clear():void
         {
             _frames = 0;
@@ -134,12 +133,11 @@ package starlogo.diagnostics
         }
 
         /**
-         * The record as an object for JSON: <code>frames</code>, <code>collisions</code>, <code>histogram</code> and
-         * <code>breeds</code>.
+         * The record as an object for JSON: <code>frames</code>, <code>collisions</code>, <code>histogram</code> and <code>breeds</code>.
          *
-         * <p>A histogram is a list of <code>{collisions, frames}</code>: in how many frames there were so many. Numbers
-         * above 16 are in classes whose widths double, named by their least. <code>breeds</code> is a list of <code>{breeds,
-         * collisions, mean, most, histogram}</code>, the mean being that of all frames.</p>
+         * <p>A histogram is a list of <code>{collisions, frames}</code>: the number of frames with so many collisions. Above 16, numbers
+         * are grouped in classes whose widths double. The least number of a class stands for it. <code>breeds</code> is a list of
+         * <code>{breeds, collisions, mean, most, histogram}</code>. The mean is over all frames.</p>
          */
         public function toObject():Object
         {
@@ -154,7 +152,7 @@ package starlogo.diagnostics
             return all;
         }
 
-        /** How long frames took, in three lines: what was counted, finding the collisions, and the whole frame. */
+        /** The times in three lines: the counts, finding the collisions, and the whole frames. */
         public function timesToText():String
         {
             return _frames + " frames, " + (_all.collisions / Math.max(1, _frames)).toFixed(1) + " collisions a frame\nfind: " + _findTimes + "\nframe: "
@@ -180,7 +178,7 @@ package starlogo.diagnostics
         private function countPair(a:Agent, b:Agent):void
         {
             var tally:Tally = _lastPair;
-            // mostly the same pair of breeds as the one before
+            // in most cases the same pair of breeds as before
             if (tally == null || tally.breed != a.breed || tally.otherBreed != b.breed)
             {
                 tally = _lastPair = pairOf(a.breed, b.breed);
@@ -215,7 +213,7 @@ package starlogo.diagnostics
     }
 }
 
-/** How often two breeds have collided, or all breeds. */
+/** Counts the collisions of two breeds, or of all breeds. */
 final class Tally
 {
     private static const EXACT:int = 16;
@@ -223,29 +221,30 @@ final class Tally
     /** The name of one breed, or null. */
     public var breed:String;
 
-    /** The name of the other. */
+    /** The name of the other breed. */
     public var otherBreed:String;
 
-    /** The collisions in the frame under way. */
+    /** The collisions in the present frame. */
     public var inFrame:int = 0;
 
-    /** The collisions in all frames before it. */
+    /** The collisions in all earlier frames. */
     public var collisions:Number = 0;
 
     private var _most:int = 0;
 
-    // How many frames had any; how many had so many: exact up to 16, then in classes whose widths double.
+    // _counted is the number of frames with collisions. _histogram is the number of frames for each number of collisions: exact up to 16,
+    // then in classes whose widths double.
     private var _counted:int = 0;
     private var _histogram:Vector.<int> = new Vector.<int>();
 
-    /** No collisions yet. */
+    /** Creates a tally without collisions. */
     public function Tally(breed:String = null, otherBreed:String = null)
     {
         this.breed = breed;
         this.otherBreed = otherBreed;
     }
 
-    /** Counts the frame under way. */
+    /** Ends the present frame. */
     public function endFrame():void
     {
         if (inFrame == 0)
@@ -268,7 +267,7 @@ final class Tally
         inFrame = 0;
     }
 
-    /** Adds its numbers, of so many frames, to an object for JSON, which it returns. */
+    /** Adds its numbers to an object for JSON, and returns that. @param frames the number of all frames */
     public function addTo(record:Object, frames:int):Object
     {
         record.collisions = collisions;
@@ -279,7 +278,7 @@ final class Tally
         {
             if (_histogram[i] > 0)
             {
-                // 17 to 33 halve once to 16 or less, then 34 to 67, and so on
+                // the classes are 17 to 33, 34 to 67, and so on
                 record.histogram.push({collisions: i <= EXACT ? i : ((EXACT + 1) << (i - EXACT)) >> 1, frames: _histogram[i]});
             }
         }

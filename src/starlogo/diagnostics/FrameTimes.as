@@ -1,8 +1,8 @@
 package starlogo.diagnostics
 {
     /**
-     * The mean, the median and the most of many frames' milliseconds. In a Flash player a frame's time is a whole number of milliseconds, so only
-     * the mean of many frames tells more: the median and the most are whole numbers there too.
+     * The mean, the median and the maximum of many frames' times. In a Flash player, which measures whole milliseconds, the median and the
+     * maximum are whole numbers, and only the mean over many frames is more precise.
      */
     public final class FrameTimes
     {
@@ -11,9 +11,9 @@ package starlogo.diagnostics
         private var _next:int = 0;
 
         /**
-         * Times of no frames yet.
+         * Creates an object without times.
          *
-         * @param capacity how many times are kept: a new one overwrites the oldest
+         * @param capacity the number of times that are kept; then a new time replaces the oldest
          * @throws RangeError if it is less than 1
          */
         public function FrameTimes(capacity:int = 10000)
@@ -25,26 +25,26 @@ package starlogo.diagnostics
             _capacity = capacity;
         }
 
-        /** How many frames the times are of. */
+        /** The number of times it has. */
         public function get frames():int
         {
             return _times.length;
         }
 
-        /** Adds a frame's milliseconds. */
+        /** Adds a frame's time in milliseconds. */
         public function add(milliseconds:Number):void
         {
             _times[_next] = milliseconds;
             _next = _next + 1 == _capacity ? 0 : _next + 1;
         }
 
-        /** Forgets all frames. */
+        /** Removes all times. */
         public function clear():void
         {
             _times.length = _next = 0;
         }
 
-        /** The mean; 0 without frames, as for the others. */
+        /** The mean in milliseconds; 0 without frames. */
         public function get mean():Number
         {
             var sum:Number = 0;
@@ -55,7 +55,7 @@ package starlogo.diagnostics
             return _times.length == 0 ? 0 : sum / _times.length;
         }
 
-        /** Half of the frames took no longer. Sorts the times, so ask for it now and then. */
+        /** The median in milliseconds; 0 without frames. It sorts the times, so do not read it every frame. */
         public function get median():Number
         {
             var sorted:Vector.<Number> = _times.concat().sort(compare);
@@ -67,7 +67,7 @@ package starlogo.diagnostics
             return sorted.length == 0 ? 0 : (sorted[middle - 1] + sorted[middle]) / 2;
         }
 
-        /** The longest time. */
+        /** The longest time in milliseconds; 0 without frames. */
         public function get most():Number
         {
             var longest:Number = 0;
@@ -78,7 +78,7 @@ package starlogo.diagnostics
             return longest;
         }
 
-        /** The figures in a line: "mean 1.25 ms, median 1.00 ms, most 9.00 ms". */
+        /** All three in one line: "mean 1.25 ms, median 1.00 ms, most 9.00 ms". */
         public function toString():String
         {
             return "mean " + mean.toFixed(2) + " ms, median " + median.toFixed(2) + " ms, most " + most.toFixed(2) + " ms";

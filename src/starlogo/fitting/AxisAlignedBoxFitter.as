@@ -2,10 +2,10 @@ package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
 
-    /** The box with axes along x, y and z (thesis §3.4.2): the smallest such box. One pass over the vertices. */
+    /** Finds the smallest box with axes along x, y and z (thesis §3.4.2), in one pass over the vertices. */
     public final class AxisAlignedBoxFitter extends Fitter
     {
-        /** A fitter of axis-aligned boxes. */
+        /** Creates a fitter of axis-aligned boxes. */
         public function AxisAlignedBoxFitter()
         {
             super("axis-aligned box");

@@ -4,7 +4,10 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
 
-    /** The base of fitters that put a structure along the longest axis of a box (thesis §3.4.3). The box's fitter decides how it lies. */
+    /**
+     * Base class of fitters that put a structure along the longest axis of a box (thesis §3.4.3). Another fitter finds the box, so it
+     * decides the structure's direction.
+     */
     public class BoxAxisFitter extends Fitter
     {
         private var _boxFitter:Fitter;
@@ -12,8 +15,8 @@ package starlogo.fitting
         /**
          * For subclasses only.
          *
-         * @param boxFitter finds the box, or the fit fails with an ArgumentError; a library whose list has the same object
-         *        computes the box once
+         * @param boxFitter finds the box; if it finds another structure, the fit throws an ArgumentError. If the same object is also in a
+         *     library's list, the library computes the box once
          * @throws ArgumentError if it is null
          */
         public function BoxAxisFitter(boxFitter:Fitter)
@@ -25,7 +28,7 @@ package starlogo.fitting
             _boxFitter = boxFitter;
         }
 
-        /** What finds the box. */
+        /** The fitter that finds the box. */
         public function get boxFitter():Fitter
         {
             return _boxFitter;
@@ -54,11 +57,11 @@ package starlogo.fitting
         }
 
         /**
-         * What a subclass implements.
+         * Finds the structure along a box's axis. Subclasses implement it.
          *
-         * @param vertices x, y, z each
-         * @param center the box's
-         * @param axis unit vector along the box's longest side, the first of equal ones
+         * @param vertices x, y, z of each
+         * @param center the box's centre
+         * @param axis unit vector along the box's longest side, or along the first of several longest sides
          * @param half half of that side's length
          */
         protected function findAlong(vertices:Vector.<Number>, center:Vector3D, axis:Vector3D, half:Number):BoundingStructure

@@ -4,23 +4,25 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * The capsule along the longest axis of a box (thesis §3.4.4). Its radius is the largest distance of a vertex from the line
-     * through the box's centre along that axis. Its segment starts as what makes the capsule fit into the box's length, a
-     * point where the radius leaves nothing; then its ends move outwards just far enough for each vertex.
+     * Finds a bounding capsule along the longest axis of a box (thesis §3.4.4). Another fitter finds the box: an oriented box gives an
+     * oriented capsule.
      *
-     * <p>The thesis does not say how far the ends move at once; with the radius fixed there is one least distance for each
-     * vertex, so the order of the vertices does not matter.</p>
+     * <p>The radius is the largest distance of a vertex from the line through the box's centre along that axis. The segment starts so short
+     * that the capsule just fits into the box's length. If the radius leaves no length, the segment starts as a point. Then its ends move
+     * outwards just far enough for each vertex. If two sides of the box are equally long, the first one is taken.</p>
      *
-     * <p>The box's fitter decides how the capsule lies: an oriented box gives an oriented capsule. Cost beside the box: two
-     * passes over the vertices. Where two of the box's sides are equally long, the first counts.</p>
+     * <p>The thesis does not say how far the ends move at a time. For a fixed radius each vertex needs one smallest distance, so the order
+     * of the vertices does not matter here.</p>
+     *
+     * <p>In addition to the box, it takes two passes over the vertices.</p>
      */
     public final class CapsuleFitter extends BoxAxisFitter
     {
         /**
-         * A fitter of capsules along the boxes of another fitter.
+         * Creates a fitter of capsules along the boxes of another fitter.
          *
-         * @param boxFitter finds the box, or the fit fails with an ArgumentError; a library whose list has the same object
-         *        computes the box once
+         * @param boxFitter finds the box; if it finds another structure, the fit throws an ArgumentError. If the same object is also in a
+         *     library's list, the library computes the box once
          * @throws ArgumentError if it is null
          */
         public function CapsuleFitter(boxFitter:Fitter)

@@ -4,13 +4,16 @@ package starlogo.fitting
     import starlogo.geometry.VertexBounds;
 
     /**
-     * Ritter's sphere with its centre kept on the model's z axis, where x and y are 0 (thesis §7.6): starts between the lowest
-     * and the highest vertex, and grows for each vertex outside just enough to hold it and the sphere so far, its centre moving
-     * up or down only. Meant for models centred in x and y; around others it is loose. Two passes over the hull's vertices.
+     * Finds a bounding sphere whose centre is on the model's z axis, where x and y are 0 (thesis §7.6). It is meant for models that are
+     * centred in x and y. For other models it is loose.
+     *
+     * <p>It is Ritter's algorithm with a fixed axis. The sphere starts between the lowest and the highest vertex. For each vertex outside,
+     * it grows just enough to enclose the vertex and the sphere so far, and its centre moves only up or down. It takes two passes over the
+     * hull's vertices.</p>
      */
     public final class CentredRitterSphereFitter extends Fitter
     {
-        /** A fitter of spheres centred on the z axis. */
+        /** Creates a fitter of spheres that are centred on the z axis. */
         public function CentredRitterSphereFitter()
         {
             super("centred Ritter sphere");
@@ -31,7 +34,8 @@ package starlogo.fitting
                 var height:Number = up < 0 ? -up : up;
                 if (across + up * up > radius * radius)
                 {
-                    // where the sphere that holds the old one touches the vertex too; moving past its height gains nothing
+                    // With this shift, the sphere touches the vertex and encloses the old sphere. Moving beyond the vertex's height gains
+                    // nothing.
                     var shift:Number = Math.min((across + up * up - radius * radius) / (2 * (radius + height)), height);
                     z += up < 0 ? -shift : shift;
                     radius = Math.sqrt(across + (height - shift) * (height - shift));

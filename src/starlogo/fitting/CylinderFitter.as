@@ -4,16 +4,16 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * The cylinder along the longest axis of a box, as long as the box and as thick as the vertices need (thesis §3.4.3). To be
-     * measured and shown, not collided: no intersection test takes cylinders (thesis §3.6.1). Cost beside the box: one pass over
-     * the vertices.
+     * Finds the bounding cylinder along the longest axis of a box (thesis §3.4.3). It is as long as the box, and just thick enough for the
+     * vertices. Cylinders are measured and shown, but not collided: no intersection test takes them (thesis §3.6.1). In addition to the
+     * box, it takes one pass over the vertices.
      */
     public final class CylinderFitter extends BoxAxisFitter
     {
         /**
-         * A fitter of cylinders along the boxes of another fitter.
+         * Creates a fitter of cylinders along the boxes of another fitter.
          *
-         * @param boxFitter finds the box, or the fit fails with an ArgumentError
+         * @param boxFitter finds the box; if it finds another structure, the fit throws an ArgumentError
          * @throws ArgumentError if it is null
          */
         public function CylinderFitter(boxFitter:Fitter)

@@ -7,26 +7,26 @@ package starlogo.fitting
     import starlogo.bounding.Sphere;
 
     /**
-     * The last step of every fit: the tightest structure of a given position or direction around all vertices, in double
-     * precision. One or two passes over the vertices.
+     * The last step of every fit: finds the tightest structure of a given place or direction around all vertices, in double precision. It
+     * takes one or two passes over the vertices.
      *
      * @private
      */
     public final class EnclosingStructures
     {
-        /** There are no instances. */
+        /** Not to be called, because all methods are static. */
         public function EnclosingStructures()
         {
         }
 
         /**
-         * The smallest sphere with this centre.
+         * Finds the smallest sphere with a given centre.
          *
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param x of the centre
          * @param y of the centre
          * @param z of the centre
-         * @param leastRadius what the radius is at least
+         * @param leastRadius the smallest radius that the sphere may have
          */
         public static function sphere(vertices:Vector.<Number>, x:Number, y:Number, z:Number, leastRadius:Number = 0):Sphere
         {
@@ -44,9 +44,9 @@ package starlogo.fitting
         }
 
         /**
-         * The smallest box with these axes.
+         * Finds the smallest box with given axes.
          *
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param axes three perpendicular unit vectors, nine numbers
          */
         public static function box(vertices:Vector.<Number>, axes:Vector.<Number>):Box
@@ -91,15 +91,15 @@ package starlogo.fitting
         }
 
         /**
-         * The smallest capsule of this radius with its segment on a line.
+         * Finds the shortest capsule with a given radius whose segment is on a line.
          *
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param point on the line
          * @param axis unit vector along the line
-         * @param low how far down the segment has to reach at least, as a distance from the point along the axis
-         * @param high how far up it has to reach at least; below low if the segment need not be anywhere: then it shrinks to a point where that
-         *        suffices
-         * @param radius not less than distanceFromLine()
+         * @param low the segment must begin here or lower: a distance from the point along the axis
+         * @param high the segment must end here or higher. If it is less than low, the segment may be anywhere, and is a point if that is
+         *     enough
+         * @param radius at least distanceFromLine()
          */
         public static function capsule(vertices:Vector.<Number>, point:Vector3D, axis:Vector3D, low:Number, high:Number,
                 radius:Number):Capsule
@@ -139,12 +139,12 @@ package starlogo.fitting
         }
 
         /**
-         * The cylinder around a segment, with the radius that encloses every vertex; the ends of the segment are not moved.
+         * Finds the cylinder around a given segment whose radius encloses every vertex. The ends of the segment do not move.
          *
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param middle of the segment
-         * @param axis unit vector along it
-         * @param half half of its length
+         * @param axis unit vector along the segment
+         * @param half half of the segment's length
          */
         public static function cylinder(vertices:Vector.<Number>, middle:Vector3D, axis:Vector3D, half:Number):Cylinder
         {
@@ -157,7 +157,7 @@ package starlogo.fitting
         /**
          * The largest distance of a vertex from a line.
          *
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param point on the line
          * @param axis unit vector along the line
          */

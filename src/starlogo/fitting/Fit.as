@@ -4,8 +4,8 @@ package starlogo.fitting
     import starlogo.steps.Steps;
 
     /**
-     * A fit under way: what a Fitter does for the vertices of a session, in steps. There may be work to do first, in steps of its
-     * own; the last step finds the structure.
+     * A Fitter's work for the vertices of a session, in steps. It may begin with other work that has steps of its own. The last step finds
+     * the structure.
      */
     public final class Fit implements Steps
     {
@@ -15,11 +15,11 @@ package starlogo.fitting
         private var _structure:BoundingStructure = null;
 
         /**
-         * A fit that has not begun.
+         * Creates a fit that has not begun.
          *
          * @param session the vertices, and their hull
-         * @param find finds the structure: <code>function(session:FitSession):BoundingStructure</code>; called in the last step.
-         *        What takes more than a few milliseconds for thousands of vertices belongs in the steps before
+         * @param find finds the structure: <code>function(session:FitSession):BoundingStructure</code>. It is called in the last step. Work
+         *     that takes more than a few milliseconds for thousands of vertices belongs in the steps before it
          * @param before work that has to be done first; null for none
          */
         public function Fit(session:FitSession, find:Function, before:Steps = null)
@@ -29,13 +29,13 @@ package starlogo.fitting
             _before = before;
         }
 
-        /** The structure; null until no step is left. */
+        /** The structure; null until the last step. */
         public function get structure():BoundingStructure
         {
             return _structure;
         }
 
-        /** Does the next step; does nothing when none is left, because several fits may share this one and continue it. */
+        /** Does the next step. After the last step it does nothing, because several fits may share this one and continue it. */
         public function step():Boolean
         {
             if (_before == null)

@@ -8,26 +8,26 @@ package starlogo.fitting
     use namespace engine;
 
     /**
-     * The vertices of one model while structures are fitted to them: their convex hull, computed once, and what each fitter
-     * does or has done for them (see <code>Fitter.fitOnce()</code>). To be dropped when the model is done.
+     * The vertices of one model while structures are fitted to them. It keeps their convex hull and each fitter's result, so that these are
+     * computed once (see <code>Fitter.fitOnce()</code>). Drop the session when the model is finished.
      *
-     * <p>The hull may be computed in steps, which are those of the session.</p>
+     * <p>The session's steps compute the hull.</p>
      */
     public final class FitSession implements Steps
     {
         private var _hull:ConvexHull;
 
-        // The fits begun for the vertices, and the fitter of each.
+        // The fits begun for the vertices, and the fitter of each fit.
         private var _fitters:Vector.<Fitter> = new Vector.<Fitter>();
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
 
         /**
-         * A session without fits.
+         * Creates a session without fits.
          *
          * @param vertices x, y, z of each vertex; kept, not copied, and never changed
          * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>
-         * @throws ArgumentError if they are null or empty, their number of coordinates is no multiple of 3, or one is not
-         *         finite
+         * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if one of them
+         *     is not finite
          */
         public function FitSession(vertices:Vector.<Number>, atOnce:Boolean = true)
         {
@@ -36,28 +36,27 @@ package starlogo.fitting
 
         /**
          * @inheritDoc
-         *
-         * @throws ArgumentError what the constructor throws, if it left the check to the steps
+         * @throws ArgumentError for the constructor's reasons, if it left the check to the steps
          */
         public function step():Boolean
         {
             return _hull.step();
         }
 
-        /** All vertices, x, y, z each: read only. */
+        /** All vertices, x, y, z of each. Read only. */
         public function get vertices():Vector.<Number>
         {
             return _hull.vertices;
         }
 
-        /** Their convex hull; steps that are left of its computation are done now. */
+        /** The vertices' convex hull. If steps of its computation remain, they are done now. */
         public function get hull():ConvexHull
         {
             finish(_hull);
             return _hull;
         }
 
-        /** @private The fit of a fitter for these vertices: begun at the first call, and the same object at every other. */
+        /** @private Returns a fitter's fit for these vertices. The first call begins it, and later calls return the same object. */
         engine function fitOf(fitter:Fitter):Fit
         {
             var i:int = _fitters.indexOf(fitter);

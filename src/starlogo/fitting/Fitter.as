@@ -8,15 +8,15 @@ package starlogo.fitting
     use namespace engine;
 
     /**
-     * An algorithm that finds a bounding structure for a model (thesis §3.4): one that encloses every vertex, within 1e-6 of
-     * the model's size. That holds for any vertices: one, two, all on a line or in a plane, repeated ones.
+     * An algorithm that finds a bounding structure for a model (thesis §3.4). The structure encloses every vertex, to within
+     * 1e-6 of the model's size. This holds for any vertices: one, two, all on a line or in a plane, repeated ones.
      *
-     * <p>This is the abstract base of one class per algorithm; a subclass implements <code>findStructure()</code>, or, to work in
-     * steps, <code>begin()</code>, and nothing else. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the algorithms search with those; a FitSession
-     * computes the hull once for all the fitters that are given the same vertices. The structures are then measured in double precision over every
-     * vertex.</p>
+     * <p>This is the abstract base class. Each algorithm is a subclass, which implements <code>findStructure()</code>, or
+     * <code>begin()</code> if it works in steps. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the
+     * algorithms search with those. A FitSession computes the hull once for all fitters of the same vertices. The structures are then
+     * measured over every vertex in double precision.</p>
      *
-     * <p>A client's own fitter that finds its structure in one go:</p>
+     * <p>Here is a client's own fitter, which finds its structure without steps:</p>
      *
      * <listing>
      * public class OriginSphereFitter extends Fitter
@@ -41,7 +41,7 @@ package starlogo.fitting
         /**
          * For subclasses only.
          *
-         * @param signature the algorithm and its settings, as <code>signature</code> gives it; null for none
+         * @param signature the value of <code>signature</code>; null for none
          */
         public function Fitter(signature:String = null)
         {
@@ -49,8 +49,9 @@ package starlogo.fitting
         }
 
         /**
-         * The algorithm and its settings in a few words: two fitters with the same signature find the same structures. Null for none: then the
-         * structures are not kept in a FitStore or a baked file. A client's own fitter may have one, which has to change whenever its results do.
+         * The algorithm and its settings in a few words. Two fitters with the same signature find the same structures. If it is null, the
+         * structures are not kept in a FitStore or a baked file. A client's own fitter may have a signature, which must change whenever its
+         * results do.
          */
         public function get signature():String
         {
@@ -58,10 +59,10 @@ package starlogo.fitting
         }
 
         /**
-         * Begins to find a structure around the vertices of a session: for a subclass that works in steps. The settings of the fitter count as they
-         * are at this call.
+         * Begins to find a structure around a session's vertices. Subclasses that work in steps override it. The fitter's settings at the
+         * time of this call are used.
          *
-         * @param session the vertices, and their hull; it may not be there before the first step
+         * @param session the vertices and their hull; the hull may not exist before the first step
          * @return the work, not begun yet
          */
         public function begin(session:FitSession):Fit
@@ -70,7 +71,7 @@ package starlogo.fitting
         }
 
         /**
-         * Finds a structure around the vertices of a session in one go: for a subclass that does not implement <code>begin()</code>.
+         * Finds a structure around a session's vertices without steps. Subclasses that do not override <code>begin()</code> implement it.
          *
          * @param session the vertices, and their hull
          */
@@ -80,12 +81,12 @@ package starlogo.fitting
         }
 
         /**
-         * Finds a structure around the vertices. For several fits of the same vertices <code>fitOnce()</code> is faster.
+         * Finds a structure around vertices. For several fits of the same vertices <code>fitOnce()</code> is faster.
          *
          * @param vertices x, y, z of each vertex; not changed
          * @return a new structure, in the vertices' space and unit
-         * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is
-         *         not finite
+         * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if one of them
+         *     is not finite
          */
         public final function fit(vertices:Vector.<Number>):BoundingStructure
         {
@@ -93,8 +94,7 @@ package starlogo.fitting
         }
 
         /**
-         * What <code>fit()</code> finds for a session's vertices: found at the first call for a session, and the same object at
-         * every other.
+         * Finds a structure around a session's vertices. The first call for a session computes it, and later calls return the same object.
          *
          * @param session the vertices, and their hull
          */
@@ -106,8 +106,8 @@ package starlogo.fitting
         }
 
         /**
-         * The fit of a session's vertices: begun at the first call for a session, and the same object at every other. So a box
-         * that a capsule is built from is found once.
+         * Returns the fit of a session's vertices. The first call for a session begins it, and later calls return the same object. So a box
+         * that several capsules are built from is found once.
          *
          * @param session the vertices, and their hull
          */

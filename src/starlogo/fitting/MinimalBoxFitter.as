@@ -7,30 +7,30 @@ package starlogo.fitting
     import starlogo.geometry.Trigonometry;
 
     /**
-     * The smallest box of all (beyond the thesis), by O'Rourke's theorem ("Finding Minimal Enclosing Boxes", International Journal
-     * of Computer and Information Sciences 14(3), 1985): some smallest box has two adjacent sides that each contain an edge of
-     * the hull. The normal of such a side is perpendicular to that edge, between the normals of the two triangles that meet
-     * there, and given one normal the best box is known exactly. What is left is a search along
-     * one arc of directions for each edge of the hull.
+     * Finds the smallest bounding box in any direction (not in the thesis). There is no proof that it is the smallest, but it is within
+     * 0.001 % of certified minima for the models and point sets of the project's tests.
      *
-     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples descends along arcs,
-     * from one to the next, with steps that shrink until nothing is gained. It is not a proof; against certified minima
-     * on the models and sets of the project's tests it is within 0.001 %.</p>
+     * <p>It uses a theorem of O'Rourke ("Finding Minimal Enclosing Boxes", International Journal of Computer and Information Sciences
+     * 14(3), 1985): some smallest box has two adjacent sides that each contain an edge of the hull. The normal of such a side is
+     * perpendicular to the edge, and lies between the normals of the two triangles that meet there. For a given normal the best box is
+     * known exactly. So the search is along one arc of directions for each edge of the hull.</p>
      *
-     * <p>A set in a plane gets the smallest rectangle; one on a line or in a point its segment or point. Cost: 0.1 seconds for ten
-     * corners of the hull, one to two for 500, in WebAssembly; thousands are sampled more
-     * coarsely.</p>
+     * <p>O'Rourke solves an equation for each pair of edges. This class samples the arcs. From the best samples it descends from arc to
+     * arc, with steps that shrink until nothing is gained.</p>
+     *
+     * <p>Points in a plane get the smallest rectangle, and points on a line or in one place their segment or point. The cost in WebAssembly
+     * is 0.1 seconds for ten corners of the hull, and one to two seconds for 500. Thousands of corners are sampled more coarsely.</p>
      */
     public final class MinimalBoxFitter extends Fitter
     {
-        // samples at most; many corners get a coarser net of directions instead of more samples
+        // The largest number of samples. Many corners get a coarser net of directions instead of more samples.
         private static const SAMPLES:int = 2500;
-        // directions closer than this (radians) count as one start
+        // Directions closer than this (radians) count as one start.
         private static const APART:Number = 0.06;
-        // arcs are sampled at most this far apart (degrees)
+        // Samples of an arc are at most this far apart (degrees).
         private static const ARC_STEP:Number = 3.44;
 
-        /** A fitter of smallest boxes. */
+        /** Creates a fitter of smallest boxes. */
         public function MinimalBoxFitter()
         {
             super("minimal box");
@@ -41,7 +41,7 @@ package starlogo.fitting
         {
             var hull:ConvexHull = session.hull;
             var descent:BoxDescent = new BoxDescent(hull);
-            // of a plane the normal, of a line a direction across
+            // For a plane, its normal. For a line, a direction perpendicular to it.
             descent.search(hull.dimension == 3 ? directionsOf(hull) : hull.axes.slice(6), APART);
             return EnclosingStructures.box(session.vertices, descent.axes);
         }
@@ -71,7 +71,7 @@ package starlogo.fitting
             {
                 net.add(normals[i], normals[i + 1], normals[i + 2]);
             }
-            // three times the number of the triangle at each side, by the two corners of the side
+            // For each side of a triangle, three times the triangle's index, by the side's two corners.
             var t:Vector.<int> = hull.triangles;
             var corners:int = hull.indices.length;
             var triangleAt:Object = {};

@@ -8,13 +8,15 @@ package starlogo.fitting
     import starlogo.geometry.Trigonometry;
 
     /**
-     * A capsule close to the smallest of all (beyond the thesis). No exact algorithm of use is known. This takes directions all
-     * around; for each, the axis through the smallest circle around the hull's corners seen along it, and the best of some
-     * radii; and from the best of these moves the ends as long as the volume shrinks. The
-     * smallest sphere is a candidate too: then both ends are one.
+     * Finds a bounding capsule that is close to the smallest one in any direction (not in the thesis). No practical exact algorithm is
+     * known. There is no proof, but it is within 0.1 % of the best capsules that long searches found for the models and point sets of the
+     * project's tests.
      *
-     * <p>There is no proof; against the best that long searches found for the models and sets of the project's tests it is
-     * within 0.1 %. Cost: 0.1 seconds for ten corners of the hull, two to three for 500, in WebAssembly.</p>
+     * <p>It tries directions all around. For each one, it projects the hull's corners along the direction, puts the capsule's axis through
+     * the smallest circle around them, and takes the best of several radii. Then it takes the best capsules and moves their ends as long as
+     * the volume shrinks. The smallest sphere is a candidate too: a capsule whose ends are one point.</p>
+     *
+     * <p>The cost in WebAssembly is 0.1 seconds for ten corners of the hull, and two to three seconds for 500.</p>
      */
     public final class MinimalCapsuleFitter extends Fitter
     {
@@ -22,7 +24,7 @@ package starlogo.fitting
         private static const APART:Number = 0.15;
         private var _sphereFitter:Fitter = new MinimalSphereFitter();
 
-        /** A fitter of capsules that are close to the smallest. */
+        /** Creates a fitter of capsules that are close to the smallest. */
         public function MinimalCapsuleFitter()
         {
             super("minimal capsule");
@@ -38,7 +40,7 @@ package starlogo.fitting
             return descent.best;
         }
 
-        // The hull's axes, and directions evenly over the upper half of the sphere, along a spiral.
+        // The hull's axes, and directions spread evenly over the upper half of the sphere, along a spiral.
         private static function directionsFor(hull:ConvexHull):Vector.<Number>
         {
             var directions:Vector.<Number> = hull.axes.concat();

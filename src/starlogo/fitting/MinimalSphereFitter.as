@@ -4,12 +4,12 @@ package starlogo.fitting
     import starlogo.fitting.minimal.SmallestEnclosingBall;
 
     /**
-     * The smallest sphere of all (beyond the thesis): exact but for rounding, about 1e-12 of the radius. Usually
-     * 5 to 15 passes over the hull's vertices, and two over all.
+     * Finds the smallest bounding sphere (not in the thesis), exact except for rounding, about 1e-12 of the radius. It usually takes 5 to
+     * 15 passes over the hull's vertices, and two over all vertices.
      */
     public final class MinimalSphereFitter extends Fitter
     {
-        /** A fitter of smallest spheres. */
+        /** Creates a fitter of smallest spheres. */
         public function MinimalSphereFitter()
         {
             super("minimal sphere");
@@ -19,7 +19,7 @@ package starlogo.fitting
         override protected function findStructure(session:FitSession):BoundingStructure
         {
             var ball:SmallestEnclosingBall = new SmallestEnclosingBall(session.hull.points);
-            // vertices may be outside of the hull by less than a step of its grid
+            // Some vertices may be outside of the hull, by less than a step of its grid.
             ball.enclose(session.vertices);
             return EnclosingStructures.sphere(session.vertices, ball.x, ball.y, ball.z);
         }

@@ -4,12 +4,12 @@ package starlogo.fitting
     import starlogo.geometry.VertexBounds;
 
     /**
-     * The sphere around the middle of the axis-aligned box (thesis §3.4.1, the naive algorithm): at most 1.73 times the
-     * smallest radius, usually much closer. Two passes over the vertices.
+     * Finds the bounding sphere around the middle of the axis-aligned box (thesis §3.4.1, the naive algorithm), in two passes over the
+     * vertices. Its radius is at most 1.73 times the smallest, and usually much closer.
      */
     public final class NaiveSphereFitter extends Fitter
     {
-        /** A fitter of naive spheres. */
+        /** Creates a fitter of naive spheres. */
         public function NaiveSphereFitter()
         {
             super("naive sphere");

@@ -1,22 +1,22 @@
 package starlogo.fitting
 {
     /**
-     * The smallest box among those turned about x, y and z by multiples of an increment, each below 90 degrees
-     * (thesis §3.4.2): 729 rotations at the default.
+     * Finds the smallest bounding box among those rotated about x, y and z by multiples of an increment, each below 90 degrees (thesis
+     * §3.4.2). With the default increment these are 729 rotations.
      *
-     * <p>Never larger than the axis-aligned box, nor the z-aligned box of the same increment. Above the smallest box of all by a
-     * few percent on most models; on thin ones that are turned it may be several times too large: see MinimalBoxFitter.</p>
+     * <p>The box is never larger than the axis-aligned box, or the z-aligned box with the same increment. For most models it is a few
+     * percent larger than the smallest box. For thin models that are rotated it may be several times too large: see MinimalBoxFitter.</p>
      *
-     * <p>The thesis rotates every vertex. This looks only at those on the hull, and finds the extreme ones of each rotation
-     * by climbing over the hull from those of the rotation before: the boxes tried are the same, and so is the result.
-     * Cost: n log n for the hull of n vertices; per rotation one native transformation of the hull and some steps.</p>
+     * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. It finds a rotation's extreme vertices by
+     * climbing over the hull from those of the rotation before. It tries the same boxes, so the result is the same. The hull of n vertices
+     * costs n log n. Each rotation costs one transformation of the hull and some steps.</p>
      */
     public final class OrientedBoxFitter extends TurnedBoxFitter
     {
         /**
-         * A fitter that tries rotations of this step.
+         * Creates a fitter that tries all rotations by multiples of an increment.
          *
-         * @param degIncrement the step in degrees, above 0; halving it takes eight times as long
+         * @param degIncrement in degrees, above 0; half of it takes eight times as long
          * @throws ArgumentError if it is not a positive, finite number
          */
         public function OrientedBoxFitter(degIncrement:Number = 10)

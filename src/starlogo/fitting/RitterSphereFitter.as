@@ -3,9 +3,11 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * Ritter's sphere (thesis §3.4.1; Ritter, "An Efficient Bounding Sphere", Graphics Gems, 1990): starts on two vertices far
-     * from each other, and grows for each vertex outside just enough to hold it and the sphere so far. Usually 5 to 20 % above
-     * the smallest radius; what it finds depends on the order of the vertices. Three passes over the hull's vertices.
+     * Finds Ritter's bounding sphere (thesis §3.4.1; Ritter, "An Efficient Bounding Sphere", Graphics Gems, 1990). Its radius is usually 5
+     * to 20 % above the smallest, and depends on the order of the vertices.
+     *
+     * <p>The sphere starts on two vertices that are far apart. For each vertex outside, it grows just enough to enclose the vertex and the
+     * sphere so far. It takes three passes over the hull's vertices.</p>
      */
     public final class RitterSphereFitter extends Fitter
     {
@@ -13,17 +15,17 @@ package starlogo.fitting
         public static const WIDEST_DIMENSION:String = "widestDimension";
 
         /**
-         * Start on a vertex and the one farthest from it. The thesis starts on any vertex at random; here it is the hull's first,
-         * so that a model always gets the same sphere.
+         * Start on a vertex and the vertex farthest from it. The thesis takes the first of them at random. Here it is the hull's first
+         * vertex, so that a model always gets the same sphere.
          */
         public static const FARTHEST_FROM_FIRST:String = "farthestFromFirst";
 
         private var _start:String;
 
         /**
-         * A fitter of Ritter's spheres.
+         * Creates a fitter of Ritter's spheres.
          *
-         * @param start WIDEST_DIMENSION or FARTHEST_FROM_FIRST: how to pick the first two vertices
+         * @param start how to choose the first two vertices: WIDEST_DIMENSION or FARTHEST_FROM_FIRST
          * @throws ArgumentError if it is neither
          */
         public function RitterSphereFitter(start:String = WIDEST_DIMENSION)
@@ -36,7 +38,7 @@ package starlogo.fitting
             _start = start;
         }
 
-        /** How the first two vertices are picked. */
+        /** How the first two vertices are chosen. */
         public function get start():String
         {
             return _start;
@@ -80,7 +82,7 @@ package starlogo.fitting
             return EnclosingStructures.sphere(session.vertices, x, y, z, radius);
         }
 
-        // Where the first point is that has the greatest coordinate along an axis, or with -1 the least.
+        // The index of the first point with the greatest coordinate along an axis, or the least if sign is -1.
         private static function extreme(points:Vector.<Number>, axis:int, sign:int):int
         {
             var farthest:int = 0;

@@ -11,17 +11,17 @@ package starlogo.fitting
     use namespace engine;
 
     /**
-     * The brute-force search of thesis §3.4.2: turns a hull by every rotation of a discrete set, and keeps the one whose
-     * axis-aligned box is the smallest. The rotations go about x first, then y, then z, each from 0 up to below 90 degrees. Of
-     * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first. A step tries all rotations
-     * about z that follow one about x and y.
+     * The brute-force search of thesis §3.4.2: rotates a hull by every rotation of a discrete set, and keeps the rotation whose
+     * axis-aligned box is the smallest. The rotations are about x first, then y, then z, each from 0 to below 90 degrees. If several boxes
+     * have the same volume, the first one counts. The very first box is the axis-aligned one. A step tries all rotations about z that
+     * follow one rotation about x and y.
      *
-     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The whole hull is turned about x and y at
-     * once, in Numbers: a Matrix3D's precision depends on the player; the rotations about z that follow leave the extent along z as it is, and their extents
-     * along x and y are looked for in the plane. The extreme corners of a rotation are found from those of the one before by
-     * climbing from neighbour to neighbour: on a convex body the first corner without a better neighbour is the best. A rotation is
-     * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
-     * if a box is as small as the hull itself.</p>
+     * <p>Four methods make the search faster. None changes the result. First, the whole hull is rotated about x and y once. The rotations
+     * about z that follow do not change the extent along z, and their extents along x and y are found in the plane. This is done in
+     * Numbers, because a Matrix3D's precision depends on the player. Second, a rotation's extreme corners are found from those of the one
+     * before by climbing from neighbour to neighbour: on a convex body the first corner without a better neighbour is the best. Third, a
+     * rotation is skipped if the extreme corners of earlier ones alone need a box that is too large. Fourth, the search ends if a box is as
+     * small as the hull itself.</p>
      */
     internal class RotationSearch extends StepSequence
     {
@@ -35,12 +35,12 @@ package starlogo.fitting
         private var _neighbors:Vector.<int>;
         private var _rotation:Placement = new Placement();
 
-        // Extreme corners found last: those of the first rotation about z, then those of one half a right angle on.
+        // The extreme corners found last, of the first rotation about z, and of one about 45 degrees further.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
         private var _asked:int = 0;
         private var _answered:int = 0;
 
-        // The search under way: the next rotation about x and y, and the best of all so far. Angles in degrees.
+        // The state of the search: the next rotation about x and y, and the best rotation so far. Angles are in degrees.
         private var _stepX:Number;
         private var _stepY:Number;
         private var _stepZ:Number;
@@ -57,10 +57,10 @@ package starlogo.fitting
         private var _bestZ:Number = 0;
 
         /**
-         * @param session the vertices; their hull may not be there before the first step
+         * @param session the vertices; their hull may not exist before the first step
          * @param stepX degrees between the rotations about x
-         * @param stepY about y
-         * @param stepZ about z
+         * @param stepY degrees between the rotations about y
+         * @param stepZ degrees between the rotations about z
          */
         public function RotationSearch(session:FitSession, stepX:Number, stepY:Number, stepZ:Number)
         {
@@ -71,7 +71,7 @@ package starlogo.fitting
             call(prepare).repeat(tryNext);
         }
 
-        // All rotations about z that follow the next one about x and y; false if there are no more.
+        // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
         private function tryNext():Boolean
         {
             turn(_aboutX, _aboutY);
@@ -79,7 +79,7 @@ package starlogo.fitting
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
             var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
-            // back and forth: the corners found last are close to those looked for next
+            // The order alternates, because the corners found last are then close to the next ones.
             _isForth = !_isForth;
             var count:int = _sines.length;
             for (var i:int = 0; i < count; i++)
@@ -133,7 +133,7 @@ package starlogo.fitting
             }
         }
 
-        // Goes on to the next rotation about y, or about x; false if there is none.
+        // Goes to the next rotation about y, or about x. Returns false if there is none.
         private function goOn():Boolean
         {
             _aboutY += _stepY;
@@ -145,7 +145,7 @@ package starlogo.fitting
             return _aboutX < 90;
         }
 
-        // Turns the hull about x, then about y.
+        // Rotates the hull about x, then about y.
         private function turn(aboutX:Number, aboutY:Number):void
         {
             _rotation.setRotation(0, aboutY, aboutX);
@@ -171,7 +171,7 @@ package starlogo.fitting
             }
         }
 
-        // The extent in a direction of the plane; corners holds where it was last at the first index and the next.
+        // The extent in a direction of the plane. At index and the one after it, corners has the extreme corners of the last call.
         private function span(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
@@ -188,7 +188,7 @@ package starlogo.fitting
             }
         }
 
-        // Whether the landmarks alone need a box that is too large; not asked any more where the answer rarely is yes.
+        // Whether the landmarks alone need a box that is too large. If the answer is rarely yes, it is no longer computed.
         private function isTooLarge(thickness:Number, cosine:Number, sine:Number, limit:Number):Boolean
         {
             if (limit == Infinity || _asked > MANY && _answered < RARELY * _asked)
@@ -204,7 +204,7 @@ package starlogo.fitting
             return result;
         }
 
-        // The area of the landmarks' box in the plane: that of the hull's is no smaller.
+        // The area of the landmarks' box in the plane. The hull's box is at least as large.
         private function areaOfLandmarks(cosine:Number, sine:Number):Number
         {
             var turned:Vector.<Number> = _turned;
@@ -227,8 +227,8 @@ package starlogo.fitting
             return (highX - lowX) * (highY - lowY);
         }
 
-        // The corner that is farthest in a direction of the plane of two coordinates that follow each other: 0 for x and y, 1 for
-        // y and z. Nearly all of the search's time goes here, and the hull's support() reads a third coordinate of every neighbour.
+        // Finds the corner that is farthest in a direction of a plane. Plane 0 is the plane of x and y, and plane 1 that of y and z. The
+        // search spends nearly all its time here. The hull's support() would read a third coordinate of every neighbour.
         private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
             var turned:Vector.<Number> = _turned;
@@ -245,7 +245,7 @@ package starlogo.fitting
                 var value:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
                 if (value > best)
                 {
-                    // goes on from there at once: looking for a better neighbour yet costs more than it gains
+                    // Continues from this neighbour at once, because looking for a better one costs more than it gains.
                     best = value;
                     corner = neighbor;
                     i = firstNeighbor[corner];

@@ -1,6 +1,6 @@
 package starlogo.fitting
 {
-    /** The base of fitters that turn a box by multiples of an increment, and keep the smallest (thesis §3.4.2). */
+    /** Base class of fitters that rotate a box by multiples of an increment, and keep the smallest (thesis §3.4.2). */
     public class TurnedBoxFitter extends Fitter
     {
         private var _name:String;
@@ -11,7 +11,7 @@ package starlogo.fitting
          * For subclasses only.
          *
          * @param name of the algorithm, for its signature
-         * @param isAboutAll whether boxes are turned about x and y too, or about z only
+         * @param isAboutAll whether boxes are rotated about x and y too, or about z only
          * @param degIncrement the increment in degrees, above 0
          * @throws ArgumentError if it is not a positive, finite number
          */
@@ -23,9 +23,9 @@ package starlogo.fitting
         }
 
         /**
-         * The increment in degrees.
+         * The increment in degrees, above 0.
          *
-         * @throws ArgumentError if it is set to what is not a positive, finite number
+         * @throws ArgumentError if it is set to a value that is not a positive, finite number
          */
         public function get degIncrement():Number
         {

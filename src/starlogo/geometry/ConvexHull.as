@@ -9,17 +9,17 @@ package starlogo.geometry
     import starlogo.steps.finish;
 
     /**
-     * The convex hull of a set of vertices: its corners and how they are joined.
+     * Finds the convex hull of vertices: its corners, edges, triangles and volume.
      *
-     * <p>Every vertex given is inside the hull or at most <code>Tolerances.HULL</code> of the set's extent outside it;
-     * flat sides have vertices at their corners only. Sets that span no volume are fine: a plane's hull is a polygon, a line's
-     * two points, and that of a single point (repeated or not) the point.</p>
+     * <p>Each vertex is inside the hull, or outside by at most <code>Tolerances.HULL</code> of the vertices' extent. Flat sides have
+     * vertices at their corners only. Vertices that span no volume are allowed: the hull of vertices in a plane is a polygon, on a line two
+     * points, and in one place one point.</p>
      *
-     * <p>Vertices are rounded to a grid of 2^25 steps along each of three axes, the coordinate axes or, for sets that are thin
-     * in some other direction, axes along the set; on the grid the hull is exact. What is handed out are the
-     * vertices themselves, unrounded.</p>
+     * <p>The hull is exact on a grid of 2^25 steps along each of three axes, to which the vertices are rounded. These are the coordinate
+     * axes. For vertices that are thin in another direction, they are axes along the vertices. The results are the vertices themselves, not
+     * rounded.</p>
      *
-     * <p>Cost: n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>
+     * <p>The cost is n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>
      */
     public final class ConvexHull implements Steps
     {
@@ -29,7 +29,7 @@ package starlogo.geometry
         private var _grid:HullGrid = null;
         private var _volume:Number = NaN;
 
-        // the work under way
+        // The current work.
         private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
         private var _quickHull:QuickHull;
@@ -37,11 +37,11 @@ package starlogo.geometry
         /**
          * Computes the hull.
          *
-         * @param vertices x, y, z of each vertex, in any one unit; kept, not copied, and never changed
-         * @param atOnce false leaves the work, including the check of the vertices, to <code>step()</code>: until no step is left, nothing but the
-         *        vertices may be read
-         * @throws ArgumentError if it is null or empty, has a length that is no multiple of 3, or holds a number that is not
-         *         finite or beyond 1e100
+         * @param vertices x, y, z of each vertex, in any unit; kept, not copied, and never changed
+         * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>. Until the last step, only the
+         *     vertices may be read
+         * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a coordinate
+         *     is not finite or beyond 1e100
          */
         public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true)
         {
@@ -56,21 +56,20 @@ package starlogo.geometry
 
         /**
          * @inheritDoc
-         *
-         * @throws ArgumentError what the constructor throws, if it left the work to the steps
+         * @throws ArgumentError for the constructor's reasons, if it left the work to the steps
          */
         public function step():Boolean
         {
             return _work.step();
         }
 
-        /** The vertices that it was made of, x, y, z each: read only. */
+        /** The vertices given to the constructor, x, y, z of each. Read only. */
         public function get vertices():Vector.<Number>
         {
             return _vertices;
         }
 
-        /** 3 for a set that spans a volume, 2 for one in a plane, 1 on a line, 0 in a point. */
+        /** 3 if the vertices span a volume, 2 if they are in a plane, 1 if they are on a line, 0 if they are in one place. */
         public function get dimension():int
         {
             return _simplex.dimension;
@@ -83,30 +82,30 @@ package starlogo.geometry
         }
 
         /**
-         * Three perpendicular unit vectors, nine numbers: the first from one extreme vertex towards the one farthest from
-         * it, the second from there towards the vertex farthest from that line. A plane's third is its normal.
+         * Three perpendicular unit vectors, nine numbers. The first goes from one extreme vertex towards the vertex farthest from it. The
+         * second is towards the vertex farthest from the line through both. For vertices in a plane, the third is the plane's normal.
          */
         public function get axes():Vector.<Number>
         {
             return _simplex.axes;
         }
 
-        /** The hull's corners in ascending order, as positions in <code>vertices</code> (0 is the first vertex). */
+        /** The hull's corners in ascending order, as indices of vertices. The first vertex has index 0. */
         public function get indices():Vector.<int>
         {
             return _mesh.indices;
         }
 
-        /** The hull's corners, x, y, z each, in the same order as <code>indices</code>. */
+        /** The hull's corners, x, y, z of each, in the same order as <code>indices</code>. */
         public function get points():Vector.<Number>
         {
             return _mesh.points;
         }
 
         /**
-         * The hull's corners on the grid, x, y, z each, in the same order: off their places by up to
-         * <code>Tolerances.HULL</code> of the extent, but convex to the last digits. For walks along the hull's edges, which the
-         * rounding of coordinates would lead astray where edges are seen end on.
+         * The hull's corners on the grid, x, y, z of each, in the same order as <code>indices</code>. They are off their places by up to
+         * <code>Tolerances.HULL</code> of the extent, but convex to the last digits. They are for walks along the hull's edges, because the
+         * rounding of <code>points</code> would mislead a walk if edges are seen end on.
          */
         public function get convexPoints():Vector.<Number>
         {
@@ -118,8 +117,8 @@ package starlogo.geometry
         }
 
         /**
-         * The hull's surface: three corners a triangle, as positions in <code>indices</code>, counter-clockwise seen from
-         * outside; empty for a set that spans no volume.
+         * The hull's surface: three corners for each triangle, as positions in <code>indices</code>, counter-clockwise seen from outside.
+         * Empty for vertices that span no volume.
          */
         public function get triangles():Vector.<int>
         {
@@ -127,21 +126,21 @@ package starlogo.geometry
         }
 
         /**
-         * Where each corner's neighbours begin in <code>neighbors</code>, one entry more than there are corners: those of
-         * corner i are at firstNeighbor[i] up to, not including, firstNeighbor[i + 1].
+         * For each corner, the position in <code>neighbors</code> at which its neighbours begin. Corner i has those from firstNeighbor[i]
+         * up to, but not including, firstNeighbor[i + 1]. So there is one entry more than there are corners.
          */
         public function get firstNeighbor():Vector.<int>
         {
             return _mesh.firstNeighbor;
         }
 
-        /** The corners that an edge of the hull joins to each corner, as positions in <code>indices</code>. */
+        /** For each corner, the corners that share an edge with it, as positions in <code>indices</code>. */
         public function get neighbors():Vector.<int>
         {
             return _mesh.neighbors;
         }
 
-        /** What the hull encloses, in cubic units: no convex shape around the vertices is smaller. 0 without triangles. */
+        /** The volume of the hull, in cubic units; 0 without triangles. No convex shape around the vertices has a smaller volume. */
         public function get volume():Number
         {
             if (_volume != _volume)
@@ -152,15 +151,17 @@ package starlogo.geometry
         }
 
         /**
-         * The corner that is farthest in a direction, found by climbing from neighbour to neighbour: of corners that are equally
-         * far one, which depends on where the climb starts. About the square root of the number of corners in steps, fewer from
-         * nearby; allocates nothing.
+         * Finds the corner that is farthest in a direction, by climbing from neighbour to neighbour. If several corners are equally far,
+         * the start decides which one is found. The number of steps is about the square root of the number of corners, and smaller if the
+         * start is near. Allocates nothing.
          *
          * @param x of the direction, a vector of any length
          * @param y of the direction
          * @param z of the direction
-         * @param from the corner to start from, as a position in <code>indices</code>, like the result
-         * @param points where the corners are: null for <code>points</code>; or <code>convexPoints</code>, or either of them turned
+         * @param from the corner to start from, as a position in <code>indices</code>
+         * @param points the corners' places: null for <code>points</code>; otherwise <code>convexPoints</code>, or a rotation of one of the
+         *     two
+         * @return the corner, as a position in <code>indices</code>
          */
         public function support(x:Number, y:Number, z:Number, from:int = 0, points:Vector.<Number> = null):int
         {
@@ -194,7 +195,7 @@ package starlogo.geometry
         {
             if (dimension > 1)
             {
-                // along the coordinate axes, flat sides stay flat
+                // Along the coordinate axes, flat sides stay flat.
                 var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
                 _grid = new HullGrid(_vertices, gridAxes, dimension == 2);
             }
@@ -234,13 +235,13 @@ package starlogo.geometry
             return _mesh;
         }
 
-        // The point above a plane's vertices.
+        // The index of the point above a plane's vertices.
         private function get apex():int
         {
             return _vertices.length / 3;
         }
 
-        // Those triangles of a plane's hull that have an edge of the plane's outline, seen from both sides.
+        // The triangles of a plane's hull that have an edge of the plane's outline, each from both sides.
         private function trianglesAtApex(triangles:Vector.<int>):Vector.<int>
         {
             var found:Vector.<int> = new Vector.<int>();
@@ -257,7 +258,7 @@ package starlogo.geometry
             return found;
         }
 
-        // The sum of the tetrahedra from the first corner to each triangle.
+        // The sum of the volumes of the tetrahedra from the first corner to each triangle.
         private function measure():Number
         {
             var places:Vector.<Number> = points;

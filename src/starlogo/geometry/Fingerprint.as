@@ -3,21 +3,21 @@ package starlogo.geometry
     import flash.utils.ByteArray;
 
     /**
-     * Tells data apart: 64 bits that depend on every bit of the data and on their order. Made of two of Bob Jenkins's one-at-a-time
-     * hashes ("Hash functions", Dr. Dobb's Journal, September 1997) that take 32 bits at a time in place of 8: of two that
-     * differ in a single word the fingerprints always differ. Not proof against a search for two that are alike.
+     * A fingerprint of data: 64 bits that depend on every bit of the data and on their order. It consists of two of Bob Jenkins's
+     * one-at-a-time hashes ("Hash functions", Dr. Dobb's Journal, September 1997), which take 32 bits at a time instead of 8. Data that
+     * differ in a single word always have different fingerprints. A deliberate search can find different data with the same fingerprint.
      *
      * @private
      */
     public final class Fingerprint
     {
-        /** How many bytes it has in a ByteArray. */
+        /** The number of bytes that it takes in a ByteArray. */
         public static const LENGTH:int = 8;
 
         private var _low:int = 0x3C6EF372;
         private var _high:int = 0x1B873593;
 
-        /** The fingerprint of nothing. */
+        /** Creates the fingerprint of no data. */
         public function Fingerprint()
         {
         }
@@ -44,10 +44,10 @@ package starlogo.geometry
         }
 
         /**
-         * Adds bytes, eight at a time.
+         * Adds bytes in groups of eight.
          *
-         * @param bytes read from its position on, in the byte order that it has
-         * @param count how many times eight
+         * @param bytes read from its position on, in its own byte order
+         * @param count the number of groups
          */
         public function addBytes(bytes:ByteArray, count:int):void
         {
@@ -66,7 +66,7 @@ package starlogo.geometry
             _high = high;
         }
 
-        /** Writes it. */
+        /** Writes the fingerprint. */
         public function writeTo(bytes:ByteArray):void
         {
             bytes.writeInt(_low);
@@ -81,7 +81,7 @@ package starlogo.geometry
             return low == _low && high == _high;
         }
 
-        /** Sixteen hexadecimal digits. */
+        /** The fingerprint as sixteen hexadecimal digits. */
         public function toString():String
         {
             return hexadecimal(_high) + hexadecimal(_low);

@@ -4,7 +4,7 @@ package starlogo.geometry
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds the fingerprint of a model's geometry in steps: every bit of every vertex and triangle counts.
+     * Computes the fingerprint of a model's geometry in steps. It depends on every bit of every vertex and triangle.
      *
      * @private
      */
@@ -12,15 +12,15 @@ package starlogo.geometry
     {
         private static const NUMBERS_PER_STEP:int = 5000;
 
-        /** The fingerprint, when no step is left. */
+        /** The fingerprint. Complete after the last step. */
         public var fingerprint:Fingerprint = new Fingerprint();
 
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
         /**
-         * @param vertices x, y, z each
-         * @param triangles three vertex indices each; null where there are none
+         * @param vertices x, y, z of each
+         * @param triangles three vertex indices each; null if there are none
          */
         public function GeometryFingerprint(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {

@@ -6,28 +6,30 @@ package starlogo.geometry
     use namespace engine;
 
     /**
-     * Where a model stands in the world: scaled by <code>size</code>, rotated, then moved to (x, y, z), all about the
-     * model's origin (thesis §3.5).
+     * A model's place, rotation and size in the world. The model is scaled by <code>size</code>, rotated, then moved to (x, y, z), all
+     * about its origin (thesis §3.5).
      *
-     * <p>The numbers are doubles on every player, which a Matrix3D's are not: Flash Player keeps those in single
-     * precision. A point p of the model is at <code>size R p + (x, y, z)</code>, R's rows being
-     * (r00 r01 r02), (r10 r11 r12), (r20 r21 r22).</p>
+     * <p>A point p of the model is at <code>size R p + (x, y, z)</code>. R's rows are (r00 r01 r02), (r10 r11 r12), (r20 r21 r22). The
+     * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision.</p>
      */
     public final class Placement
     {
         /** The x coordinate of the model's origin in the world, in patches. */
         public var x:Number = 0;
 
-        /** Its y coordinate. */
+        /** The y coordinate of the model's origin in the world, in patches. */
         public var y:Number = 0;
 
-        /** Its z coordinate. */
+        /** The z coordinate of the model's origin in the world, in patches. */
         public var z:Number = 0;
 
-        /** The uniform scale, positive. */
+        /** The uniform scale, above 0. */
         public var size:Number = 1;
 
-        /** Counts the changes of all but the position, for caches of what does not depend on it. */
+        /**
+         * A number that is increased with each change of the rotation or the size. Caches of results that do not depend on the position
+         * compare it.
+         */
         public var extentsRevision:int = 0;
 
         /** Whether the rotation is the identity. */
@@ -60,12 +62,12 @@ package starlogo.geometry
         /** The rotation: row 2, column 2. */
         public var r22:Number = 1;
 
-        /** A model that stands at the world's origin, unscaled and not rotated. */
+        /** Creates a placement at the world's origin, with size 1 and without rotation. */
         public function Placement()
         {
         }
 
-        /** Takes over size, rotation and position of another. */
+        /** Copies size, rotation and position of another placement. */
         public function copyFrom(other:Placement):void
         {
             x = other.x;
@@ -75,7 +77,7 @@ package starlogo.geometry
             copyRotation(other);
         }
 
-        /** Takes over the rotation of another. */
+        /** Copies the rotation of another placement. */
         public function copyRotation(other:Placement):void
         {
             isIdentity = other.isIdentity;
@@ -106,7 +108,7 @@ package starlogo.geometry
             if (pitch == 0 && roll == 0)
             {
                 r00 = cosHeading;
-                // not -0: the same as in a placement that was never turned
+                // Not -0, so that it is the same as in a placement without rotation.
                 r01 = 0 - sinHeading;
                 r10 = sinHeading;
                 r11 = cosHeading;
@@ -130,12 +132,12 @@ package starlogo.geometry
         }
 
         /**
-         * Sets the rotation to that of a quaternion.
+         * Sets the rotation to that of a quaternion x i + y j + z k + w of length 1.
          *
-         * @param x the quaternion, x i + y j + z k + w, of length 1
-         * @param y likewise
-         * @param z likewise
-         * @param w likewise
+         * @param x of the quaternion
+         * @param y of the quaternion
+         * @param z of the quaternion
+         * @param w of the quaternion
          */
         public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
@@ -152,14 +154,14 @@ package starlogo.geometry
         }
 
         /**
-         * Finds the angles that setRotation() makes the rotation of, the pitch between -90 and 90 degrees.
+         * Finds the angles with which setRotation() makes this rotation. The pitch is between -90 and 90 degrees.
          *
-         * @param out takes roll, pitch and heading, in degrees, as x, y and z
+         * @param out receives roll, pitch and heading, in degrees, as x, y and z
          */
         public function readAngles(out:Vector3D):void
         {
             var level:Number = Math.sqrt(r00 * r00 + r10 * r10);
-            // of what is left without the heading: right even where the heading is arbitrary
+            // These come from the rotation without its heading, so they are right even if the heading is arbitrary.
             var cosHeading:Number = level == 0 ? 1 : r00 / level;
             var sinHeading:Number = level == 0 ? 0 : r10 / level;
             out.x = Trigonometry.arctangent(sinHeading * r02 - cosHeading * r12, cosHeading * r11 - sinHeading * r01);
@@ -167,7 +169,7 @@ package starlogo.geometry
             out.z = Trigonometry.arctangent(r10, r00);
         }
 
-        /** Whether the rotation is that of another, to the last bit. */
+        /** Whether another placement has the same rotation, to the last bit. */
         public function hasRotationOf(other:Placement):Boolean
         {
             return r00 == other.r00 && r01 == other.r01 && r02 == other.r02
@@ -176,10 +178,10 @@ package starlogo.geometry
         }
 
         /**
-         * Sets all to what a matrix says, its rotation not made orthogonal.
+         * Sets position, rotation and size from a matrix. The rotation is not made orthogonal.
          *
-         * @param data column by column, as Matrix3D keeps it
-         * @return whether the matrix turns, evenly scales and moves, and nothing else
+         * @param data column by column, as in a Matrix3D
+         * @return whether the matrix only rotates, scales uniformly and moves
          */
         public function setMatrix(data:Vector.<Number>):Boolean
         {
@@ -198,14 +200,14 @@ package starlogo.geometry
             r22 = data[10] / size;
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1
                 && isNear(r01 * r01 + r11 * r11 + r21 * r21, 1) && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
-                // the third column is where a rotation has it
+                // The third column is that of a rotation, and not of a reflection.
                 && isNear(r10 * r21 - r20 * r11, r02) && isNear(r20 * r01 - r00 * r21, r12) && isNear(r00 * r11 - r10 * r01, r22);
         }
 
         /**
          * Finds the quaternion of the rotation (Shepperd, "Quaternion from Rotation Matrix", 1978: the largest of the four first).
          *
-         * @param out takes x, y, z, w, w not negative
+         * @param out receives x, y, z, w; w is not negative
          */
         public function readQuaternion(out:Vector.<Number>):void
         {
@@ -249,9 +251,9 @@ package starlogo.geometry
         }
 
         /**
-         * Writes all as a matrix, the counterpart of setMatrix.
+         * Writes position, rotation and size as a matrix. It is the counterpart of setMatrix.
          *
-         * @param out sixteen numbers, column by column, as Matrix3D keeps them; those that are the same in all placements are left alone
+         * @param out sixteen numbers, column by column, as in a Matrix3D. Those that are the same in all placements are not written
          */
         public function writeMatrix(out:Vector.<Number>):void
         {
@@ -269,7 +271,7 @@ package starlogo.geometry
             out[14] = z;
         }
 
-        /** Writes the rotation, row by row, from an index on. */
+        /** Writes the rotation row by row, from an index on. */
         engine function writeRotation(out:Vector.<Number>, at:int):void
         {
             out[at] = r00;
@@ -283,7 +285,7 @@ package starlogo.geometry
             out[int(at + 8)] = r22;
         }
 
-        /** Takes over a rotation that was written so. */
+        /** Reads a rotation that writeRotation has written. */
         engine function readRotation(from:Vector.<Number>, at:int):void
         {
             r00 = from[at];
@@ -298,7 +300,7 @@ package starlogo.geometry
             isIdentity = r00 == 1 && r11 == 1 && r22 == 1;
         }
 
-        // False for NaN.
+        // The comparison is false for NaN.
         private static function isNear(a:Number, b:Number):Boolean
         {
             return Math.abs(a - b) <= Tolerances.MATRIX;

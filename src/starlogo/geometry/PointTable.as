@@ -3,8 +3,8 @@ package starlogo.geometry
     import flash.utils.ByteArray;
 
     /**
-     * Points, each position once: a hash table of their coordinates. Of points that are made to meet in the table some may be there several
-     * times, which takes less time than to find out.
+     * A hash table of points, which keeps each position once. If very many points collide in the table, some may be kept several times,
+     * because that takes less time than a full search.
      *
      * @private
      */
@@ -12,18 +12,18 @@ package starlogo.geometry
     {
         private static const MOST_LOOKS:int = 64;
 
-        /** x, y, z, ... in the order in which the points were first added. */
+        /** The coordinates x, y, z, ... of the points, in the order in which they were first added. */
         public var coordinates:Vector.<Number> = new Vector.<Number>();
 
-        // one more than the number of the point in each slot, 0 where there is none
+        // For each slot, one more than its point's index, or 0 if it is empty.
         private var _slots:Vector.<int>;
         private var _count:int = 0;
         private var _bits:ByteArray = new ByteArray();
 
         /**
-         * A table without points, with all the room that it will need: making room later would take long at once.
+         * Creates a table without points. It reserves all memory at once, because growing later would take long in one call.
          *
-         * @param most how many points there may be at most
+         * @param most the largest number of points
          */
         public function PointTable(most:int)
         {
@@ -35,7 +35,7 @@ package starlogo.geometry
             _slots = new Vector.<int>(size, true);
         }
 
-        /** The number of the point at a place; it is added if there is none. */
+        /** The index of the point at a place. If there is none, it is added. */
         public function indexOf(x:Number, y:Number, z:Number):int
         {
             var mask:int = _slots.length - 1;
@@ -66,7 +66,7 @@ package starlogo.geometry
         private function hash(x:Number, y:Number, z:Number):int
         {
             _bits.position = 0;
-            // 0 and -0 are one place
+            // 0 and -0 are one place.
             _bits.writeDouble(x + 0);
             _bits.writeDouble(y + 0);
             _bits.writeDouble(z + 0);
@@ -74,7 +74,7 @@ package starlogo.geometry
             var hash:int = 0;
             for (var i:int = 0; i < 6; i++)
             {
-                // a product below 2 to the 53rd: all of its lowest bits count
+                // The product is below 2 to the 53rd, so all of its lowest bits are exact.
                 hash = (hash ^ hash >>> 15 ^ _bits.readInt()) * 69069;
             }
             return hash ^ hash >>> 15;

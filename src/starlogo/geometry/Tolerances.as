@@ -1,17 +1,17 @@
 package starlogo.geometry
 {
     /**
-     * Every tolerance of the engine: what it is, its unit, and what happens if it is smaller or larger.
+     * The engine's tolerances. Each says what it limits, in which unit, and what happens if it is smaller or larger.
      *
-     * <p>All but one are relative, so a game at any scale behaves alike. They come from two rounding errors: 1.1e-16 relative for a Number, and
-     * 6e-8 relative for Flash Player's single-precision Matrix3D.</p>
+     * <p>All but one are relative, so games of any scale behave in the same way. They come from two rounding errors: 1.1e-16 relative for a
+     * Number, and 6e-8 relative for Flash Player's single-precision Matrix3D.</p>
      */
     public final class Tolerances
     {
         /**
-         * How far a point may lie outside of a structure that contains it, as a fraction of the structure's largest extent from its middle. Smaller
-         * than 2e-7: a structure does not contain a vertex that went through the same single-precision matrix. Larger: a fit may leave more of a
-         * model outside.
+         * How far a point may lie outside of a structure that contains it, as a fraction of the structure's largest extent from its middle.
+         * Smaller than 2e-7: a structure may exclude a vertex that was transformed by the same single-precision matrix. Larger: a fit may
+         * leave more of a model outside.
          */
         public static const CONTAINMENT:Number = 1e-6;
 
@@ -35,29 +35,29 @@ package starlogo.geometry
         public static const ORTHONORMALITY:Number = 1e-5;
 
         /**
-         * How far two numbers that went through single-precision matrices may be apart and still be equal, as a fraction of the largest. An Away3D
-         * object's three scales are such numbers. Smaller than 5e-7: objects that were loaded with a matrix are refused. Larger: objects of uneven
-         * scale pass, and what is drawn differs from what collides.
+         * The difference up to which two numbers from single-precision matrices count as equal, as a fraction of the largest. An Away3D
+         * object's three scales are such numbers. Smaller than 5e-7: objects that were loaded with a matrix are refused. Larger: objects of
+         * uneven scale pass, and what is drawn differs from what collides.
          */
         public static const SINGLE_PRECISION:Number = 1e-5;
 
         /**
          * The gap across which shapes touch because their positions are rounded, as a fraction of the sum of the absolute values of all six
          * coordinates. Every collision system has this rule, for standing, sweeping and questions. Smaller than 2.3e-16: shapes at decimal
-         * coordinates that touch are told apart. Larger: far from the origin, shapes with a gap collide.
+         * coordinates that touch do not collide. Larger: far from the origin, shapes with a gap collide.
          */
         public static const PLACES:Number = 6e-16;
 
         /**
-         * The factor on the distance at which two structures touch: 1, and the rounding of a test in several steps. It must be at least 1 + 4
-         * SURFACES. Smaller: turned structures that touch are told apart. Larger: structures with a gap collide.
+         * The factor on the distance at which two structures touch: 1 plus the rounding of a test in several steps. It must be at least 1 +
+         * 4 SURFACES. Smaller: rotated structures that touch do not collide. Larger: structures with a gap collide.
          */
         public static const TOUCHING:Number = 1 + 4e-14;
 
         /**
-         * The squared sine of the angle below which two directions are nearly parallel. Their products are then computed from cross products, where
-         * no digits cancel. Smaller: answers lose digits, 1e-16 over the sine of the angle. Larger: more pairs take the slower computation, with the
-         * same answers.
+         * The squared sine of the angle below which two directions are nearly parallel. Their products are then computed from cross
+         * products, where no digits cancel. Smaller: answers lose digits, because their error is 1e-16 divided by the sine of the angle.
+         * Larger: more pairs take the slower computation, with the same answers.
          */
         public static const NEARLY_PARALLEL:Number = 1e-6;
 
@@ -69,14 +69,14 @@ package starlogo.geometry
 
         /**
          * How far a vertex may be outside of its convex hull, as a fraction of the vertices' extent: the sum of the grid's rounding and
-         * HULL_COPLANAR. Only tests use it. Smaller: tests of right hulls fail. Larger: tests pass hulls that leave vertices outside.
+         * HULL_COPLANAR. Only tests use it. Smaller: tests of correct hulls fail. Larger: tests accept hulls that leave vertices outside.
          */
         public static const HULL:Number = 2e-7;
 
         /**
-         * The distance from a triangle of the hull within which a vertex above it belongs to its plane, in steps of the hull's grid (3e-8 of the
-         * extent). Smaller than 1.8: a flat side that is turned against the axes keeps dozens of vertices that are no corners. Larger: hulls are
-         * coarser.
+         * The distance from a triangle of the hull within which a vertex above it belongs to its plane, in steps of the hull's grid (3e-8
+         * of the extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its corners.
+         * Larger: hulls are coarser.
          */
         public static const HULL_COPLANAR:Number = 2;
 
@@ -87,21 +87,21 @@ package starlogo.geometry
         public static const HULL_CERTAIN:Number = 1e-6;
 
         /**
-         * The thickness up to which vertices lie in a plane, on a line or in a point, as a fraction of their extent. Smaller: the rounding of a flat
-         * model is taken for a shape. Larger: boxes around thin models are looser.
+         * The thickness up to which vertices count as lying in a plane, on a line or in one place, as a fraction of their extent. Smaller:
+         * the rounding of a flat model counts as a shape. Larger: boxes around thin models are looser.
          */
         public static const HULL_FLAT:Number = 1e-12;
 
         /**
-         * The thickness that HULL_FLAT tells of, as a fraction of the largest coordinate; both are added. Smaller: a flat model far from the origin
-         * is taken for a solid one. Larger: a thin model far from the origin is taken for a flat one.
+         * A part of the thickness of HULL_FLAT, as a fraction of the largest coordinate. It is added to the other part. Smaller: a flat
+         * model far from the origin counts as a solid one. Larger: a thin model far from the origin counts as a flat one.
          */
         public static const HULL_ROUNDING:Number = 1e-14;
 
         /**
-         * The share of their axis-aligned box that vertices must fill for a grid along the coordinate axes; the grid of others is turned along the
-         * vertices. Smaller: thin turned models lose precision. Larger: models with flat sides along the axes get a turned grid, on which these sides
-         * are not exactly flat.
+         * The share of their axis-aligned box that vertices must fill to get a grid along the coordinate axes. Thinner ones get a grid
+         * along axes of their own. Smaller: thin rotated models lose precision. Larger: models with flat sides along the axes get a rotated
+         * grid, on which these sides are not exactly flat.
          */
         public static const HULL_THIN:Number = 0.02;
 
@@ -118,78 +118,79 @@ package starlogo.geometry
         public static const BALL_SLACK:Number = 1e-12;
 
         /**
-         * The share of a point's squared distance across the plane, line or point of others below which it lies in that. No sphere is laid through
-         * such points. Smaller: centres far away, which are rounding errors, are tried. Larger: the smallest sphere of nearly flat points may be
-         * missed.
+         * A point counts as lying in the plane, line or place of other points if less than this share of its squared distance is
+         * perpendicular to it. No sphere is put through such points. Smaller: the search tries centres far away, which are rounding errors.
+         * Larger: the smallest sphere of nearly flat points may be missed.
          */
         public static const BALL_SINGULAR:Number = 1e-13;
 
         /**
-         * The fraction by which a point must enlarge the squared radius of the smallest sphere to be outside of it. Smaller: the search may go round
-         * in circles. Larger: points outside count as inside, by half that fraction of the radius.
+         * A point is outside of the smallest sphere if it enlarges the squared radius by more than this fraction. Smaller: the search may
+         * never end. Larger: points outside count as inside, by half that fraction of the radius.
          */
         public static const BALL_GAIN:Number = 1e-14;
 
         /**
-         * The distance below which two corners of a hull's outline are one, as a fraction of the hull's extent. Smaller than 1e-14: the directions of
-         * edges that are seen end on are rounding errors. Larger than 3e-8: corners of the outline are lost.
+         * The distance below which two corners of a hull's outline count as one, as a fraction of the hull's extent. Smaller than 1e-14:
+         * the directions of edges that are seen end on are rounding errors. Larger than 3e-8: corners of the outline are lost.
          */
         public static const OUTLINE_SAME:Number = 1e-11;
 
         /**
-         * The sine of the angle within which an edge of an outline leads straight back. Smaller: rounding may send a walk round the outline back
-         * along a side that is seen edge on. Larger: outlines with very sharp corners are walked wrongly.
+         * The sine of the angle within which an edge of an outline leads straight back. Smaller: rounding may send a walk around the
+         * outline back along a side that is seen edge on. Larger: outlines with very sharp corners are walked wrongly.
          */
         public static const OUTLINE_BACK:Number = 1e-9;
 
         /**
-         * The slope up to which an edge of an outline is level. Smaller: rounding tilts level edges. Larger: edges with a small slope count as level.
+         * The slope up to which an edge of an outline counts as level. Smaller: rounding tilts level edges. Larger: edges with a small
+         * slope count as level.
          */
         public static const OUTLINE_LEVEL:Number = 1e-12;
 
         /**
          * The gap across which the surfaces of two models touch, as a fraction of the sum of the radii of spheres around both. The nodes of
-         * hierarchies and the fitted boxes and capsules are wider than their models by it. Smaller than 2e-15: turned surfaces that touch are told
-         * apart. Larger: surfaces with a gap collide.
+         * hierarchies and the fitted boxes and capsules are enlarged by it. Smaller than 2e-15: rotated surfaces that touch do not collide.
+         * Larger: surfaces with a gap collide.
          */
         public static const SURFACES:Number = 1e-14;
 
         /**
-         * How much wider a hierarchy's nodes are than those of the next level, as a fraction of the model's radius. Smaller than 1e-15: rounding lets
-         * children meet what their parents do not, and a greater depth finds more than a smaller one. Larger: nodes are wider, by 64 times that
-         * fraction at the root.
+         * How much larger a hierarchy's nodes are than those of the next level, as a fraction of the model's radius. Smaller than 1e-15:
+         * because of rounding, children may touch something that their parents do not touch, and a greater depth may find more than a
+         * smaller one. Larger: nodes are larger, by 64 times that fraction at the root.
          */
         public static const NESTING:Number = 2e-15;
 
         /**
-         * The level of a hierarchy from which on nodes are not wider than those of the next: see NESTING. Smaller: below it a greater depth may find
-         * more than a smaller one. Larger: all nodes are wider, by NESTING a level.
+         * From this level on, a hierarchy's nodes are not larger than those of the next level: see NESTING. Smaller: below it a greater
+         * depth may find more than a smaller one. Larger: all nodes are larger, by NESTING for each level.
          */
         public static const NESTED_LEVELS:int = 64;
 
         /**
-         * The distance below which corners of triangles are one where the surface is examined as a whole, as a fraction of the model's largest
-         * coordinate. Smaller than 2.1e-7: seams between corners that were rounded to single precision stay open, and the model has no inside.
-         * Larger: small holes are closed.
+         * The distance below which corners of triangles count as one for the surface as a whole, as a fraction of the model's largest
+         * coordinate. Smaller than 2.1e-7: seams between corners that were rounded to single precision stay open, and the model has no
+         * inside. Larger: small holes are closed.
          */
         public static const WELDING:Number = 2.5e-7;
 
         /**
-         * The squared height of a triangle below which it is a segment, as a fraction of its longest edge squared. Smaller: the normal of a needle is
-         * a rounding error. Larger: needles lose their width.
+         * The squared height of a triangle below which it counts as a segment, as a fraction of its longest edge squared. Smaller: the
+         * normal of a needle is a rounding error. Larger: needles lose their width.
          */
         public static const FLAT_TRIANGLE:Number = 1e-24;
 
         /**
-         * How far a corner must be off another triangle's plane for its side to be certain: the square of a factor on the distance at which surfaces
-         * touch. Smaller: rounding decides whether they cross. Larger: the closest points of more pairs are computed, with the
-         * same answers.
+         * How far a corner must be off another triangle's plane for its side to be certain. It is a factor on the square of the distance at
+         * which surfaces touch. Smaller: rounding decides whether the triangles cross. Larger: the closest points of more pairs are
+         * computed, with the same answers.
          */
         public static const CLEARLY_OFF_PLANE:Number = 1e14;
 
         /**
-         * One over the squared sine of the angle at a triangle's first corner below which it is a needle. Smaller: the closest points of more pairs
-         * are computed, with the same answers. Larger: normals with fewer digits decide.
+         * A triangle is a needle if 1 divided by the squared sine of the angle at its first corner is larger than this. Smaller: the
+         * closest points of more pairs are computed, with the same answers. Larger: normals with fewer digits decide.
          */
         public static const SLIMMEST_TRIANGLE:Number = 1e6;
 
@@ -201,28 +202,30 @@ package starlogo.geometry
         public static const GRAZING:Number = 1e-10;
 
         /**
-         * The distance of two closest points above which the line between them is the normal of a contact, as a fraction of the structures' size; and
-         * the sine of the angle within which edges are parallel to each other or to a face for a contact. Smaller: normals are off by 1e-16 over it.
-         * Larger: depths are off by that fraction.
+         * Used for contacts in two ways. It is the distance of two closest points above which the line between them is the normal, as a
+         * fraction of the structures' size. It is also the sine of the angle within which edges count as parallel to each other or to a
+         * face. Smaller: normals have an error of 1e-16 divided by it. Larger: depths have an error of that fraction.
          */
         public static const DIRECTION:Number = 1e-9;
 
         /**
-         * The squared sine of the angle to z within which an axis is upright. The normal across an upright axis is along x, across any other as
-         * upright as possible. Smaller than 1e-14: that normal has no digits left. Larger: normals jump where axes lean more.
+         * The squared sine of the angle to z within which an axis counts as upright. A contact's normal that is perpendicular to an upright
+         * axis is along x. Perpendicular to another axis, it points upwards as far as possible. Smaller than 1e-14: that normal has no
+         * digits left. Larger: normals jump at axes that lean more.
          */
         public static const UPRIGHT:Number = 1e-6;
 
         /**
-         * The difference of two computations of one time of impact, as a fraction of the motion. Smaller: rounding may have the contact of the
-         * structures around two models taken for that of the models. Larger: a later touch may be taken for the first.
+         * The largest difference between two computations of the same time of impact, as a fraction of the motion. Smaller: because of
+         * rounding, the contact of the structures around two models may replace that of the models. Larger: a later touch may replace the
+         * first one.
          */
         public static const SAME_TIME:Number = 1e-9;
 
         /**
-         * How far a contact's depth may be off, as a fraction of the larger extent of the two. Moved apart by the depth and this, they do not touch;
-         * by the depth less this, they do. Smaller than 1e-12: rounding along directions nearly level with a surface is more. Larger: contacts are
-         * less precise.
+         * How far a contact's depth may be off, as a fraction of the larger extent of the two. Moved apart by the depth plus this, the two
+         * do not touch. Moved apart by the depth minus this, they do. Smaller than 1e-12: rounding errors along directions nearly parallel
+         * to a surface are larger. Larger: contacts are less precise.
          */
         public static const SEPARATION:Number = 1e-9;
 
@@ -233,36 +236,36 @@ package starlogo.geometry
         public static const CONE:Number = 2e-14;
 
         /**
-         * The squared length up to which a motion is free whatever is in its way, in patches squared. Smaller than 1e-300: squares have no digits
-         * left, and directions are lost. Larger: an agent may be put into another by the root of it.
+         * The squared length up to which nothing stops a motion, in square patches. Smaller than 1e-300: squares have no digits left, and
+         * directions are lost. Larger: an agent may move into another one by the square root of it.
          */
         public static const VANISHING:Number = 1e-290;
 
         /**
-         * The factor on shapes that are tried before those that decide. Smaller than 1 + 1e-14: rounding lets them separate shapes that touch.
-         * Larger: they decide less often.
+         * The factor that enlarges the shapes of quick tests, which come before the deciding test. Smaller than 1 + 1e-14: because of
+         * rounding, quick tests may separate shapes that touch. Larger: quick tests decide fewer pairs.
          */
         public static const OUTER:Number = 1 + 1e-12;
 
         /**
-         * How much wider than an agent the box is by which questions find it, as a fraction of the agent's size. Smaller than 1e-14: agents that
-         * touch by rounding may not be found. Larger: more agents are tested.
+         * How much larger than the agent the box is with which questions find it, as a fraction of the agent's size. Smaller than 1e-14:
+         * agents that touch by rounding may not be found. Larger: more agents are tested.
          */
         public static const EXTENTS:Number = 1e-13;
 
         /**
-         * How much wider the boxes of EXTENTS are besides: the factor on what PLACES gives for the agent's position. Smaller than 2: agents that
-         * touch by PLACES may not be found. Larger: more agents are tested.
+         * The boxes of EXTENTS are also enlarged by this factor times the gap of PLACES for the agent's position. Smaller than 2: agents
+         * that touch by PLACES may not be found. Larger: more agents are tested.
          */
         public static const EXTENTS_GAPS:Number = 100;
 
         /**
-         * The distance above which structures certainly do not touch, as a fraction of their size. Smaller than 1e-13: rounding may give a distance
-         * to structures that touch. Larger: more pairs are tested for touching as well.
+         * The distance above which structures certainly do not touch, as a fraction of their size. Smaller than 1e-13: because of rounding,
+         * structures that touch may get a distance. Larger: more pairs need the test for touching as well.
          */
         public static const APART:Number = 1e-9;
 
-        /** Tolerances are constants; there are no instances. */
+        /** Not to be called, because tolerances are constants. */
         public function Tolerances()
         {
         }

@@ -1,18 +1,19 @@
 package starlogo.geometry
 {
     /**
-     * Sine, cosine and arctangent, in degrees: the same to the last bit in every player, which the language's own need not be. Quarter turns are
-     * exact. Errors are less than 0.8 units in the last place for sine and cosine, 0.51 for the arctangent.
+     * Sine, cosine and arctangent in degrees. The results are the same in every player, to the last bit. The language's own functions do
+     * not promise this. Quarter turns are exact. Errors are less than 0.8 units in the last place for sine and cosine, and 0.51 for the
+     * arctangent.
      *
-     * <p>Angles are brought between -45 and 45 degrees, which is exact, and into radians as the sum of two Numbers, the product with a
-     * constant and its rounding error (Dekker, "A floating-point technique for extending the available precision", 1971). Taylor's series do the
-     * rest.</p>
+     * <p>Angles are first reduced to -45 to 45 degrees, which is exact. Then they are converted to radians as the sum of two Numbers: the
+     * product with a constant, and its rounding error (Dekker, "A floating-point technique for extending the available precision", 1971).
+     * Taylor's series compute the result.</p>
      *
      * @private
      */
     public final class Trigonometry
     {
-        // Pi / 180: rounded, in two parts of half the bits, and what rounding has left off; likewise 180 / pi.
+        // Pi / 180: rounded, in two parts of half the bits, and the rounding error. 180 / pi: rounded, and the rounding error.
         private static const RADIANS:Number = 0.017453292519943295;
         private static const RADIANS_HIGH:Number = 0.01745329238474369;
         private static const RADIANS_LOW:Number = 1.3519960498364902e-10;
@@ -20,10 +21,10 @@ package starlogo.geometry
         private static const DEGREES:Number = 57.29577951308232;
         private static const DEGREES_REST:Number = -1.9878495670576283e-15;
 
-        /** Times this, a Number is split into two parts of half the bits. */
+        /** The factor that splits a Number into two parts of half the bits. */
         private static const SPLIT:Number = 134217729;
 
-        // The arctangents of 0 to 16 sixteenths, rounded, and what rounding has left off.
+        // The arctangents of 0 to 16 sixteenths: rounded, and the rounding errors.
         private static const ARCTANGENTS:Vector.<Number> = new <Number>[0, 3.576334374997351, 7.125016348901798, 10.619655276155134,
                 14.036243467926479, 17.35402463626132, 20.556045219583464, 23.629377730656817, 26.56505117707799,
                 29.357753542791272, 32.005383208083494, 34.5085229876684, 36.86989764584402, 39.0938588862295,
@@ -33,7 +34,7 @@ package starlogo.geometry
                 3.183231713449758e-16, 1.8761647814886433e-15, 1.6654005518742188e-15, 1.3346864989901319e-15, 2.335881743638655e-15,
                 -2.0942594695766676e-15, 8.502900827062482e-16, 0];
 
-        /** A namespace for functions; there are no instances. */
+        /** Not to be called, because all methods are static. */
         public function Trigonometry()
         {
         }
@@ -62,7 +63,7 @@ package starlogo.geometry
          * The angle from the x axis to a point, in degrees, from -180 to 180.
          *
          * @param y of the point, of a magnitude up to 1e300
-         * @param x likewise
+         * @param x of the point, of a magnitude up to 1e300
          * @return 0 for the origin
          */
         public static function arctangent(y:Number, x:Number):Number
@@ -80,7 +81,7 @@ package starlogo.geometry
             {
                 return 0;
             }
-            // out of the reach of overflow, and of products without all their bits
+            // Scale the coordinates so that nothing overflows and products keep all their bits.
             if (most > 1e150)
             {
                 least *= 1e-150;
@@ -91,7 +92,7 @@ package starlogo.geometry
                 least *= 1e150;
                 most *= 1e150;
             }
-            // from the nearest of the known angles: tan (a - b) = (tan a - tan b) / (1 + tan a tan b)
+            // Start from the nearest known angle: tan (a - b) = (tan a - tan b) / (1 + tan a tan b).
             var nearest:int = least / most * 16 + 0.5;
             var product:Number = nearest * most;
             var across:Number = 16 * least - product;
@@ -103,7 +104,7 @@ package starlogo.geometry
             product = tangent * along;
             var tangentRest:Number = (across - product - roundingOf(tangent, along, product) + acrossRest - tangent * alongRest) / along;
             var squared:Number = tangent * tangent;
-            // 1/3, 1/5, ... 1/11
+            // The series: 1/3, 1/5, ... 1/11.
             tangentRest += tangent * squared * (-0.3333333333333333 + squared * (0.2 + squared * (-0.14285714285714285
                             + squared * (0.1111111111111111 - squared * 0.09090909090909091))));
             var turned:Number = tangent * DEGREES;
@@ -129,7 +130,7 @@ package starlogo.geometry
             return y < 0 ? -angle : angle;
         }
 
-        // The sine of an angle and some quarter turns.
+        // The sine of an angle plus some quarter turns.
         private static function sineAhead(angle:Number, quarters:int):Number
         {
             if (angle >= 360 || angle <= -360)
@@ -142,7 +143,7 @@ package starlogo.geometry
             switch (nearest + quarters & 3)
             {
                 case 0:
-                    // never -0
+                    // The sum is never -0.
                     return 0 + sineOfFew(angle);
                 case 1:
                     return cosineOfFew(angle);
@@ -153,7 +154,7 @@ package starlogo.geometry
             }
         }
 
-        // Of -45 to 45 degrees. The series: 1/3!, 1/5!, ... 1/17!.
+        // The sine of -45 to 45 degrees. The series: 1/3!, 1/5!, ... 1/17!.
         private static function sineOfFew(angle:Number):Number
         {
             var x:Number = angle * RADIANS;
@@ -164,7 +165,7 @@ package starlogo.geometry
             return x + (x * rest + roundingOfRadians(angle, x) * (1 - 0.5 * squared));
         }
 
-        // Of -45 to 45 degrees. The series: 1/4!, 1/6!, ... 1/18!, after 1 - x x / 2.
+        // The cosine of -45 to 45 degrees. The series: 1/4!, 1/6!, ... 1/18!, after 1 - x x / 2.
         private static function cosineOfFew(angle:Number):Number
         {
             var x:Number = angle * RADIANS;
@@ -177,7 +178,7 @@ package starlogo.geometry
             return most + (1 - most - half + (rest - x * roundingOfRadians(angle, x)));
         }
 
-        // What is missing of an angle that was multiplied by RADIANS.
+        // The rounding error of an angle that was multiplied by RADIANS.
         private static function roundingOfRadians(angle:Number, radians:Number):Number
         {
             var high:Number = SPLIT * angle;
@@ -186,7 +187,7 @@ package starlogo.geometry
             return high * RADIANS_HIGH - radians + high * RADIANS_LOW + low * RADIANS_HIGH + low * RADIANS_LOW + angle * RADIANS_REST;
         }
 
-        // What is missing of a rounded product.
+        // The rounding error of a product.
         private static function roundingOf(a:Number, b:Number, product:Number):Number
         {
             var highA:Number = SPLIT * a;

@@ -1,13 +1,13 @@
 package starlogo.geometry
 {
     /**
-     * The axis-aligned box around vertices, which may be looked at some at a time, and whether they are numbers.
+     * The axis-aligned box around vertices, and whether all their coordinates are finite. Vertices can be added a part at a time.
      *
      * @private
      */
     public final class VertexBounds
     {
-        /** Products of three coordinates up to this are finite. Hulls and hierarchies refuse larger ones. */
+        /** The largest coordinate that hulls and hierarchies accept. Products of three such coordinates are finite. */
         public static const LARGEST_COORDINATE:Number = 1e100;
 
         /** The least x. */
@@ -28,10 +28,10 @@ package starlogo.geometry
         /** The greatest z. */
         public var maxZ:Number = -Infinity;
 
-        /** Whether all coordinates were finite numbers: the box is only right if they were. */
+        /** Whether all coordinates were finite. Otherwise the box is wrong. */
         public var areFinite:Boolean = true;
 
-        /** A box around nothing. */
+        /** Creates an empty box. */
         public function VertexBounds()
         {
         }
@@ -58,11 +58,11 @@ package starlogo.geometry
         }
 
         /**
-         * Takes vertices in.
+         * Adds vertices.
          *
-         * @param vertices x, y, z each
-         * @param first the number of the first of them
-         * @param end the number of the one behind the last
+         * @param vertices x, y, z of each
+         * @param first index of the first vertex to add
+         * @param end index after the last vertex to add
          */
         public function add(vertices:Vector.<Number>, first:int, end:int):void
         {
@@ -79,7 +79,7 @@ package starlogo.geometry
                 var x:Number = vertices[i];
                 var y:Number = vertices[int(i + 1)];
                 var z:Number = vertices[int(i + 2)];
-                // infinity minus itself is NaN
+                // Infinity minus itself is NaN.
                 differences += (x - x) + (y - y) + (z - z);
                 lowX = x < lowX ? x : lowX;
                 highX = x > highX ? x : highX;

@@ -1,35 +1,35 @@
 package starlogo.geometry
 {
     /**
-     * Says what is wrong with vertices and triangles; the caller adds which model has them, and throws.
+     * Checks vertices and triangles, and describes what is wrong with them. The caller adds the model's name, and throws.
      *
      * @private
      */
     public final class VertexData
     {
-        /** All is static. */
+        /** Not to be called, because all methods are static. */
         public function VertexData()
         {
         }
 
         /**
-         * What keeps vertices from being used.
+         * Describes what is wrong with vertices.
          *
-         * @param vertices x, y, z, x, y, z, ... of at least one vertex; may be null, which is wrong
-         * @return null if they are fine, else a sentence that begins small
+         * @param vertices x, y, z, x, y, z, ... of at least one vertex; null is wrong too
+         * @return null if nothing is wrong, otherwise a sentence that begins with a small letter
          */
         public static function vertexProblem(vertices:Vector.<Number>):String
         {
             if (vertices == null || vertices.length == 0 || vertices.length % 3 != 0)
             {
-                return "three coordinates for each of at least one vertex are needed, not "
+                return "at least one vertex with three coordinates each is needed, not "
                     + (vertices == null ? "null" : vertices.length + " numbers");
             }
             var length:int = vertices.length;
             for (var i:int = 0; i < length; i++)
             {
                 var coordinate:Number = vertices[i];
-                // infinity minus itself is NaN, which equals nothing
+                // Infinity minus itself is NaN, which equals nothing.
                 if (coordinate - coordinate != 0)
                 {
                     return "the " + "xyz".charAt(i % 3) + " coordinate of vertex " + int(i / 3)
@@ -39,7 +39,7 @@ package starlogo.geometry
             return null;
         }
 
-        /** Whether numbers are the same to the last bit, and the sign of zeros. */
+        /** Whether two lists of numbers are the same to the last bit, including the sign of zeros. */
         public static function areSame(a:Vector.<Number>, b:Vector.<Number>):Boolean
         {
             for (var i:int = 0; i < a.length && a.length == b.length; i++)
@@ -53,11 +53,11 @@ package starlogo.geometry
         }
 
         /**
-         * What keeps triangles from being used.
+         * Describes what is wrong with triangles.
          *
          * @param triangles three vertex indices each; not null, may be empty
-         * @param vertexCount how many vertices there are
-         * @return null if they are fine, else a sentence that begins small
+         * @param vertexCount the number of vertices
+         * @return null if nothing is wrong, otherwise a sentence that begins with a small letter
          */
         public static function triangleProblem(triangles:Vector.<uint>, vertexCount:int):String
         {

@@ -1,10 +1,10 @@
 package starlogo.geometry
 {
     /**
-     * The cube root, by Newton's method: the same to the last bit in every player, with an error below one unit in the last place.
+     * The cube root, by Newton's method. The result is the same in every player, to the last bit. Its error is below one unit in the last
+     * place.
      *
      * @param value any number
-     *
      * @private
      */
     public function cubeRoot(value:Number):Number
@@ -25,7 +25,7 @@ package starlogo.geometry
             mantissa *= 8;
             scale /= 2;
         }
-        // from above, each step doubles the number of bits that are right
+        // From above, each step doubles the number of correct bits.
         var root:Number = (mantissa + 5) / 5;
         for (var i:int = 0; i < 7; i++)
         {

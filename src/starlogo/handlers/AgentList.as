@@ -4,30 +4,30 @@ package starlogo.handlers
     import starlogo.search.IdTable;
 
     /**
-     * Tells whether an agent still is in the list that handlers change. An agent that is not where it was is looked for towards the beginning,
-     * where agents move when others are taken out, and then in the whole list. When these searches have looked at as many entries as the list
-     * has, the indices of all agents are read again.
+     * Tells whether an agent is still in the list, which handlers may change. If an agent has left its index, the search begins towards the start
+     * of the list, because agents move there when others are removed. Then it goes through the whole list. After as many entries as the list has,
+     * the indices of all agents are read again.
      *
      * @private
      */
     public final class AgentList
     {
-        /** How many entries of the list were looked at in this frame. */
+        /** The number of entries of the list that were searched in this frame. */
         public var looked:int = 0;
 
         private var _agents:Vector.<Agent> = null;
         private var _isKnown:Boolean = false;
         private var _readAt:int;
 
-        // By the agents' ids: where they were seen last. Agents that have been found missing are taken out.
+        // The last known index of each agent, by its id. Missing agents are removed.
         private var _indices:IdTable = new IdTable();
 
-        /** No list yet. */
+        /** Creates an AgentList without a list. */
         public function AgentList()
         {
         }
 
-        /** Sets the list of a frame; the indices of its agents are read when the first question is asked. */
+        /** Sets the list of a frame. The first question reads the indices of its agents. */
         public function setAgents(agents:Vector.<Agent>):void
         {
             _agents = agents;
@@ -41,7 +41,7 @@ package starlogo.handlers
             _agents = null;
         }
 
-        /** Where an agent was seen last; -1 if it has been found missing. */
+        /** The last known index of an agent; -1 if it is missing. */
         public function indexOf(agent:Agent):int
         {
             if (!_isKnown)

@@ -1,7 +1,7 @@
 package starlogo.handlers
 {
     /**
-     * What the agents of a breed do when they collide with those of another.
+     * A handler function, with the two breeds and the moment for which the game has added it.
      *
      * @private
      */
@@ -13,10 +13,10 @@ package starlogo.handlers
         /** Called in every frame of a touch; in its first frame, after the handlers for starts. */
         public static const COLLISION:int = 1;
 
-        /** Called in the first frame in which the two do not touch any more. */
+        /** Called in the first frame after a touch. */
         public static const END:int = 2;
 
-        /** When it is called: one of the constants. */
+        /** START, COLLISION or END. */
         public var kind:int;
 
         /** The breed of the collider. */
@@ -31,13 +31,13 @@ package starlogo.handlers
         /** Whether it takes a contact. */
         public var takesContact:Boolean;
 
-        /** Whether it takes a contact, or may look at one though it does not say so: see mayTakeMore. */
+        /** Whether it takes a contact or may read one as a further argument: see mayTakeMore. */
         public var mayTakeContact:Boolean;
 
-        /** Whether it was removed, perhaps by another handler: then it is not called any more. */
+        /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
-        /** A handler of a pair of breeds. */
+        /** Creates the handler of a pair of breeds. */
         public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function)
         {
             this.kind = kind;

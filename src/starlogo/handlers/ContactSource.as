@@ -3,25 +3,26 @@ package starlogo.handlers
     import starlogo.agents.Agent;
 
     /**
-     * Computes the handlers' third argument: how the agents of a frame's pairs touch.
+     * Computes the third argument of handlers: the contacts of a frame's pairs.
      *
      * @private
      */
     public interface ContactSource
     {
-        /** Begins a frame: there are so many pairs, numbered from 0, and none of their contacts is known. */
+        /** Begins a frame with this number of pairs. None of their contacts is known yet. */
         function beginFrame(pairCount:int):void;
 
-        /** Computes the contact of a pair, unless it is known. A handler may move agents, so contacts are computed before the first handler runs. */
+        /** Computes the contact of a pair, unless it is known. This happens before the first handler runs, because a handler may move agents. */
         function find(pair:int, first:Agent, second:Agent):void;
 
         /**
-         * The contact of a pair, in an object that the next call overwrites. If its breeds have changed since the frame began, it is computed now.
+         * Returns the contact of a pair, in an object that the next call overwrites. If the breeds have changed since the frame began, it
+         * computes the contact now.
          *
-         * @param handler will get it. If it need not look at it, it is computed when it does
-         * @param pair its number
+         * @param handler the receiver. If it may ignore the contact, the contact is computed when the handler reads it
+         * @param pair the number of the pair, from 0
          * @param first the first agent of the pair
-         * @param second the other
+         * @param second the second agent
          * @param isBack whether the second agent is the collider
          */
         function contactFor(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):Object;

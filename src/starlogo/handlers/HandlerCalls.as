@@ -7,7 +7,7 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Calls the handlers of a frame: first for touches that have ended, then for the pairs. When a handler throws, the next one is called.
+     * Calls the handlers of a frame: first for touches that have ended, then for the pairs. If a handler throws, the next one is still called.
      *
      * @private
      */
@@ -16,10 +16,10 @@ package starlogo.handlers
         /** The pairs of the frame, in the order of their calls. */
         public var pairs:FoundPairs = new FoundPairs();
 
-        /** How many handlers were called. */
+        /** The number of handlers called. */
         public var count:int = 0;
 
-        /** Which pairs touch, of breeds with handlers for starts or ends. */
+        /** Knows the touching pairs of breeds that have handlers for starts or ends. */
         public var tracker:TouchTracker = new TouchTracker();
 
         /** What agents may touch beside those of the list: their indices begin after its last. The agent of the ground, or null. */
@@ -29,7 +29,7 @@ package starlogo.handlers
         private var _table:HandlerTable = null;
         private var _errors:Vector.<Error> = null;
 
-        // The list that was searched; the same list, which handlers change; whether every agent that was asked about was where it was.
+        // The list as it was searched; the same list, which handlers may change; whether all agents asked about were still at their indices.
         private var _listed:Vector.<Agent> = null;
         private var _agents:Vector.<Agent> = null;
         private var _areInPlace:Boolean;
@@ -38,7 +38,7 @@ package starlogo.handlers
         // For each pair: its touch, or null.
         private var _touches:Vector.<Touch> = new Vector.<Touch>();
 
-        // Whose turn it is: ended touches have the numbers below 0, pairs the others. The two agents, where they were in the list, and the touch if it
+        // The number of the turn: negative for ended touches, from 0 on for pairs. The two agents, their indices in the list, and the touch if it
         // begins in this turn.
         private var _turn:int;
         private var _firstAt:int;
@@ -47,13 +47,13 @@ package starlogo.handlers
         private var _second:Agent;
         private var _starting:Touch;
 
-        // The handlers of this turn, how many of them are called, and the next one. While a handler runs this is the one after it.
+        // The handlers of this turn, how many of them to call, and the next one. While a handler runs, the next one is the one after it.
         private var _handlers:PairHandlers;
         private var _callCount:int;
         private var _call:int;
 
         /**
-         * @param contacts knows how pairs touch
+         * @param contacts computes the contacts of pairs
          */
         public function HandlerCalls(contacts:ContactSource)
         {
@@ -63,10 +63,10 @@ package starlogo.handlers
         /**
          * Makes the calls of a frame.
          *
-         * @param table says which
-         * @param listed the list that was searched, which stays as it is
+         * @param table the handlers of each pair of breeds
+         * @param listed the list as it was searched; it does not change
          * @param agents the same list, which handlers may change
-         * @param errors takes what handlers throw
+         * @param errors receives the errors that handlers throw
          */
         public function make(table:HandlerTable, listed:Vector.<Agent>, agents:Vector.<Agent>, errors:Vector.<Error>):void
         {
@@ -108,7 +108,7 @@ package starlogo.handlers
             tracker.separateEnded();
         }
 
-        // After an error it goes on with the next handler.
+        // After an error, goes on with the next handler.
         private function takeTurnsBefore(end:int):void
         {
             while (_turn < end)
@@ -122,7 +122,7 @@ package starlogo.handlers
                 {
                     if (count == calls)
                     {
-                        // not from a handler: it would be thrown again
+                        // the error is not a handler's: calling again would throw it again
                         throw error;
                     }
                     _errors.push(error is Error ? error : new Error(String(error)));
@@ -151,7 +151,7 @@ package starlogo.handlers
                         continue;
                     }
                     count++;
-                    // not as a method of the handler
+                    // a local, so that the handler is not called as a method of its CollisionHandler
                     var toCall:Function = handler.handler;
                     if (handler.mayTakeContact)
                     {
@@ -251,7 +251,7 @@ package starlogo.handlers
             _second = _secondAt < _listed.length ? _listed[_secondAt] : fixtures[_secondAt - _listed.length];
         }
 
-        // Whether both agents are in the list. Mostly they are where they were. Once one is not, AgentList is asked for the rest of the frame.
+        // Whether both agents are in the list. Usually they are at their indices. Once one is not, AgentList answers for the rest of the frame.
         private function areListed():Boolean
         {
             var agents:Vector.<Agent> = _agents;

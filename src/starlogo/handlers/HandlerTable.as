@@ -6,7 +6,8 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * The handlers of each pair of breeds, by the breeds' numbers. It does not change: when handlers are added or removed, a new table is made.
+     * Finds the handlers of two breeds by the breeds' numbers. A table does not change. When handlers are added or removed, the Collision makes a
+     * new one.
      *
      * @private
      */
@@ -15,7 +16,7 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** Whether no handler takes contacts, and none is for starts or ends of touches. */
+        /** True if no handler takes contacts and no handler is for starts or ends. */
         public var isPlain:Boolean = true;
 
         // In the order of their kinds; handlers of one kind in the order in which they were added.
@@ -47,10 +48,10 @@ package starlogo.handlers
         }
 
         /**
-         * The handlers of two agents that collide; none for breeds that are in no pair.
+         * Returns the handlers of two breeds. They are empty if the two have no handlers.
          *
-         * @param breedNumber of the first agent
-         * @param otherNumber of the other
+         * @param breedNumber the number of the first agent's breed
+         * @param otherNumber the number of the second agent's breed
          */
         public function handlersOf(breedNumber:int, otherNumber:int):PairHandlers
         {

@@ -1,8 +1,8 @@
 package starlogo.handlers
 {
     /**
-     * The handlers of a pair of breeds, in both directions, in the order of their calls: those for which the first agent is the collider, then
-     * those for which the second is.
+     * The handlers of a pair of breeds, in the order of their calls. First come the handlers whose collider is the first agent, then the handlers
+     * whose collider is the second agent.
      *
      * @private
      */
@@ -11,7 +11,7 @@ package starlogo.handlers
         /** The handlers that are called in a frame in which the two touch. */
         public var handlers:Vector.<CollisionHandler>;
 
-        /** How many of them, at the beginning, have the first agent for their collider; the rest have the second. */
+        /** The number of handlers whose collider is the first agent. */
         public var forwardCount:int;
 
         /** Whether any handler takes a contact, in the first frame of a touch or later. */
@@ -24,8 +24,8 @@ package starlogo.handlers
         public var ofEnd:PairHandlers = null;
 
         /**
-         * @param forward those for which the first agent is the collider
-         * @param back those for which the second is
+         * @param forward the handlers whose collider is the first agent
+         * @param back the handlers whose collider is the second agent
          */
         public function PairHandlers(forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>)
         {

@@ -3,7 +3,7 @@ package starlogo.handlers
     import starlogo.agents.Agent;
 
     /**
-     * Two agents that touch, from the frame in which that began on.
+     * Two agents that touch, with the frame in which the touch began.
      *
      * @private
      */
@@ -12,13 +12,13 @@ package starlogo.handlers
         /** The agent that was first in the list when the touch began. */
         public var first:Agent;
 
-        /** The other one. */
+        /** The second agent. */
         public var second:Agent;
 
-        /** The number of the breed that the first had when it began. */
+        /** The number of the first agent's breed when the touch began. */
         public var firstBreed:int;
 
-        /** The number of the breed that the other one had then. */
+        /** The number of the second agent's breed when the touch began. */
         public var secondBreed:int;
 
         /** The tracker's frame in which the touch began. */
@@ -30,7 +30,7 @@ package starlogo.handlers
         /** Whether handlers have been called for both agents, not only for the first. */
         public var isBothWays:Boolean;
 
-        /** Of no agents yet. */
+        /** Creates a Touch without agents. */
         public function Touch()
         {
         }

@@ -6,9 +6,9 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Keeps from frame to frame which agents touch, in the order in which their touches began. A table finds a touch by the agents' ids; IdTable says
-     * how. Objects of touches that have ended are used again, so a frame allocates nothing unless more agents touch than before. Memory is in
-     * proportion to the pairs that touch.
+     * Keeps the touching pairs from frame to frame, in the order in which their touches began. A table finds a touch by the agents' ids, as in
+     * IdTable. Objects of ended touches are used again, so a frame allocates nothing unless more agents touch than before. The memory is in
+     * proportion to the number of touching pairs.
      *
      * @private
      */
@@ -19,20 +19,20 @@ package starlogo.handlers
         /** The number of the frame, which the caller advances. */
         public var frame:int = 0;
 
-        /** How many pairs touch. */
+        /** The number of touching pairs. */
         public var count:int = 0;
 
         /** The touches that ended in this frame, in the order in which they began. */
         public var ended:Vector.<Touch> = new Vector.<Touch>();
 
-        /** How many entries of <code>ended</code> count, from its beginning. */
+        /** The number of entries of <code>ended</code> that count. The others are left over from earlier frames. */
         public var endedCount:int = 0;
 
-        // The touches, and after them objects to be used again.
+        // The touches, followed by objects for later touches.
         private var _pairs:Vector.<Touch> = new Vector.<Touch>();
         private var _table:Vector.<Touch> = new Vector.<Touch>(LEAST_LENGTH);
 
-        /** No agents touch. */
+        /** Creates a tracker without touches. */
         public function TouchTracker()
         {
         }
@@ -40,7 +40,7 @@ package starlogo.handlers
         /**
          * Continues the touch of two agents.
          *
-         * @return null if there is none. A touch of other breeds counts as ended, and so does one whose handlers were called for the first agent only
+         * @return the touch, or null. If the breeds have changed, or if handlers were called for the first agent only, the touch counts as ended
          */
         public function renew(a:Agent, b:Agent):Touch
         {
@@ -53,7 +53,7 @@ package starlogo.handlers
             return pair;
         }
 
-        /** The touch of two agents, of these breeds. If there is none it begins. */
+        /** Returns the touch of two agents of these breeds. If there is none, it begins. */
         public function start(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
         {
             var slot:int = slotOf(first, second);
@@ -81,13 +81,13 @@ package starlogo.handlers
             return pair;
         }
 
-        /** A touch, of <code>count</code>, in the order in which they began. */
+        /** Returns one of <code>count</code> touches, in the order in which they began. */
         public function pairAt(index:int):Touch
         {
             return _pairs[index];
         }
 
-        /** Lets go of all pairs, without an end. */
+        /** Forgets all pairs. None of them counts as ended. */
         public function clear():void
         {
             for (var i:int = 0; i < count; i++)
@@ -128,7 +128,7 @@ package starlogo.handlers
             }
         }
 
-        /** Lets go of those that have ended. */
+        /** Forgets the ended touches. */
         public function forgetEnded():void
         {
             for (var i:int = 0; i < endedCount; i++)
@@ -143,7 +143,7 @@ package starlogo.handlers
             }
         }
 
-        // Makes the table of this length, a power of two, and enters all pairs anew.
+        // Makes a table of this length, a power of two, and enters all pairs again.
         private function fill(length:int):void
         {
             if (_table.length != length)
@@ -160,7 +160,7 @@ package starlogo.handlers
             }
         }
 
-        // Where a pair is in the table, in either order, or the free slot where it belongs.
+        // The slot of a pair in the table, in either order of its agents, or the free slot where it belongs.
         private function slotOf(a:Agent, b:Agent):int
         {
             var idA:int = a.id;

@@ -1,8 +1,8 @@
 package starlogo.handlers
 {
     /**
-     * Whether a handler that takes fewer than three arguments may look at a third: none does in ActionScript, where it would have to say so. The
-     * ES module has its own answer.
+     * Tells whether a handler with fewer than three parameters may read a third argument. In ActionScript it can't, so this is false. In
+     * JavaScript it can, and the ES module has its own version.
      *
      * @private
      */

@@ -6,17 +6,18 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Finds how far two trees of boxes are apart. What two boxes are apart at least is what their extents are along the axes of one or of the
-     * other, which takes few products; only those that end are measured. Of two nodes the larger is divided.
+     * Finds the distance of two trees of boxes. The gap between two boxes' extents, along the axes of one box or the other, is a lower
+     * bound of their distance and takes few products. Only pairs at the end of the traversal are measured exactly. The larger of two nodes
+     * is divided.
      *
      * @private
      */
     public final class BoxDistances extends DistanceTraversal
     {
-        // How much less an estimate is than the distances below, as a fraction: more than rounding and nesting come to.
+        // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
-        // The rotation times the scale, and its absolute values; the scale.
+        // The rotation times the scale, its absolute values, and the scale.
         private var _m00:Number;
         private var _m01:Number;
         private var _m02:Number;
@@ -72,8 +73,8 @@ package starlogo.hierarchy
         /**
          * @inheritDoc
          *
-         * <p>In this order: from the middle of a's box to that of b's; the gaps along a's axes; those along b's; that along the line between the closest
-         * points so far.</p>
+         * <p>The steps are: the vector from the middle of a's box to that of b's; the gaps along a's axes; the gaps along b's axes; the gap
+         * along the line between the closest points so far.</p>
          */
         override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
         {
@@ -110,7 +111,7 @@ package starlogo.hierarchy
                 squared += gap * gap;
             }
 
-            // what is left out anyway need not be measured exactly
+            // A pair that is too far away anyway need not be estimated exactly.
             var far:Number = least + pose.gap + 2 * SLACK * (least + reach);
             if (squared > far * far)
             {
@@ -118,7 +119,7 @@ package starlogo.hierarchy
                 return;
             }
 
-            // the products are larger by the scale
+            // These products contain the scale.
             var scale:Number = _scale;
             var squaredInB:Number = 0;
             gap = _m00 * x + _m10 * y + _m20 * z;
@@ -144,7 +145,7 @@ package starlogo.hierarchy
             }
             var apart:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
 
-            // along the line between the closest points so far: what is not nearer is mostly not so along that
+            // This line rules out most of the pairs that are not nearer.
             var toX:Number = directionX;
             var toY:Number = directionY;
             var toZ:Number = directionZ;

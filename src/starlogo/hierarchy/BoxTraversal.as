@@ -7,17 +7,14 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two trees of boxes overlap, or a tree and a single box: the traversal of pairs, written out for boxes.
+     * Decides whether two trees of boxes overlap, or a tree and a single box. It is the traversal of pairs, written out for boxes, because
+     * a StructureTraversal of the same trees takes more than twice as long (TraversalBenchmark).
      *
-     * <p>In the space of the first model the first's boxes are axis-aligned and the second's all turned alike: a pair of
-     * boxes takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision
-     * Detection", §4.4.1). Of two nodes that overlap the larger is divided, and the child that is nearer to the other node
-     * is looked at first. The axes of the edges are tried only where the boxes decide: higher up, what they would separate
-     * is mostly separated by the next boxes (van den Bergen, "Efficient collision detection of complex deformable models
-     * using AABB trees", 1997).</p>
-     *
-     * <p>Worth it: a StructureTraversal of the same trees takes more than twice as long in V8, 2.9 times in Ruffle, and several times in
-     * Adobe's VM (TraversalBenchmark).</p>
+     * <p>In the first model's space, its own boxes are axis-aligned, and all boxes of the second have the same rotation. So a pair of boxes
+     * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
+     * two nodes overlap, the larger one is divided, and the child nearer to the other node is visited first. The axes of the edges are
+     * tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would separate (van den Bergen,
+     * "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
      *
      * @private
      */
@@ -34,11 +31,13 @@ package starlogo.hierarchy
         /**
          * @inheritDoc
          *
-         * <p>The arithmetic of a pair, in this order: from the middle of a's box to that of b's (x, y, z); how far b's middle is outside of
-         * a, against the spheres around b and inside of it; the faces of a; the faces of b; where boxes decide, the nine pairs of edges.
-         * All of b's is scaled, and so are its rotation's entries (m00 ...) and their absolute values (abs00 ...), which are wider by a rounding
-         * error: that makes up for cross products of nearly parallel edges, which cancel. All is in locals, and nothing is called but
-         * what decides about leaves.</p>
+         * <p>The steps for a pair are: the vector from the middle of a's box to that of b's (x, y, z); the distance of b's middle from a,
+         * compared with the spheres around b and inside of it; the faces of a; the faces of b; and if the boxes decide, the nine pairs of
+         * edges.</p>
+         *
+         * <p>All of b's numbers are scaled. So are the entries of its rotation (m00 ...) and their absolute values (abs00 ...). The
+         * absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
+         * and the only call is to the test of leaves.</p>
          */
         override public function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
         {
@@ -75,7 +74,7 @@ package starlogo.hierarchy
             {
                 visits++;
 
-                // from the middle of a's box to that of b's
+                // the vector from the middle of a's box to that of b's
                 var bX:Number = b.x;
                 var bY:Number = b.y;
                 var bZ:Number = b.z;
@@ -83,7 +82,7 @@ package starlogo.hierarchy
                 var y:Number = m10 * bX + m11 * bY + m12 * bZ + moveY - a.y;
                 var z:Number = m20 * bX + m21 * bY + m22 * bZ + moveZ - a.z;
 
-                // how far b's middle is outside of a
+                // the squared distance of b's middle from a
                 var halfX:Number = a.halfX + touching;
                 var halfY:Number = a.halfY + touching;
                 var halfZ:Number = a.halfZ + touching;
@@ -158,7 +157,7 @@ package starlogo.hierarchy
                         }
                         else if (!isDeep)
                         {
-                            // the edges: a's x with b's three, its y, its z
+                            // the edges: a's x with each of b's, then a's y, then a's z
                             bX *= scale;
                             bY *= scale;
                             bZ *= scale;
@@ -198,8 +197,8 @@ package starlogo.hierarchy
                     }
                     else
                     {
-                        // the child on the side of the other node first; where b's middle is in a or close to it, a child of a most likely
-                        // overlaps b too, and both are divided at once
+                        // The child on the side of the other node comes first. If b's middle is in a or close to it, a child of a most
+                        // likely overlaps b too. So both are divided at once.
                         var axis:int;
                         var side:Number;
                         var far:HierarchyNode;

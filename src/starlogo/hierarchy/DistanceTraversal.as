@@ -13,37 +13,37 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Finds how far two trees are apart: branch and bound, depth-first, the nearer of two pairs first (Larsen, Gottschalk, Lin and Manocha, "Fast
-     * proximity queries with swept sphere volumes", 1999). Two nodes that are leaves or at their depth limit count; a pair of which all that is
-     * below is no nearer than what was found is left out.
+     * Finds the distance of two trees: branch and bound, depth-first, the nearer of two pairs first (Larsen, Gottschalk, Lin and Manocha,
+     * "Fast proximity queries with swept sphere volumes", 1999). The result is the distance of the nearest two nodes that are leaves or at
+     * their depth limit. A pair is skipped if nothing below it can be nearer than the result so far.
      *
-     * <p>Nested: a distance is never greater than that of greater depths, and of what is in the leaves, to the last bit. Nodes are a little wider
-     * than those below them (Tolerances.NESTING), which makes up for the rounding of what is near; for that of what is far their distance is taken
-     * for a little less, the less the deeper they are.</p>
+     * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the leaves'
+     * contents. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
+     * To outweigh the rounding of long ones, a measured distance is reduced a little, and less so the deeper the nodes are.</p>
      *
-     * <p>This one is for any structures: a pair is as far apart as its ancestors are, at least, as in a StructureTraversal. BoxDistances has another
-     * way for boxes.</p>
+     * <p>This class takes all structures. A pair's distance is at least its ancestors' distance, as in a StructureTraversal. BoxDistances
+     * has a faster way for boxes.</p>
      *
      * @private
      */
     public class DistanceTraversal
     {
-        /** The least distance that was found, in the space of the first model. */
+        /** The result: the smallest distance, in the first model's space. */
         public var least:Number;
 
-        /** Pairs of nodes that were visited; set to 0 from outside. */
+        /** The number of pairs of nodes visited. The caller sets it to 0. */
         public var nodeVisits:int = 0;
 
-        /** Where the second model is in the space of the first. */
+        /** The second model's pose in the first model's space. */
         protected var pose:RelativePose;
 
-        /** How far both models reach from their middles: what rounding is relative to. */
+        /** How far both models together extend from their middles. The rounding error is relative to it. */
         protected var reach:Number;
 
-        /** What all below the pair under way is apart, at least; before estimate, that of the pair above. */
+        /** A lower bound of the distances of the current pair and of all below it. Before estimate, the bound of the pair above. */
         protected var bound:Number;
 
-        /** From the first model's point to the second's of the least distance so far. */
+        /** The vector from the first model's point to the second's at the smallest distance so far. */
         protected var directionX:Number;
 
         /** @copy #directionX */
@@ -52,10 +52,11 @@ package starlogo.hierarchy
         /** @copy #directionX */
         protected var directionZ:Number;
 
-        /** How far the last pair measured is apart, or a little less. */
+        /** The distance of the pair measured last, or a little less. */
         protected var measured:Number;
 
-        // The pair that decides about the bound of the one under way: that pair, or one above; and the one that decides about the least distance.
+        // The two nodes that determine the current pair's bound: the pair itself or one above it. The two nodes that determine the smallest
+        // distance.
         private var _decidingA:HierarchyNode;
         private var _decidingB:HierarchyNode;
         private var _nearestA:HierarchyNode;
@@ -64,13 +65,13 @@ package starlogo.hierarchy
         private var _pair:NodePair;
         private var _points:ClosestPair = new ClosestPair();
 
-        // Pairs that are left, each with the one that decides about its bound.
+        // The pairs still to visit, each with the nodes that determine its bound.
         private var _count:int;
         private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _bounds:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are asked about
+         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
          */
         public function DistanceTraversal(pose:RelativePose)
         {
@@ -79,13 +80,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds the least distance (<code>least</code>) of two nodes that are leaves or at their depth limit.
+         * Finds the smallest distance of two nodes that are leaves or at their depth limit, and sets <code>least</code> to it.
          *
          * @param a the root of the first model's hierarchy
-         * @param depthA how many levels of it are visited
-         * @param b the root of the second model's
-         * @param depthB how many levels of that are visited
-         * @param leaves finds the distance of such nodes; null if that of their structures counts
+         * @param depthA how many of its levels are visited
+         * @param b the root of the second model's hierarchy
+         * @param depthB how many of its levels are visited
+         * @param leaves finds the distance of such nodes; null to take the distance of their structures
          */
         public final function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafDistance):void
         {
@@ -145,7 +146,7 @@ package starlogo.hierarchy
             }
         }
 
-        /** How far a structure reaches from its middle, or a little farther: what the rounding of distances is relative to. */
+        /** How far a structure extends from its middle, or a little more. The rounding error of distances is relative to it. */
         public static function reachOf(structure:BoundingStructure):Number
         {
             switch (structure.kind)
@@ -163,7 +164,10 @@ package starlogo.hierarchy
             }
         }
 
-        /** Writes the least distance and the closest points of the nodes that decided, in the space of the first model; not for leaves. */
+        /**
+         * Writes the smallest distance and the closest points of the nodes that determine it, in the first model's space. Not for a
+         * <code>find</code> with leaves.
+         */
         public final function writePoints(out:ClosestPair):void
         {
             _pair.begin();
@@ -172,30 +176,30 @@ package starlogo.hierarchy
             out.distance = least;
         }
 
-        /** Prepares for two models that the pose relates. */
+        /** Prepares the traversal of two models in their pose. */
         protected function begin():void
         {
         }
 
-        /** Raises the bound to what a pair is apart at least, if that is more. */
+        /** Raises the bound to a lower bound of the pair's distance, if that is greater. */
         protected function estimate(a:HierarchyNode, b:HierarchyNode):void
         {
             measure(a, b);
             raise(a, b);
         }
 
-        /** Whether of two nodes the first is divided: level by level, so that answers are nested whatever the depths. */
+        /** Whether the first of two nodes is divided. The order is level by level, so that results are nested for all depths. */
         protected function dividesFirst(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             return a.level <= b.level;
         }
 
-        /** Sets the bound of a pair that is not divided to how far it is apart. */
+        /** Sets the bound of a pair that is not divided to the pair's distance. */
         protected function settle(a:HierarchyNode, b:HierarchyNode):void
         {
         }
 
-        /** Finds how far the structures of two nodes are apart. */
+        /** Measures the distance of the structures of two nodes. */
         protected final function measure(a:HierarchyNode, b:HierarchyNode):void
         {
             _pair.place(a, b);
@@ -208,7 +212,7 @@ package starlogo.hierarchy
             }
         }
 
-        /** Raises the bound to what was measured of a pair, if that is more. */
+        /** Raises the bound to the measured distance, if that is greater. */
         protected final function raise(a:HierarchyNode, b:HierarchyNode):void
         {
             if (measured >= bound)
@@ -219,14 +223,14 @@ package starlogo.hierarchy
             }
         }
 
-        // How many levels there may be below a node, and one; that of a single structure is the last.
+        // The number of levels that a tree may have below a node, plus one. A single structure counts as the last level.
         private static function levelsBelow(node:HierarchyNode):int
         {
             var level:int = node.level;
             return level == 0 || level > Tolerances.NESTED_LEVELS ? 1 : 1 + Tolerances.NESTED_LEVELS - level;
         }
 
-        // Puts a node's children, each with the other node, on the stack: the nearer one on top.
+        // Puts a node's children, each paired with the other node, on the stack. The nearer pair is on top.
         private function divide(a:HierarchyNode, b:HierarchyNode, isFirst:Boolean):void
         {
             var aboveA:HierarchyNode = _decidingA;

@@ -5,7 +5,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The tree around a model's items with what its nodes share. For the engine; a client has its root.
+     * A model's hierarchy as the engine uses it: the root, and the data that all nodes share. Clients see the root only.
      *
      * @private
      */
@@ -14,27 +14,27 @@ package starlogo.hierarchy
         /** @private The node around the whole model. */
         engine var root:HierarchyNode;
 
-        /** @private Which structure each node has: one of BoundingStructure's constants. */
+        /** @private The kind of the nodes' structures: one of BoundingStructure's constants. */
         engine var boundsKind:int;
 
         /** @private Whether the items are triangles; otherwise they are vertices. */
         engine var hasTriangles:Boolean;
 
-        /** @private The numbers of the triangles or vertices, those of a leaf side by side. */
+        /** @private The indices of the triangles or vertices. Those of a leaf stand side by side. */
         engine var order:Vector.<int>;
 
-        /** @private The model's vertices: x, y, z each. */
+        /** @private The model's vertices: x, y, z of each. */
         engine var vertices:Vector.<Number>;
 
-        /** @private The model's triangles, three vertex indices each; null where only vertices are known. */
+        /** @private The model's triangles, three vertex indices each; null if only vertices are known. */
         engine var triangles:Vector.<uint>;
 
         /**
-         * Without nodes: a HierarchyBuilder makes them.
+         * Creates a hierarchy without nodes. A HierarchyBuilder makes them.
          *
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param triangles three vertex indices each, or null if the vertices are the items
-         * @param boundsKind which structure each node has
+         * @param boundsKind the kind of the nodes' structures
          */
         public function Hierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int)
         {
@@ -44,7 +44,7 @@ package starlogo.hierarchy
             hasTriangles = triangles != null;
         }
 
-        /** @private How many vertices some items have, each counted once. */
+        /** @private The number of vertices of some items. Each vertex is counted once. */
         engine function countVertices(first:int, end:int):int
         {
             if (!hasTriangles)

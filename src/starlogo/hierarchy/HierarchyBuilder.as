@@ -10,15 +10,16 @@ package starlogo.hierarchy
     /**
      * Builds a hierarchy from the root down (thesis §4.4).
      *
-     * <p>What is divided are items: triangles, or vertices where there are none. See NodeDivider for how.</p>
+     * <p>It divides items: triangles, or vertices if there are no triangles. NodeDivider says how.</p>
      *
-     * <p>The work is done in steps, a millisecond or two each for thousands of items. They throw an ArgumentError if a coordinate is larger than 1e100.</p>
+     * <p>It works in steps, each of one or two milliseconds for thousands of items. The steps throw an ArgumentError if a coordinate is
+     * larger than 1e100.</p>
      *
      * @private
      */
     public final class HierarchyBuilder extends StepSequence
     {
-        // About how much a step does, and how many items take as long as making a node.
+        // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
         private static const ITEMS_PER_NODE:int = 10;
 
@@ -35,8 +36,8 @@ package starlogo.hierarchy
         private var _next:int = 0;
 
         /**
-         * @param hierarchy gets the nodes, and the order of its items
-         * @param minVerticesToSplit a node of no more vertices is a leaf
+         * @param hierarchy receives the nodes, and the order of its items
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean
          */
@@ -49,13 +50,16 @@ package starlogo.hierarchy
             call(beginItems);
         }
 
-        /** Makes a stored tree's nodes again, if it divides these items, and divides them anew only if not. To be called before the first step. */
+        /**
+         * Makes a stored tree's nodes again if that tree divides these items. Otherwise the items are divided as usual. Must be called
+         * before the first step.
+         */
         public function useStored(tree:StoredTree):void
         {
             _tree = tree;
         }
 
-        /** Whether the nodes are those of a stored tree. */
+        /** Whether the nodes come from a stored tree. */
         public function get isStored():Boolean
         {
             return _tree != null;
@@ -135,7 +139,7 @@ package starlogo.hierarchy
             return _next < _nodes.length;
         }
 
-        // From the last node up: children come after their parents.
+        // Goes from the last node to the first, because children come after their parents.
         private function coverSome():Boolean
         {
             var last:int = Math.max(0, _next - ITEMS_PER_STEP / ITEMS_PER_NODE);

@@ -8,58 +8,64 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * A node of a model's hierarchy: a structure around a part of the model, and the two nodes that share that part
-     * between them (thesis §4.3).
+     * A node of a model's hierarchy: a structure around a part of the model, and two child nodes that divide this part between them (thesis
+     * §4.3).
      *
-     * <p>A part is made of whole triangles where the model has them, otherwise of vertices. The structure of a node
-     * encloses the node's own part, not those of its children: a child's sphere or capsule may reach out of its
-     * parent's. All is in the model's space.</p>
+     * <p>A part consists of whole triangles, or of vertices if the model has no triangles. A node's structure encloses the node's own part,
+     * but not its children's structures: a child's sphere or capsule may extend beyond its parent's. All coordinates are in the model's
+     * space.</p>
      *
-     * <p>For exact tests the tree goes on below the thesis's leaves, down to a few triangles. For a client it ends with those leaves,
-     * and so does a visit with any depth limit.</p>
+     * <p>The engine's tree goes on below the leaves that clients see, down to a few triangles, for exact tests. No visit with a depth limit
+     * reaches these nodes.</p>
      */
     public final class HierarchyNode
     {
-        /** @private The largest depth limit: a visit with it ends at the thesis's leaves, and one without a limit, int.MAX_VALUE, goes on below. */
+        /**
+         * @private The largest depth limit. A visit with it ends at the thesis's leaves. A visit with int.MAX_VALUE has no limit and goes
+         *     on below them.
+         */
         engine static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
 
-        /** @private The child on the low side of the split, or null: below the thesis's leaves too. */
+        /** @private The child on the low side of the split, or null. Set below the thesis's leaves too. */
         engine var low:HierarchyNode;
 
-        /** @private The child on the high side of the split, or null: as low. */
+        /** @private The child on the high side of the split, or null. Set below the thesis's leaves too. */
         engine var high:HierarchyNode;
 
-        /** @private The hierarchy that the node is of. */
+        /** @private The hierarchy to which the node belongs. */
         engine var hierarchy:Hierarchy;
 
-        /** @private The number of levels down to this one, the root's being 1; 0 for a node that represents a single structure. */
+        /** @private The number of levels down to this one. The root has 1. A node that stands for a single structure has 0. */
         engine var level:int = 0;
 
-        /** @private The largest depth limit at which a visit ends here: its level, or for a leaf of the thesis's LARGEST_DEPTH, or for one without children any. */
+        /**
+         * @private The largest depth limit at which a visit ends here: the node's level. For a leaf of the thesis it is LARGEST_DEPTH. For
+         *     a node without children it is int.MAX_VALUE.
+         */
         engine var cutoffLevel:int = int.MAX_VALUE;
 
-        /** @private The node's items are those from first up to, and not including, end in the hierarchy's order. */
+        /** @private The index of the node's first item in the hierarchy's order. */
         engine var first:int;
 
-        /** @private As first. */
+        /** @private The index after the node's last item in the hierarchy's order. */
         engine var end:int;
 
-        /** @private The middle of the axis-aligned box. */
+        /** @private The x of the axis-aligned box's middle. */
         engine var x:Number;
 
-        /** @private As x. */
+        /** @private The y of the middle. */
         engine var y:Number;
 
-        /** @private As x. */
+        /** @private The z of the middle. */
         engine var z:Number;
 
-        /** @private Half the extents of the box. */
+        /** @private Half of the box's extent along x. */
         engine var halfX:Number;
 
-        /** @private As halfX. */
+        /** @private Half of the extent along y. */
         engine var halfY:Number;
 
-        /** @private As halfX. */
+        /** @private Half of the extent along z. */
         engine var halfZ:Number;
 
         /** @private The radius of the sphere around the box. */
@@ -68,18 +74,21 @@ package starlogo.hierarchy
         /** @private The radius of the largest sphere inside of the box, about its middle. */
         engine var innerRadius:Number;
 
-        /** @private The axis that the node is split along: 0, 1 or 2. */
+        /** @private The axis along which the node is split: 0, 1 or 2. */
         engine var splitAxis:int = 0;
 
-        /** @private The sphere or capsule; null where the box is the node's structure, until it is asked for. */
+        /** @private The sphere or capsule. If the node's structure is the box, null until <code>bounds</code> is read. */
         engine var structure:BoundingStructure;
 
-        /** @private The structure made thick enough for those of all the node's descendants; null where its own is: for a box and a leaf. */
+        /**
+         * @private The node's structure, enlarged to enclose the structures of all its descendants. Null for a box and for a leaf, because
+         *     their own structure does.
+         */
         engine var cover:BoundingStructure = null;
 
         private var _vertexCount:int = 0;
 
-        /** Made by the HierarchiesLibrary. */
+        /** Not for clients: the HierarchiesLibrary makes the nodes. */
         public function HierarchyNode()
         {
         }
@@ -103,8 +112,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * How many vertices are under the node: those of its triangles, each once, where the model has triangles. The
-         * counts of two children then add up to more than their parent's where they share vertices.
+         * The number of vertices under the node. If the model has triangles, these are the vertices of the node's triangles, each counted
+         * once. Then the counts of two children add up to more than their parent's if they share vertices.
          */
         public function get vertexCount():int
         {
@@ -116,9 +125,9 @@ package starlogo.hierarchy
         }
 
         /**
-         * The structure around the node's part: an axis-aligned box, or what the library's boundsKind was when the model
-         * was added. It is a little wider than the part (Tolerances.SURFACES and NESTING). The node's own: clone it before
-         * changing it.
+         * The structure around the node's part: an axis-aligned box, or the structure that the library's boundsKind named when the model
+         * was added. It is slightly larger than the part (Tolerances.SURFACES and NESTING). The object belongs to the node, so clone it
+         * before changing it.
          */
         public function get bounds():BoundingStructure
         {
@@ -130,16 +139,16 @@ package starlogo.hierarchy
             return structure;
         }
 
-        /** How many triangles are under the node; 0 where only vertices are known. */
+        /** The number of triangles under the node; 0 if only vertices are known. */
         public function get triangleCount():int
         {
             return hierarchy.hasTriangles ? end - first : 0;
         }
 
         /**
-         * The numbers of the triangles under the node, the smallest first; the model's first triangle is 0.
+         * The indices of the triangles under the node, in ascending order. The model's first triangle is 0.
          *
-         * @param out overwritten; made if null
+         * @param out overwritten; created if null
          * @return out
          */
         public function triangleIndices(out:Vector.<int> = null):Vector.<int>
@@ -148,10 +157,10 @@ package starlogo.hierarchy
         }
 
         /**
-         * The numbers of the vertices under the node, the smallest first, where only vertices are known; the model's first vertex is 0.
-         * With triangles, none: the triangles name the vertices.
+         * The indices of the vertices under the node, in ascending order, if only vertices are known. The model's first vertex is 0. Empty
+         * if the model has triangles, because these name their vertices.
          *
-         * @param out overwritten; made if null
+         * @param out overwritten; created if null
          * @return out
          */
         public function vertexIndices(out:Vector.<int> = null):Vector.<int>
@@ -159,7 +168,7 @@ package starlogo.hierarchy
             return writeItems(!hierarchy.hasTriangles, out);
         }
 
-        /** @private Sets the box's size, and the radii that follow from it. */
+        /** @private Sets the half-extents of the box, and the two radii. */
         engine function setHalfExtents(halfX:Number, halfY:Number, halfZ:Number):void
         {
             this.halfX = halfX;
@@ -170,7 +179,7 @@ package starlogo.hierarchy
             innerRadius = halfZ < innerRadius ? halfZ : innerRadius;
         }
 
-        /** Makes an axis-aligned box that of the node; returns it. */
+        /** Sets an axis-aligned box to the node's box, and returns it. */
         internal function writeBox(box:Box):Box
         {
             var center:Vector3D = box.center;

@@ -7,8 +7,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Divides the leaves of a hierarchy of triangles further, for tests of triangles and rays: in steps, down to a few triangles. A hierarchy that
-     * was read with all its nodes stays as it is.
+     * Divides the leaves of a hierarchy of triangles further, down to a few triangles each, for tests of triangles and rays. It works in
+     * steps. A hierarchy that was read with all its nodes stays as it is.
      *
      * @private
      */
@@ -21,7 +21,7 @@ package starlogo.hierarchy
         private var _items:Items;
 
         /**
-         * @param hierarchy of triangles, built; the leaves get children, and their triangles another order
+         * @param hierarchy a finished hierarchy of triangles; its leaves receive children, and the triangles a new order
          */
         public function HierarchyRefiner(hierarchy:Hierarchy)
         {

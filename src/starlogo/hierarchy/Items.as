@@ -1,29 +1,29 @@
 package starlogo.hierarchy
 {
     /**
-     * What a hierarchy is made of, triangles or vertices: their extents, and the order in which those of a node are side by
-     * side. Divides the items of a node in two.
+     * The items of a hierarchy: its triangles or its vertices. Keeps their extents, and an order in which the items of each node stand side
+     * by side. Divides the items of a node in two.
      *
      * @private
      */
     public final class Items
     {
-        /** The numbers of the items. */
+        /** The indices of the items. */
         public var order:Vector.<int>;
 
-        /** How many there are. */
+        /** The number of items. */
         public var count:int;
 
-        /** The extents of all, when they are measured: minX, minY, minZ, maxX, maxY, maxZ. */
+        /** The extents of all items after <code>measure()</code>: minX, minY, minZ, maxX, maxY, maxZ. */
         public var extents:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
 
-        /** Where those begin that the last division put last, when it is done. */
+        /** After a division, the index in the order at which the second group begins. */
         public var middle:int;
 
-        /** The extents of those that the last division put first. */
+        /** The extents of the first group of the last division. */
         public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        /** The same of those that it put last. */
+        /** The extents of the second group of the last division. */
         public var rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** The axis of the last division: 0, 1 or 2. */
@@ -32,21 +32,22 @@ package starlogo.hierarchy
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // An item's least coordinates are at item * _stride, the largest _high further on.
+        // An item's smallest coordinates are at item * _stride. Its largest ones are _high further on.
         private var _extents:Vector.<Number>;
         private var _stride:int;
         private var _high:int;
         private var _isOrdered:Boolean;
 
-        // the division under way: the last item that is not looked at; the first is the middle, or if that waits to be put last, the next
+        // The current division. The last item not looked at yet is at _last. The first one is at middle + _waiting, because the item at the
+        // middle may wait to be put last.
         private var _last:int;
         private var _waiting:int;
         private var _split:Number;
 
         /**
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param triangles three vertex indices each, or null if the vertices are the items
-         * @param order the order that they are in; null for that of their numbers
+         * @param order an order that the items already have; null for the order of their indices
          */
         public function Items(vertices:Vector.<Number>, triangles:Vector.<uint>, order:Vector.<int> = null)
         {
@@ -59,7 +60,7 @@ package starlogo.hierarchy
             _high = triangles == null ? 0 : 3;
         }
 
-        /** Measures some items and puts them into the order; to be done for all before anything else. */
+        /** Measures a range of items and puts them into the order. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
             if (_extents == null)
@@ -80,7 +81,7 @@ package starlogo.hierarchy
             extend(first * _stride, end * _stride);
         }
 
-        /** The corners of some items, x, y, z each. */
+        /** The corners of a range of items, x, y, z of each. */
         public function cornersOf(first:int, end:int):Vector.<Number>
         {
             var points:Vector.<Number> = new Vector.<Number>();
@@ -99,7 +100,9 @@ package starlogo.hierarchy
             return points;
         }
 
-        /** A number and, one after the other, some items' least and largest coordinates along an axis. */
+        /**
+         * Adds to a number, one after the other, the smallest and largest coordinates of a range of items along an axis. Returns the sum.
+         */
         public function sumOf(sum:Number, first:int, end:int, axis:int):Number
         {
             var high:int = axis + _high;
@@ -112,11 +115,11 @@ package starlogo.hierarchy
         }
 
         /**
-         * Begins to put the items whose centre is below a splitting point before the others. The extents of both groups are computed at the same
-         * time, so that an item is read once for each level.
+         * Begins a division: the items whose centre is below a splitting point move before the others. The extents of both groups are
+         * computed at the same time, so that an item is read once for each level.
          *
-         * @param first the first item in the order
-         * @param end the one after the last
+         * @param first index of the first item in the order
+         * @param end index after the last item
          * @param axis 0, 1 or 2
          * @param split twice the coordinate of the splitting point
          */
@@ -132,11 +135,11 @@ package starlogo.hierarchy
         }
 
         /**
-         * Begins a division halfway along the axis on which the centres of some items spread most.
+         * Begins a division at the midpoint of the axis along which the centres of some items are spread most.
          *
-         * @param first the first item in the order
-         * @param end the one after the last
-         * @return whether there is one; not if all centres are in one place
+         * @param first index of the first item in the order
+         * @param end index after the last item
+         * @return false if all centres are in one place, because then no division is possible
          */
         public function beginWhereCentresSpread(first:int, end:int):Boolean
         {
@@ -145,7 +148,7 @@ package starlogo.hierarchy
             var split:Number = 0;
             for (var along:int = 0; along < 3; along++)
             {
-                // doubled
+                // twice the smallest and the largest centre
                 var least:Number = Infinity;
                 var largest:Number = -Infinity;
                 for (var i:int = first; i < end; i++)
@@ -167,12 +170,12 @@ package starlogo.hierarchy
         }
 
         /**
-         * Goes on with the division. For each item, in this order: its extents, the side of the splitting point that its centre is on, its
-         * place, and the extents of those on that side, which are in locals meanwhile. The first that belongs last waits for the last that belongs
-         * first, and the two change places: what is divided already stays as it is.
+         * Continues the division. The steps for an item are: its extents, the side of the splitting point on which its centre is, its
+         * place, and the extents of its group, which are kept in locals. The first item on the wrong side waits until the last item on the
+         * wrong side is found. Then the two change places. So items that are divided already keep their places.
          *
-         * @param most how many items to look at
-         * @return whether there are more
+         * @param most the largest number of items to look at
+         * @return whether there are more items
          */
         public function divideSome(most:int):Boolean
         {
@@ -252,11 +255,11 @@ package starlogo.hierarchy
         /**
          * Writes a triangle's extents: minX, minY, minZ, maxX, maxY, maxZ.
          *
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param triangles three vertex indices each
-         * @param corner where those of the triangle begin
-         * @param out takes the extents
-         * @param at from here on
+         * @param corner index of the triangle's first one
+         * @param out receives the extents
+         * @param at index in out at which they begin
          */
         public static function writeExtents(vertices:Vector.<Number>, triangles:Vector.<uint>, corner:int, out:Vector.<Number>, at:int):void
         {
@@ -275,7 +278,7 @@ package starlogo.hierarchy
             }
         }
 
-        // From one place in the items' extents up to another.
+        // Extends the extents by a range of the items' extents.
         private function extend(from:int, to:int):void
         {
             for (var along:int = 0; along < 3; along++)

@@ -1,16 +1,16 @@
 package starlogo.hierarchy
 {
     /**
-     * Finds how far the contents of leaves are apart. Abstract: a room below this one knows what they are.
+     * Finds the distance of the contents of leaves. Abstract: a lower package defines the contents.
      *
      * @private
      */
     public class LeafDistance
     {
-        /** The least distance of the pairs of leaves that were added, in the space of the first model. */
+        /** The smallest distance of the pairs of leaves added, in the first model's space. */
         public var least:Number = Infinity;
 
-        /** From the first model's point to the second's of the least distance. */
+        /** The vector from the first model's point to the second's at the smallest distance. */
         public var x:Number = 0;
 
         /** @copy #x */
@@ -24,7 +24,7 @@ package starlogo.hierarchy
         {
         }
 
-        /** Adds a leaf of the first model and one of the second. */
+        /** Adds a leaf of the first model and a leaf of the second. */
         public function add(a:HierarchyNode, b:HierarchyNode):void
         {
         }

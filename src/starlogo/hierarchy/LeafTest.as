@@ -3,17 +3,17 @@ package starlogo.hierarchy
     import starlogo.intersection.contact.ContactPoint;
 
     /**
-     * Decides whether two leaves touch by what is in them, once the structures around them do. Abstract: a room below this one knows what that
-     * is.
+     * Decides whether two leaves touch by their contents. It is asked only if the leaves' structures touch. Abstract: a lower package
+     * defines the contents.
      *
      * @private
      */
     public class LeafTest
     {
-        /** Of models that move, before the test: the latest time that is of interest; after it: when the leaves touch. From 0 to 1. */
+        /** For moving models. Before the test: the latest time to look at. After it: when the leaves touch. From 0 to 1. */
         public var time:Number = 0;
 
-        /** A test without triangles: leaves touch if their structures do. */
+        /** Creates a test without contents: leaves touch if their structures touch. */
         public function LeafTest()
         {
         }
@@ -27,9 +27,7 @@ package starlogo.hierarchy
         {
         }
 
-        /**
-         * Whether a leaf of the first model touches one of the second; of models that move, whether they do by that time.
-         */
+        /** Whether a leaf of the first model touches a leaf of the second. For moving models, whether they touch by <code>time</code>. */
         public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             return true;

@@ -6,26 +6,27 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Divides a node's items between two others, and those of these in turn, in steps (thesis §4.4).
+     * Divides a node's items between two new nodes, and their items in turn, in steps (thesis §4.4).
      *
-     * <p>An item goes to the side of the split that the centre of its extents is on. The thesis's splitting point, halfway along the
-     * longest axis of the box or at the mean, may leave all triangles on one side; then it is halfway along the axis on which their
-     * centres spread most. A node whose items all have the same centre is a leaf; below the thesis's leaves it is divided by number.</p>
+     * <p>An item goes to the side of the split on which the centre of its extents is. The thesis splits halfway along the box's longest
+     * axis, or at the mean. If that leaves all triangles on one side, the split is halfway along the axis on which their centres are spread
+     * most. A node is a leaf if all its items have the same centre. Below the thesis's leaves such a node is divided by the number of its
+     * items.</p>
      *
-     * <p>On minVerticesToSplit the thesis says two things: in §4.4 it is the number of vertices up to which a node is not split
-     * any further, in §4.8 the smallest number that is split. They differ for a node of just as many; here it is a leaf, as in
-     * §4.4, which describes the algorithm, while §4.8 lists its parameters.</p>
+     * <p>The thesis defines minVerticesToSplit in two ways: in §4.4 as the number of vertices up to which a node is not split, in §4.8 as
+     * the smallest number that is split. A node with exactly that many vertices is a leaf here, as in §4.4, because §4.4 describes the
+     * algorithm and §4.8 only lists its parameters.</p>
      */
     internal final class NodeDivider implements Steps
     {
-        // About how much a step does, and how many items take as long as making a node.
+        // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
         private static const ITEMS_PER_NODE:int = 10;
 
-        /** The nodes that were looked at, parents before their children. */
+        /** All nodes visited, parents before their children. */
         public var nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
 
-        /** A node of no more vertices is a leaf. */
+        /** A node with at most this many vertices is a leaf. */
         public var minVerticesToSplit:int = 1;
 
         /** A node on this level is a leaf. */
@@ -34,26 +35,30 @@ package starlogo.hierarchy
         /** Whether to split at the mean. */
         public var splitByMean:Boolean = false;
 
-        /** In place of all these, if it is not 0: a node of no more items is a leaf, and what is divided is below the thesis's leaves. */
+        /**
+         * If not 0, it replaces the three fields above: a node with at most this many items is a leaf, and the nodes are below the thesis's
+         * leaves.
+         */
         public var leafSize:int = 0;
 
         private var _items:Items;
         private var _maker:NodeMaker;
 
-        // Those that are to be looked at yet, the next one last; whether that is being divided, and no longer along its longest axis.
+        // The nodes still to visit, the next one last. Whether the next one is being divided, and whether along the axis of the largest
+        // spread.
         private var _waiting:Vector.<HierarchyNode>;
         private var _isDividing:Boolean = false;
         private var _isBySpread:Boolean;
 
-        // What its items' coordinates add up to so far, and the item that comes next.
+        // The sum of the items' coordinates so far, and the next item.
         private var _axis:int;
         private var _isAveraging:Boolean;
         private var _sum:Number;
         private var _next:int;
 
         /**
-         * @param root the node to begin with; children that it has stay
-         * @param items what is divided
+         * @param root the node to begin with; it keeps children that it has
+         * @param items the items to divide
          * @param maker makes the nodes
          */
         public function NodeDivider(root:HierarchyNode, items:Items, maker:NodeMaker)
@@ -112,7 +117,7 @@ package starlogo.hierarchy
             {
                 return count > few;
             }
-            // so many different triangles have more vertices in any case
+            // n vertices make at most n (n - 1) (n - 2) / 6 different triangles, so a node with more triangles has more vertices.
             return count > few * (few - 1) * (few - 2) / 6 || node.vertexCount > few;
         }
 
@@ -131,7 +136,7 @@ package starlogo.hierarchy
             _items.beginDivision(node.first, node.end, _axis, 2 * centre);
         }
 
-        // Goes on with a node; returns whether there is more to do.
+        // Continues with a node. Returns whether more remains to do.
         private function advance(node:HierarchyNode):Boolean
         {
             if (_isAveraging)

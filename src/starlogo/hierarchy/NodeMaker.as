@@ -7,7 +7,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Makes the nodes of a hierarchy: boxes around the extents of their parts, a little wider.
+     * Makes the nodes of a hierarchy. Their boxes are slightly larger than the extents of their parts.
      *
      * @private
      */
@@ -17,14 +17,14 @@ package starlogo.hierarchy
         private var _radius:Number = 0;
 
         /**
-         * @param hierarchy what the nodes are of
+         * @param hierarchy the hierarchy to which the nodes belong
          * @param extents of the whole model: minX, minY, minZ, maxX, maxY, maxZ
          * @throws ArgumentError if a coordinate is larger than 1e100
          */
         public function NodeMaker(hierarchy:Hierarchy, extents:Vector.<Number>)
         {
             _hierarchy = hierarchy;
-            // how far the model reaches, wherever its origin is: rounding goes with that
+            // How far the model extends from its origin. The rounding error is relative to it.
             for (var i:int = 0; i < 6; i++)
             {
                 _radius = Math.max(_radius, Math.abs(extents[i]));
@@ -34,8 +34,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * How much wider than its part a box is: what touches the surface touches the boxes, and boxes are inside of their
-         * parents' in spite of rounding.
+         * How much larger than its part a box is. With this margin, everything that touches the surface touches the boxes. Boxes are inside
+         * of their parents' boxes in spite of rounding.
          */
         public function marginOf(level:int):Number
         {
@@ -43,13 +43,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * A leaf, unless it is divided.
+         * Makes a leaf. <code>divide()</code> can give it children.
          *
-         * @param level the root's is 1
-         * @param first its first item in the hierarchy's order
-         * @param end the one behind its last
-         * @param extents has those of its part: minX, minY, minZ, maxX, maxY, maxZ
-         * @param at where they begin
+         * @param level the root's level is 1
+         * @param first index of its first item in the hierarchy's order
+         * @param end index after its last item
+         * @param extents contains the extents of its part: minX, minY, minZ, maxX, maxY, maxZ
+         * @param at index at which they begin
          */
         public function make(level:int, first:int, end:int, extents:Vector.<Number>, at:int = 0):HierarchyNode
         {
@@ -73,10 +73,10 @@ package starlogo.hierarchy
         }
 
         /**
-         * Divides a node between two others.
+         * Gives a node two children.
          *
-         * @param node has no children yet
-         * @param axis along which it is split
+         * @param node must not have children yet
+         * @param axis the axis along which it is split
          * @param low the child on the low side
          * @param high the child on the high side
          * @param cutoffLevel the largest depth limit at which a visit ends at the node

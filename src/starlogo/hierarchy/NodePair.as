@@ -10,39 +10,40 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The structures of two nodes, each of another tree, in the space of the first: those that the nodes have, or where one is below the last
-     * level of the other tree, a cover of all its descendants for the other.
+     * The structures of two nodes of two trees, in the first model's space. They are mostly the nodes' own structures. But one node may be
+     * on a deeper level than the other tree is visited to. Then the other node's cover is taken, which encloses all its descendants.
      */
     internal final class NodePair
     {
-        /** The first node's. */
+        /** The first node's structure. */
         public var a:BoundingStructure;
 
-        /** The second node's, moved to where it is, and wider by the gap across which shapes touch. */
+        /** The second node's structure, moved into the first model's space and enlarged by the gap across which shapes touch. */
         public var b:BoundingStructure;
 
         private var _pose:RelativePose;
 
-        // Which structure of the second model was placed last: numbers, because an object in a field costs Adobe's VM a write barrier.
+        // Which structure of the second model was placed last. These are numbers, because an object in a field costs Adobe's VM a write
+        // barrier.
         private var _levelB:int;
         private var _firstB:int;
         private var _isCoverB:Boolean;
 
-        // By kind: the same in the space of the first.
+        // One object for each kind, for the second node's structure in the first model's space.
         private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0), newBox()];
         private var _boxA:Box = newBox();
         private var _boxB:Box = newBox();
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are asked about
+         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
          */
         public function NodePair(pose:RelativePose)
         {
             _pose = pose;
         }
 
-        /** Forgets what was placed: the pose has changed. */
+        /** Forgets the structure placed last, because the pose has changed. */
         public function begin():void
         {
             _levelB = -1;

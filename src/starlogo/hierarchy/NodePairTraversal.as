@@ -6,26 +6,31 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The traversal of pairs of nodes of two trees, depth-first (thesis §4.6): where two nodes touch, the children of one of them are looked
-     * at, until two that are leaves or at their depth limit touch. A subclass decides about a pair.
+     * Decides whether two trees touch: the depth-first traversal of pairs of nodes (thesis §4.6). If two nodes touch, the children of one
+     * of them are visited. The search ends when it finds two touching nodes that are leaves or at their depth limit. A subclass tests a
+     * pair.
      *
-     * <p>For models that move a pair has an interval of time in which its nodes may touch, and what is looked for is the first moment at which two
-     * nodes that decide touch: a pair whose interval begins after the earliest moment found so far is left out. For models that stand still all
-     * happens at time 0, and the first two end the search.</p>
+     * <p>For moving models a pair has an interval of time in which its nodes may touch. The search looks for the first moment at which two
+     * deciding nodes touch. It skips a pair if its interval begins after the earliest moment found so far. For standing models everything
+     * happens at time 0, and the first two deciding nodes end the search.</p>
      *
-     * <p>Times are fields, not arguments or results: passed between functions, JavaScript's machines put each into an object of its own.</p>
+     * <p>Times are fields and not arguments or results, because JavaScript engines allocate an object for each Number that functions
+     * pass.</p>
      *
      * @private
      */
     public class NodePairTraversal
     {
-        /** What comes next of a pair: nothing, because its nodes do not touch. */
+        /** Result of <code>visit()</code>: the nodes do not touch. */
         protected static const APART:int = -1;
 
-        /** Its nodes touch and are not divided any further. */
+        /** Result of <code>visit()</code>: the nodes touch and are not divided any further. */
         protected static const TOUCHING:int = 0;
 
-        /** The pair with this child of one of the nodes, and the one with the other child later. */
+        /**
+         * Result of <code>visit()</code>: next comes the pair with this child of one of the nodes. The pair with the other child comes
+         * later.
+         */
         protected static const LEFT_OF_A:int = 1;
 
         /** @copy #LEFT_OF_A */
@@ -37,46 +42,46 @@ package starlogo.hierarchy
         /** @copy #LEFT_OF_A */
         protected static const RIGHT_OF_B:int = 4;
 
-        /** Pairs of nodes that were visited; set to 0 from outside. */
+        /** The number of pairs of nodes visited. The caller sets it to 0. */
         public var nodeVisits:int = 0;
 
-        /** Whether the roots overlapped of two trees that do not. */
+        /** Whether the roots overlapped although the trees do not. */
         public var rootsOverlapped:Boolean;
 
-        /** When the trees touched that were asked about last, from 0 to 1; or RelativeMotion.NEVER. */
+        /** When the trees of the last <code>find()</code> touch, from 0 to 1, or RelativeMotion.NEVER. */
         public var time:Number;
 
-        /** The nodes that touched first, of models that move; arbitrary where the trees do not touch. */
+        /** For moving models, the nodes that touch first. Undefined if the trees do not touch. */
         public var firstA:HierarchyNode = null;
 
         /** @copy #firstA */
         public var firstB:HierarchyNode = null;
 
-        /** Where the second model is in the space of the first. */
+        /** The second model's pose in the first model's space. */
         protected var pose:RelativePose;
 
-        /** Whether it moves from there. */
+        /** Whether the second model moves from there. */
         protected var isSwept:Boolean;
 
-        /** When the nodes of the pair under way may touch for the first time. */
+        /** The first time at which the nodes of the current pair may touch. */
         protected var from:Number;
 
-        /** When they may for the last time. */
+        /** The last time at which they may touch. */
         protected var to:Number;
 
-        /** When the pair may with the child of a divided node that is visited later. */
+        /** The first time at which the pair with the child that is visited later may touch. */
         protected var otherFrom:Number = 0;
 
-        /** Whether a LeafTest decides about nodes that touch and are not divided. */
+        /** Whether a LeafTest decides about touching nodes that are not divided. */
         protected var isByLeaves:Boolean;
 
-        // The pairs that are left, and their intervals.
+        // The pairs still to visit, and their intervals.
         private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _times:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * @param pose where the second model is in the space of the first at time 0, whenever two are asked about
-         * @param isSwept whether the second moves from there
+         * @param pose the second model's pose in the first model's space at time 0; kept, and read for each pair of models
+         * @param isSwept whether the second model moves from there
          */
         public function NodePairTraversal(pose:RelativePose, isSwept:Boolean)
         {
@@ -85,13 +90,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * Whether two nodes that are leaves or at their depth limit touch, and when.
+         * Whether two trees touch, and when: sets <code>time</code>. The nodes that decide are leaves or at their depth limit.
          *
          * @param a the root of the first model's hierarchy
-         * @param depthA how many levels of it are visited
-         * @param b the root of the second model's
-         * @param depthB how many levels of that are visited
-         * @param leaves decides about such nodes that touch; null if touching is enough
+         * @param depthA how many of its levels are visited
+         * @param b the root of the second model's hierarchy
+         * @param depthB how many of its levels are visited
+         * @param leaves decides about such nodes if they touch; null if touching is enough
          */
         public function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
         {
@@ -178,15 +183,15 @@ package starlogo.hierarchy
             return false;
         }
 
-        /** Prepares for two roots, and finds out when they may touch. */
+        /** Prepares the traversal of two trees, and finds when their roots may touch. */
         protected function beginRoots(a:HierarchyNode, b:HierarchyNode):void
         {
         }
 
         /**
-         * Visits two nodes, of which some are not divided any further: finds out whether they touch between <code>from</code> and
-         * <code>to</code>, before <code>time</code>, and what comes next. Sets <code>from</code> to when that may touch, and for a pair that
-         * is divided <code>otherFrom</code> and <code>to</code> likewise.
+         * Visits two nodes. aEnds and bEnds say which of them is not divided any further. Finds whether they touch between
+         * <code>from</code> and <code>to</code> and before <code>time</code>, and what comes next. Sets <code>from</code> to the first
+         * moment at which the next pair may touch. For a pair that is divided, it also sets <code>otherFrom</code> and <code>to</code>.
          */
         protected function visit(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):int
         {

@@ -9,8 +9,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Puts spheres or capsules around the nodes of a hierarchy, in place of their boxes (thesis §7.7), and covers around each
-     * with all its descendants.
+     * Gives the nodes of a hierarchy spheres or capsules in place of boxes (thesis §7.7). Also gives each node a cover: a structure that
+     * encloses the structures of all its descendants.
      */
     internal final class NodeStructures
     {
@@ -20,8 +20,8 @@ package starlogo.hierarchy
 
         /**
          * @param kind BoundingStructure.SPHERE or CAPSULE
-         * @param items what the nodes are around
-         * @param margin how much wider than its part a structure is
+         * @param items the items of the nodes
+         * @param margin how much larger than its part a structure is
          */
         public function NodeStructures(kind:int, items:Items, margin:Number)
         {
@@ -44,7 +44,7 @@ package starlogo.hierarchy
             }
         }
 
-        /** Gives a node with children its cover, which is its structure made thicker; the children have theirs. */
+        /** Gives a node with children its cover: its structure, enlarged. The children must have their covers already. */
         public function cover(node:HierarchyNode):void
         {
             if (_kind == BoundingStructure.SPHERE)
@@ -61,7 +61,7 @@ package starlogo.hierarchy
             node.cover = capsule;
         }
 
-        // How far a child's cover is at most from a segment: a segment is farthest at one of its ends.
+        // The largest distance of a point of a child's cover from a segment. It is found at the ends of the cover's own segment.
         private function reachOf(child:HierarchyNode, start:Vector3D, end:Vector3D):Number
         {
             var structure:BoundingStructure = child.cover == null ? child.structure : child.cover;
@@ -96,7 +96,8 @@ package starlogo.hierarchy
             return new Sphere(new Vector3D(node.x, node.y, node.z), Math.sqrt(largest) + _margin);
         }
 
-        // Along the box's longest axis: as thick as the vertex farthest from that axis, and as long as the others need.
+        // The capsule is along the box's longest axis. Its radius is the distance of the farthest vertex from that axis, and it is just
+        // long enough to enclose the other vertices.
         private function capsuleAround(node:HierarchyNode, points:Vector.<Number>):Capsule
         {
             var axis:int = node.longestAxis();
@@ -116,7 +117,7 @@ package starlogo.hierarchy
             var high:Number = -Infinity;
             for (i = 0; i < distances.length; i++)
             {
-                // how far along the axis the vertex may be from the segment's end
+                // How far from the segment's end the vertex may be along the axis.
                 var slack:Number = Math.sqrt(largest - distances[i]);
                 low = Math.min(low, points[3 * i + axis] + slack);
                 high = Math.max(high, points[3 * i + axis] - slack);

@@ -10,39 +10,41 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a hierarchy, visited to a depth: the nearest of the nodes that are leaves or at the depth limit.
+     * Finds where a ray first meets a hierarchy, visited to a depth: at the nearest node that is a leaf or at the depth limit.
      *
-     * <p>A node is met where the ray is in it and in all of its ancestors, so that a greater depth never finds a smaller distance: a child's
-     * sphere may reach out of its parent's. The nearer child is visited first; nodes are left out where a nearer one has been met.</p>
+     * <p>The ray meets a node where it is inside of the node and of all its ancestors. So a greater depth never finds a smaller distance,
+     * although a child's sphere may extend beyond its parent's. The nearer child is visited first. Nodes are skipped if a nearer one has
+     * been met.</p>
      *
      * @private
      */
     public final class RayTraversal
     {
-        // Nodes that are to be visited yet; the part of the ray that is in their ancestors, and the ancestor at whose surface it begins, or null.
+        // The nodes still to visit, the part of the ray that is inside of their ancestors, and the ancestor on whose surface this part
+        // begins, or null.
         private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _entered:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _from:Vector.<Number> = new Vector.<Number>();
         private var _to:Vector.<Number> = new Vector.<Number>();
 
-        // Where the nearest hit so far is.
+        // The place of the nearest hit so far.
         private var _best:Number = 0;
 
-        // Stands for a node.
+        // Holds a node's box.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        /** Nothing visited yet. */
+        /** Creates a traversal. */
         public function RayTraversal()
         {
         }
 
         /**
-         * Narrows a ray to what is behind its first hit.
+         * Narrows a ray to the part behind its first hit.
          *
-         * @param root the hierarchy's
+         * @param root the hierarchy's root
          * @param depth how many levels are visited
          * @param ray in the hierarchy's space; its beginning becomes the hit, with the normal there
-         * @return whether there is a hit; if not, the ray's part is as it was
+         * @return whether there is a hit; if not, the ray's part stays as it was
          */
         public function find(root:HierarchyNode, depth:int, ray:Ray):Boolean
         {
@@ -111,7 +113,7 @@ package starlogo.hierarchy
             return at + 1;
         }
 
-        // Narrows the ray to what is inside of a node.
+        // Narrows the ray to the part inside of a node. Returns whether anything is left.
         private static function meets(node:HierarchyNode, ray:Ray):Boolean
         {
             if (node.hierarchy.boundsKind != BoundingStructure.BOX)
@@ -134,7 +136,7 @@ package starlogo.hierarchy
             return ray.narrow();
         }
 
-        // Whether the ray comes through the left child sooner, if through both.
+        // Whether the ray enters the left child first, if it meets both.
         private static function isLeftFirst(node:HierarchyNode, ray:Ray):Boolean
         {
             if (node.splitAxis == 0)

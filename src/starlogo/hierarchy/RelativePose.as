@@ -10,36 +10,36 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Where one agent's model is in the space of another's: all the nodes of their hierarchies share it, so that it is computed once for each pair
-     * of agents.
+     * The pose of one agent's model in the space of another agent's model. It is computed once for each pair of agents, because all nodes
+     * of their hierarchies share it.
      *
      * @private
      */
     public final class RelativePose
     {
-        /** Takes the second model into the space of the first. Its own isIdentity is always false. */
+        /** Transforms the second model into the first model's space. Its isIdentity is always false. */
         public var placement:Placement = new Placement();
 
-        /** How far apart the two may be, in the space of the first, and still touch: what rounding makes of where they stand. */
+        /** The largest distance at which the two models still touch, in the first model's space: the rounding error of their places. */
         public var gap:Number = 0;
 
-        /** Whether both models are turned about z at most, as almost always. */
+        /** Whether both models are rotated about z only, as almost always. */
         public var isUpright:Boolean;
 
-        /** How the second model moves from there, of models that move: from time 0 to time 1, its start being 0. */
+        /** The second model's motion from its pose, from time 0 to time 1, if the models move. Its start is 0. */
         public var motion:RelativeMotion = new RelativeMotion();
 
-        /** Until relate is called, both are in one place. */
+        /** Creates a pose in which both models are in one place. */
         public function RelativePose()
         {
             placement.isIdentity = false;
         }
 
         /**
-         * Finds where the second model's origin and axes are in the first model's space.
+         * Computes the second model's origin and axes in the first model's space.
          *
-         * @param a where the first is in the world
-         * @param b where the second is
+         * @param a the first model's placement in the world
+         * @param b the second model's placement in the world
          */
         public function relate(a:Placement, b:Placement):void
         {
@@ -61,7 +61,7 @@ package starlogo.hierarchy
             isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
             if (isUpright)
             {
-                // the other entries are exactly 0
+                // The other entries are exactly 0.
                 relative.x = a00 * x + a10 * y;
                 relative.y = a01 * x + a11 * y;
                 relative.z = z;
@@ -98,10 +98,10 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds how the second model moves in the first model's space.
+         * Computes the second model's motion in the first model's space.
          *
-         * @param a where the first is in the world
-         * @param worldMotion of the first, relative to the second, in the world
+         * @param a the first model's placement in the world
+         * @param worldMotion the first model's motion relative to the second, in the world
          */
         public function relateMotion(a:Placement, worldMotion:RelativeMotion):void
         {
@@ -114,9 +114,10 @@ package starlogo.hierarchy
         }
 
         /**
-         * Relates the first of two models to a box of the second, in a space of its own: its origin is the middle of the box, its axes are the box's.
+         * Relates the first model to a box of the second. The space is the box's own: its origin is the box's middle, and its axes are the
+         * box's.
          *
-         * @param box in the space of the first model
+         * @param box in the first model's space
          * @param pose relates the two models
          */
         public function takeAxesOf(box:Box, pose:RelativePose):void
@@ -138,19 +139,22 @@ package starlogo.hierarchy
             relative.r22 = box.axisZ.z;
         }
 
-        /** Makes a structure of the second model, in the space of the first, wider by the gap: in a function of its own V8 makes no object of it. */
+        /**
+         * Enlarges a structure of the second model by the gap. The structure must be in the first model's space. This is a function of its
+         * own, because V8 then allocates no object for the gap.
+         */
         public function widen(structure:BoundingStructure):void
         {
             structure.widen(gap);
         }
 
         /**
-         * Takes points of the second model into the space of the first.
+         * Transforms points of the second model into the first model's space.
          *
          * @param from x, y, z of each
-         * @param first the index of the first coordinate
-         * @param end the index after the last
-         * @param out overwritten from its beginning; longer where more points were in it before
+         * @param first index of the first coordinate
+         * @param end index after the last coordinate
+         * @param out overwritten from its beginning; stays longer if it had more points
          * @return out
          */
         public function movePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>):Vector.<Number>

@@ -3,27 +3,27 @@ package starlogo.hierarchy
     import starlogo.steps.Steps;
 
     /**
-     * How a hierarchy divided its items, written down earlier: makes its nodes again, in steps, so that a HierarchyBuilder need not divide
-     * the items once more.
+     * A stored record of how a hierarchy divided its items. Makes the nodes again, in steps, so that a HierarchyBuilder need not divide the
+     * items again.
      *
      * @private
      */
     public interface StoredTree extends Steps
     {
         /**
-         * Says what the nodes are of: to be called before the first step.
+         * Sets the items of the nodes. Must be called before the first step.
          *
-         * @param hierarchy has room for the order of its items; gets that order and its root
-         * @param vertices x, y, z each
+         * @param hierarchy has room for the order of its items; receives that order and its root
+         * @param vertices x, y, z of each
          * @param triangles three vertex indices each; null if the vertices are the items
-         * @param maxDepth how many levels there may be
+         * @param maxDepth the largest number of levels
          */
         function start(hierarchy:Hierarchy, vertices:Vector.<Number>, triangles:Vector.<uint>, maxDepth:int):void;
 
-        /** The nodes, parents before their children, when no step is left; null if what was written down does not divide these items. */
+        /** After the last step, the nodes, parents before their children. Null if the record does not divide these items. */
         function get nodes():Vector.<HierarchyNode>;
 
-        /** What made the nodes. */
+        /** The maker of the nodes. */
         function get maker():NodeMaker;
     }
 }

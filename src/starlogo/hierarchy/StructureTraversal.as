@@ -13,13 +13,13 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether trees of spheres or capsules overlap, trees of different structures, or a tree and a node that represents a single structure,
-     * or when they do: by the pair tests of their kinds.
+     * Decides whether two trees of any structures overlap, or a tree and a single structure, or when they first touch. It uses the pair
+     * tests of their kinds. BoxTraversal is faster for boxes.
      *
-     * <p>A child's sphere may reach out of its parent's, so that what meets the child need not meet the parent. Still a greater
-     * depth never finds more: whatever the depths, nodes are reached in one order, a level of the first tree and then one of the
-     * second (thesis §4.6), only through ancestors that overlap. Below the last level of one tree, the cover of its node there represents all its
-     * descendants. For models that move, a pair is tested only in the interval in which its ancestors touch.</p>
+     * <p>A child's sphere may extend beyond its parent's, so a structure can meet the child without meeting the parent. Still a greater
+     * depth never finds more collisions. This is because all depths reach the nodes in one order, a level of the first tree and then a
+     * level of the second (thesis §4.6), and only through ancestors that overlap. Below the last level of one tree, the cover of a node
+     * stands for all its descendants. For moving models, a pair is tested only in the interval in which its ancestors touch.</p>
      *
      * @private
      */
@@ -64,7 +64,8 @@ package starlogo.hierarchy
             {
                 return TOUCHING;
             }
-            // a tree's boxes hold those of their children: a single structure that leaves one may still meet another
+            // A single structure against a tree of boxes needs no end. A box contains its children's boxes, and a structure that leaves one
+            // box may still meet another.
             if (isSwept && (b.level > 0 || structureA.kind != BoundingStructure.BOX))
             {
                 findEnd(structureA, moved);
@@ -76,7 +77,8 @@ package starlogo.hierarchy
             return !isSwept && isRightNearer(a, moved) ? RIGHT_OF_A : LEFT_OF_A;
         }
 
-        // Whether structures touch in the interval of their pair, before time; sets when it begins to what they do first.
+        // Whether structures touch in the interval of their pair, and before <code>time</code>. Sets the beginning of the interval to the
+        // first moment at which they touch.
         private function isInTime(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             sweep(a, b, false);
@@ -86,7 +88,7 @@ package starlogo.hierarchy
             return share <= 1 && from < time;
         }
 
-        // Sets the end of the interval to the last time at which they touch: the first one of the motion backwards.
+        // Sets the end of the interval to the last time at which they touch. That is the first time of the motion backwards.
         private function findEnd(a:BoundingStructure, b:BoundingStructure):void
         {
             sweep(a, b, true);
@@ -94,7 +96,7 @@ package starlogo.hierarchy
             to = share <= 1 ? to - (to - from) * share : from;
         }
 
-        // Finds when structures touch, as a share of the interval of their pair: of the way through it, or of the way back.
+        // Finds when structures touch, as a share of the interval of their pair, forwards or backwards.
         private function sweep(a:BoundingStructure, b:BoundingStructure, isBack:Boolean):void
         {
             var motion:RelativeMotion = pose.motion;
@@ -109,7 +111,7 @@ package starlogo.hierarchy
             findTimeOfImpact(b, a, _part);
         }
 
-        // Whether a structure is on the right child's side of the middle of a node.
+        // Whether a structure is on the right child's side of a node's middle.
         private static function isRightNearer(node:HierarchyNode, structure:BoundingStructure):Boolean
         {
             var at:Vector3D;

@@ -9,8 +9,9 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides when two trees of boxes touch that pass each other. Parents touch no later than their children: the children of a
-     * pair are tested when it is divided, and the one that touches first is visited first. The axes of edges are tried only where the boxes decide.
+     * Decides when two trees of moving boxes first touch. Parents touch no later than their children. So the children of a pair are tested
+     * when the pair is divided, and the child that touches first is visited first. The axes of the edges are tried only for pairs whose
+     * boxes decide.
      *
      * @private
      */
@@ -75,7 +76,8 @@ package starlogo.hierarchy
             return dividesA ? RIGHT_OF_A : RIGHT_OF_B;
         }
 
-        // Sets the time from which on no face separates two boxes, or no edges either, if that is before time; else RelativeMotion.NEVER.
+        // Sets the field from to the first time at which no face separates two boxes, and with withEdges no edge either. If that is not
+        // before the field time, sets it to RelativeMotion.NEVER.
         private function sweep(a:HierarchyNode, b:HierarchyNode, withEdges:Boolean):void
         {
             var boxes:BoxSweep = _sweep;

@@ -7,11 +7,10 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two trees of boxes overlap whose models are turned about z only, as almost always.
+     * Decides whether two trees of boxes overlap if their models are rotated about z only, as almost always.
      *
-     * <p>As BoxTraversal, but five axes are all there are, and three of them are settled by few products. Written out, because without it a
-     * pair of bears takes 1.25 times as long in Adobe's VM and in Ruffle, and near pairs 1.2 times in V8; a branch in the other's loop
-     * gains nothing (TraversalBenchmark).</p>
+     * <p>It works like BoxTraversal, but there are only five axes, and three of them take few products. It is written out, because
+     * BoxTraversal takes a quarter longer for such pairs, and a branch in its loop gains nothing (TraversalBenchmark).</p>
      *
      * @private
      */
@@ -28,7 +27,7 @@ package starlogo.hierarchy
         /**
          * @inheritDoc
          *
-         * <p>The arithmetic of a pair, in this order: along z; whether b's middle is over a; the other faces of a; those of b.</p>
+         * <p>The steps for a pair are: the gap along z; whether b's middle is over a; the other faces of a; the faces of b.</p>
          */
         override public function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
         {
@@ -50,7 +49,7 @@ package starlogo.hierarchy
             while (true)
             {
                 visits++;
-                // set in each round, or V8 carries them from round to round as objects
+                // These are set in each iteration. Otherwise V8 keeps them as objects from one iteration to the next.
                 var overlap:Boolean = false;
                 var x:Number = 0;
                 var y:Number = 0;
@@ -76,7 +75,7 @@ package starlogo.hierarchy
                         }
                         if (isDeep)
                         {
-                            // b's middle is over a: a child of a most likely overlaps b too, and both are divided at once
+                            // b's middle is over a, so a child of a most likely overlaps b too. Both are divided at once.
                             if (a.cutoffLevel < depthA)
                             {
                                 if (b.cutoffLevel < depthB)

@@ -5,32 +5,34 @@ package starlogo.intersection
     import starlogo.intersection.distance.ClosestPair;
 
     /**
-     * The point of the edges of one box that is nearest to another box, in the axes of the other: at a corner, unless the distance to the other
-     * box falls from both ends of an edge; then it is convex along the edge, and has its least in between.
+     * Finds the point on the edges of one box that is nearest to another box, in the other box's axes. The point is a corner, unless the
+     * distance gets smaller from both ends of an edge. In that case the distance is convex along the edge, and its minimum lies between the
+     * ends.
      *
-     * <p>Of two boxes that are apart the closest points can be chosen so that one of them is on an edge: points in the midst of two faces can be
-     * moved along both until one leaves its face. Of boxes that overlap, an edge of one reaches into the other, or all of one is in it.</p>
+     * <p>If two boxes are apart, their closest points can be chosen so that one of them is on an edge: two points inside of faces can be
+     * moved together until one reaches the rim of its face. If two boxes overlap, an edge of one reaches into the other, or one box is
+     * inside of the other.</p>
      */
     internal final class BoxEdges extends SegmentBox
     {
-        // By how much nearer, as a fraction of box or distance, is not nearer.
+        // Two distances count as equal if they differ by less than this fraction of the box or the distance.
         private static const NEARER:Number = 1e-15;
 
-        // The edges: the axis that each is along, and its two corners, all times 3.
+        // For each edge, the axis that it is along and its two corners, all times 3.
         private static const EDGES:Vector.<int> = new <int>[
                 0, 0, 3, 0, 6, 9, 0, 12, 15, 0, 18, 21,
                 3, 0, 6, 3, 3, 9, 3, 12, 18, 3, 15, 21,
                 6, 0, 12, 6, 3, 15, 6, 6, 18, 6, 9, 21];
 
-        /** The square of the least distance. */
+        /** The square of the smallest distance. */
         public var squared:Number;
 
-        // The middle of the box, from the other box's middle.
+        // The box's middle, as seen from the other box's middle.
         private var _middleX:Number;
         private var _middleY:Number;
         private var _middleZ:Number;
 
-        // The point of the edges, from the other box's middle, and from the other's closest point to it.
+        // The point on the edges, as seen from the other box's middle, and as seen from the other box's closest point.
         private var _pointX:Number;
         private var _pointY:Number;
         private var _pointZ:Number;
@@ -38,14 +40,14 @@ package starlogo.intersection
         private var _fromOtherY:Number;
         private var _fromOtherZ:Number;
 
-        // Half of each edge's length along the other's axes, x, y, z: those along axisX, axisY, axisZ.
+        // Half of each edge as a vector in the other box's axes: first the edges along axisX, then axisY, then axisZ.
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // By corner, whose number has a bit for each axis: where it is, and from the other box to it.
+        // For each corner, its place and the vector from the other box to it. A corner's number has a bit for each axis.
         private var _corners:Vector.<Number> = new Vector.<Number>(24, true);
         private var _gaps:Vector.<Number> = new Vector.<Number>(24, true);
 
-        /** Nothing found yet. */
+        /** Creates a finder that has found nothing yet. */
         public function BoxEdges()
         {
         }
@@ -68,8 +70,8 @@ package starlogo.intersection
         }
 
         /**
-         * Whether no other point of the box is nearer: all of it is beyond the plane through that of the edges at right angles to the line between
-         * the closest points.
+         * Whether no other point of the box is nearer. This is so if the whole box is beyond one plane: the plane through the point,
+         * perpendicular to the line between the closest points.
          */
         public function isLeast():Boolean
         {
@@ -84,7 +86,7 @@ package starlogo.intersection
             reachY = reachY < 0 ? -reachY : reachY;
             reachZ = reachZ < 0 ? -reachZ : reachZ;
             var reach:Number = reachX + reachY + reachZ;
-            // from the point to the middle, which is no farther along the line than the box reaches
+            // How far the middle is from the point along the line. This is at most reach.
             var along:Number = x * (_middleX - _pointX) + y * (_middleY - _pointY) + z * (_middleZ - _pointZ);
             return reach - along <= NEARER * (reach + squared);
         }
@@ -94,7 +96,7 @@ package starlogo.intersection
          *
          * @param b the other box
          * @param isTurned whether the other box is the first of the pair
-         * @param out takes them
+         * @param out receives the points
          */
         public function write(b:Box, isTurned:Boolean, out:ClosestPair):void
         {
@@ -120,7 +122,7 @@ package starlogo.intersection
             }
         }
 
-        // Half of a's edges along an axis, in b's axes.
+        // Writes half of a's edges along an axis, in b's axes.
         private function turnHalf(axis:Vector3D, half:Number, b:Box, at:int):void
         {
             var to:Vector3D = b.axisX;
@@ -181,7 +183,7 @@ package starlogo.intersection
             }
         }
 
-        // Looks in between the ends of an edge if the distance falls from both.
+        // Looks between the ends of an edge if the distance gets smaller from both.
         private function tryEdge(half:int, start:int, end:int):void
         {
             var gaps:Vector.<Number> = _gaps;

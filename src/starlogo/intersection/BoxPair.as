@@ -12,14 +12,16 @@ package starlogo.intersection
     import starlogo.intersection.sweep.findBoxImpact;
 
     /**
-     * The kernel of two boxes: separating axes, over time for the sweep, and for the contact that along which the boxes overlap least.
+     * The kernel of two boxes. It uses separating axes. The sweep finds when no axis separates the boxes. The contact finds the axis along
+     * which they overlap least.
      *
-     * <p>The contact is that of any two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest separating
-     * displacement is at right angles to two of the segments' directions: to a face of one structure, or to an edge of each.</p>
+     * <p>The contact works for any two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest
+     * displacement that separates them is perpendicular to two of the segments' directions. So it is perpendicular to a face of one
+     * structure, or to an edge of each.</p>
      */
     internal final class BoxPair extends PairKernel
     {
-        /** How far a capsule reaches beyond its axis, of which the contact is found; 0 for boxes. */
+        /** The radius around a capsule's axis; 0 for boxes. Input of findContact. */
         public var radius:Number = 0;
 
         private var _a:SegmentSum = new SegmentSum();
@@ -27,16 +29,16 @@ package starlogo.intersection
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
 
-        // Made when they are first needed: their class extends SegmentBox, which has a BoxPair.
+        // Created when they are first needed, because their class extends SegmentBox, which has a BoxPair.
         private var _edgesA:BoxEdges = null;
         private var _edgesB:BoxEdges = null;
 
-        // The direction that is tried; the shortest separating displacement so far.
+        // The axis to try next, and the shortest separating displacement so far.
         private var _direction:Vector3D = new Vector3D();
         private var _depth:Number = Infinity;
         private var _best:Vector3D = new Vector3D();
 
-        /** No contact yet. */
+        /** Creates a kernel without a contact. */
         public function BoxPair()
         {
         }
@@ -52,7 +54,7 @@ package starlogo.intersection
         {
             var boxA:Box = a as Box;
             var boxB:Box = b as Box;
-            // always in one order: then rounding is the same in either
+            // The order is always the same, so that rounding is the same for (a, b) and (b, a).
             if (boxA.center.x > boxB.center.x || (boxA.center.x == boxB.center.x && isAfter(boxA.center, boxB.center)))
             {
                 findClosest(b, a, out);
@@ -75,12 +77,12 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the contact of two boxes, or of a capsule and a box that its axis goes through.
+         * Finds the contact of two boxes, or of a capsule and a box if the capsule's axis passes through the box.
          *
-         * @param a a Box, or a Capsule of which the axis counts, and the radius is set
+         * @param a a Box, or a Capsule: then its axis is tested, and <code>radius</code> must be set
          * @param b a Box
-         * @param displacement where a is, from where it stands
-         * @param out takes the contact
+         * @param displacement moves a from its stored place
+         * @param out receives the contact
          */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
@@ -90,7 +92,7 @@ package starlogo.intersection
             normal.negate();
             _a.supportInto(_polygonA, normal);
             _polygonA.findCommonPoint(_polygonB, out);
-            // as far out as the middle between the one's surface and the other's
+            // halfway between the two surfaces
             out.x = _polygonA.x - radius / 2 * out.normalX;
             out.y = _polygonA.y - radius / 2 * out.normalY;
             out.z = _polygonA.z - radius / 2 * out.normalZ;
@@ -99,8 +101,8 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the normal of the contact of two structures, each a Box, or a Capsule of which the axis counts. Where two axes are parallel, it is as
-         * upright as can be.
+         * Finds the normal of the contact of two structures. Each is a Box, or a Capsule whose axis is tested. If the two axes are
+         * parallel, the normal points upwards as far as possible.
          */
         public function findNormal(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
@@ -149,7 +151,7 @@ package starlogo.intersection
             }
         }
 
-        // The sine of the angle between the two segments is its length.
+        // The length of the direction is the sine of the angle between the two segments.
         private function tryDirection():void
         {
             var direction:Vector3D = _direction;
@@ -178,7 +180,7 @@ package starlogo.intersection
             _a.measure(direction);
             _b.measure(direction);
             var reach:Number = _a.reach + _b.reach;
-            // what is shorter by rounding is not shorter
+            // A difference as small as the rounding error does not count as shorter.
             if (reach - along < _depth - Tolerances.ROUNDING * reach)
             {
                 _depth = reach - along;

@@ -12,12 +12,17 @@ package starlogo.intersection
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * The kernel of a pair of which the first is a sphere or a capsule: the closest points of the two cores, while the first moves. A
-     * core is a sphere's centre, a capsule's axis, or all of a box; structures touch when the cores are as close as their radii. Abstract.
+     * Finds the closest points of two cores while the first one moves. Abstract kernel of all pairs whose first structure is a sphere or a
+     * capsule.
+     *
+     * <p>A core is a sphere's centre, a capsule's axis or a whole box. Two structures touch when the distance of their cores is the sum of
+     * their radii.</p>
      */
     internal class ClosestPoints extends PairKernel
     {
-        /** From b to a where the motion starts, in the kernel's axes: between points that the subclass chooses. */
+        /**
+         * The vector from b to a at the start of the motion, in the kernel's axes. The subclass chooses the two points that it connects.
+         */
         public var fromX:Number;
 
         /** @copy #fromX */
@@ -26,7 +31,7 @@ package starlogo.intersection
         /** @copy #fromX */
         public var fromZ:Number;
 
-        /** The motion of a, in the same axes. */
+        /** The motion of a, in the kernel's axes. */
         public var motionX:Number;
 
         /** @copy #motionX */
@@ -35,7 +40,7 @@ package starlogo.intersection
         /** @copy #motionX */
         public var motionZ:Number;
 
-        /** From b's closest point to a's, in the same axes. */
+        /** The vector from b's closest point to a's, in the kernel's axes. */
         public var gapX:Number;
 
         /** @copy #gapX */
@@ -44,16 +49,19 @@ package starlogo.intersection
         /** @copy #gapX */
         public var gapZ:Number;
 
-        /** Where on a capsule's axis a's closest point is, from 0 at its start to 1. */
+        /** The place of a's closest point on a capsule's axis, from 0 at its start to 1 at its end. */
         public var share:Number = 0;
 
-        /** How close the cores are when the structures touch. */
+        /** The sum of the radii: the distance of the cores when the structures touch. */
         public var radii:Number;
 
-        /** The time of the motion at which closest points are found: of the Numbers that are passed to <code>find()</code> V8 would make objects. */
+        /**
+         * The time at which <code>find()</code> finds the closest points. A field, because V8 would allocate an object for a Number that is
+         * passed.
+         */
         protected var moment:Number = 0;
 
-        /** How large the structures are together: what the rounding of the gap is relative to. */
+        /** The size of both structures together. The rounding error of the gap is relative to it. */
         protected var size:Number = 0;
 
         /** For subclasses only. */
@@ -61,7 +69,7 @@ package starlogo.intersection
         {
         }
 
-        /** Prepares two structures: computes what does not depend on the time. */
+        /** Prepares two structures: computes everything that does not depend on the time. */
         protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             throw new IllegalOperationError("abstract");
@@ -73,27 +81,27 @@ package starlogo.intersection
             throw new IllegalOperationError("abstract");
         }
 
-        /** Finds the size. */
+        /** Computes the size. */
         protected function measure():void
         {
             throw new IllegalOperationError("abstract");
         }
 
-        /** Writes the contact of structures whose cores overlap: there is no direction from one to the other. */
+        /** Writes the contact of structures whose cores overlap. The gap has no direction then. */
         protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             throw new IllegalOperationError("abstract");
         }
 
-        /** Turns the gap from the kernel's axes into those of the structures' space. */
+        /** Rotates the gap from the kernel's axes into the axes of the structures' space. */
         protected function turnGap(b:BoundingStructure):void
         {
         }
 
         /**
-         * Newton's method on the distance of the cores, which is a convex function of time: from the left it does not step over the first
-         * zero. It takes 80 steps at most: the product of the gap and its slope shrinks to a quarter in each, and both are numbers with
-         * 53 bits.
+         * Applies Newton's method to the distance of the cores. This distance is a convex function of time, so the method never steps over
+         * the first zero when it starts to the left of it. It takes at most 80 steps, because each step shrinks the product of the gap and
+         * its slope to a quarter, and both are numbers of 53 bits.
          *
          * @inheritDoc
          */
@@ -115,7 +123,8 @@ package starlogo.intersection
                 var isTouching:Boolean = squared <= reach;
                 if (isTouching)
                 {
-                    // what touches at time 0 does so at time 0, and cores that touch have no direction from one to the other
+                    // If they touch at time 0, that is the time of impact. Cores that touch have no direction from one to the other, so
+                    // there is no next step.
                     var rounding:Number = Math.sqrt(reach) - radii;
                     if (time == 0 || squared <= radii * radii || squared <= rounding * rounding)
                     {
@@ -126,13 +135,13 @@ package starlogo.intersection
                 var closing:Number = -(x * motionX + y * motionY + z * motionZ);
                 if (closing > 0)
                 {
-                    // when the plane between the closest points, moved along, has no gap left
+                    // The time at which the plane between the closest points, moved along, has no gap left.
                     var distance:Number = Math.sqrt(squared);
                     next = time + (distance - radii) * distance / closing;
                 }
                 if (isTouching)
                 {
-                    // the rest is rounding, but for one more step, which rounding may have spared
+                    // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
                     time = next <= 1 ? next : time;
                     break;
                 }
@@ -151,7 +160,7 @@ package starlogo.intersection
         }
 
         /**
-         * That of a capsule; the kernels of spheres have their own, which is quicker.
+         * Finds a capsule's contact. The kernels of spheres override this with a faster method.
          *
          * @inheritDoc
          */
@@ -162,7 +171,7 @@ package starlogo.intersection
             find();
             measure();
             var squared:Number = gapX * gapX + gapY * gapY + gapZ * gapZ;
-            // long enough to have a direction, in spite of rounding
+            // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * size;
             if (squared > least * least)
             {
@@ -210,7 +219,7 @@ package starlogo.intersection
             out.separate();
         }
 
-        /** Places a capsule's contact of which normal and depth are known: from a's closest point, back along the normal. */
+        /** Places a capsule's contact once its normal and depth are known. The point lies behind a's closest point, against the normal. */
         protected final function placeContact(a:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             var x:Number = displacement.startX;

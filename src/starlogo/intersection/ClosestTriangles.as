@@ -4,59 +4,60 @@ package starlogo.intersection
     import starlogo.intersection.distance.ClosestPair;
 
     /**
-     * Finds the closest points of triangles, of many pairs the closest ones: a corner of one and a point of the other's face, points of two edges,
-     * or where an edge of one passes through the other.
+     * Finds the closest points of two triangles, or of the closest pair among many. They are a corner of one and a point of the other's
+     * face, or points of two edges, or the place where an edge of one passes through the other.
      *
-     * <p>Exact but for rounding, 1e-15 of the triangles' size and of the distance: a point over a triangle is found along its longest edge and
-     * then at right angles to that, so that needles, whose normals are imprecise, lose nothing. A triangle that is no wider than rounding
-     * (Tolerances.FLAT_TRIANGLE) is its edges.</p>
+     * <p>The result is exact except for rounding, which is 1e-15 of the triangles' size and of the distance. Needles have imprecise
+     * normals, but their results are as exact: a point over a triangle is located along the triangle's longest edge first and then
+     * perpendicular to it. A triangle that is no wider than rounding (Tolerances.FLAT_TRIANGLE) counts as its edges.</p>
      *
      * @private
      */
     public final class ClosestTriangles
     {
-        // Numbers of a corner in _over.
+        // How many numbers _over has for a corner.
         private static const PER_CORNER:int = 5;
 
-        /** areWithin's distance. */
+        /** The largest distance at which areWithin returns true. */
         public var reach:Number = 0;
 
-        /** The square of the least distance of the pairs since begin. */
+        /** The square of the smallest distance of the pairs since begin. */
         public var squared:Number = Infinity;
 
-        /** The points of that pair; not its distance. */
+        /** The closest points of that pair. The distance in it is not set. */
         public var points:ClosestPair = new ClosestPair();
 
         private var _edges:SegmentSegment = new SegmentSegment();
 
-        // By corner of one triangle: where it is over the other, along its longest edge and at right angles to it, as shares of the edge and of the
-        // height; from there to the corner.
+        // For each corner of one triangle, its place over the other triangle: the share of the longest edge, the share of the height, and
+        // the vector from that place to the corner.
         private var _over:Vector.<Number> = new Vector.<Number>(3 * PER_CORNER, true);
 
-        // A triangle's longest edge, from its beginning; its height, from the edge; where on the edge that stands.
+        // A triangle's longest edge: the index of its start, and its vector. The triangle's height: its vector, and the share of the edge
+        // at which it begins.
         private var _base:int;
         private var _u:Vector.<Number> = new Vector.<Number>(3, true);
         private var _h:Vector.<Number> = new Vector.<Number>(3, true);
         private var _foot:Number;
 
-        /** No pair yet. */
+        /** Creates a finder that has no pair yet. */
         public function ClosestTriangles()
         {
         }
 
-        /** Begins anew. */
+        /** Forgets all pairs. */
         public function begin():void
         {
             squared = Infinity;
         }
 
         /**
-         * Adds a pair.
+         * Adds a pair of triangles.
          *
-         * @param a has nine numbers of a triangle: x, y, z of each corner
-         * @param atA where in a they begin
-         * @param b has nine numbers of the other, in the same space
-         * @param atB where in b they begin
+         * @param a nine numbers of the first triangle: x, y, z of each corner
+         * @param atA index of the first of them in a
+         * @param b nine numbers of the second triangle, in the same space
+         * @param atB index of the first of them in b
          */
         public function add(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):void
         {
@@ -65,7 +66,10 @@ package starlogo.intersection
             addEdges(a, atA, b, atB);
         }
 
-        /** Whether two triangles, given as to add, are no farther apart than the reach. It begins anew, and the points found are not always the closest. */
+        /**
+         * Whether two triangles are no farther apart than <code>reach</code>. The parameters are the same as for add. Earlier pairs are
+         * forgotten, and the points found are not always the closest ones.
+         */
         public function areWithin(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):Boolean
         {
             var limit:Number = reach * reach;
@@ -114,7 +118,7 @@ package starlogo.intersection
             }
         }
 
-        // The corners of q over the face of p, and the edges of q through it.
+        // Adds the corners of q over the face of p, and the edges of q that pass through the face.
         private function addFace(p:Vector.<Number>, atP:int, q:Vector.<Number>, atQ:int, isTurned:Boolean):void
         {
             if (!findBase(p, atP))
@@ -151,7 +155,7 @@ package starlogo.intersection
                     }
                 }
 
-                // the edge to the next corner, which may be on the other side
+                // The edge to the next corner passes through the face if the next corner is on the other side.
                 var next:int = i < 2 ? at + PER_CORNER : 0;
                 if (gapX * over[int(next + 2)] + gapY * over[int(next + 3)] + gapZ * over[int(next + 4)] < 0)
                 {
@@ -175,7 +179,7 @@ package starlogo.intersection
             }
         }
 
-        // Finds a triangle's longest edge and its height; false if it has no height.
+        // Finds a triangle's longest edge and its height. Returns false if the height is 0.
         private function findBase(p:Vector.<Number>, at:int):Boolean
         {
             var longest:Number = -1;
@@ -212,7 +216,7 @@ package starlogo.intersection
             return _h[0] * _h[0] + _h[1] * _h[1] + _h[2] * _h[2] > Tolerances.FLAT_TRIANGLE * longest;
         }
 
-        // Where a corner of q is over p.
+        // Locates a corner of q over p.
         private function place(p:Vector.<Number>, q:Vector.<Number>, corner:int, to:int):void
         {
             var ux:Number = _u[0];

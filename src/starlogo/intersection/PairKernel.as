@@ -6,24 +6,25 @@ package starlogo.intersection
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * What the sweep, the contact and the distance of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test.
+     * Computes the sweep, the contact and the distance of two structures. Each pair of kinds has its own subclass, and PairTable has an
+     * instance of each. This class itself stands for pairs without a test.
      *
      * @private
      */
     public class PairKernel
     {
-        /** It has no state. */
+        /** Creates a kernel, which has no state. */
         public function PairKernel()
         {
         }
 
         /**
-         * Finds when a structure that moves touches another for the first time: the motion's time.
+         * Finds when a moving structure first touches another one, and sets the motion's time to it.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param motion of a, which takes the time
-         * @throws ArgumentError when there is no test for the pair
+         * @param motion the motion of a; receives the time
+         * @throws ArgumentError if there is no test for the pair
          */
         public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
@@ -31,13 +32,13 @@ package starlogo.intersection
         }
 
         /**
-         * Where two structures touch, or how they overlap.
+         * Finds where two structures touch, or how they overlap.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param displacement where a is, from where it stands: the motion's start
-         * @param out takes the contact
-         * @throws ArgumentError when there is no test for the pair
+         * @param displacement moves a from its stored place to the motion's start
+         * @param out receives the contact
+         * @throws ArgumentError if there is no test for the pair
          */
         public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
@@ -45,12 +46,12 @@ package starlogo.intersection
         }
 
         /**
-         * How far two structures are apart, and between which points.
+         * Finds the distance of two structures, and their closest points.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param out takes it
-         * @throws ArgumentError when there is no test for the pair
+         * @param out receives the distance and the points
+         * @throws ArgumentError if there is no test for the pair
          */
         public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
         {
@@ -59,7 +60,7 @@ package starlogo.intersection
 
         private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
         {
-            return new ArgumentError("there is no test of motion, no contact and no distance for " + a + " and " + b);
+            return new ArgumentError("there is no sweep, contact or distance test for " + a + " and " + b);
         }
     }
 }

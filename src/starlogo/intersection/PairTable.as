@@ -1,23 +1,26 @@
 package starlogo.intersection
 {
     /**
-     * The table of pairs: which kernel belongs to two kinds.
+     * Finds the kernel of a pair of structures by their two kinds.
      *
      * @private
      */
     public final class PairTable
     {
-        // Of cylinders.
+        // For pairs with a cylinder, and for pairs in the wrong order.
         private static const NONE:PairKernel = new PairKernel();
 
-        /** By the kind of the first times four and that of the second. The first has the lower kind; where it has not, there is no kernel. */
+        /**
+         * The kernels, by four times the first structure's kind plus the second's. The first kind must not be higher than the second: the
+         * other entries have no test.
+         */
         public static const KERNELS:Vector.<PairKernel> = new <PairKernel>[
                 new PointPoint(), new PointSegment(), new PointBox(), NONE,
                 NONE, new SegmentSegment(), new SegmentBox(), NONE,
                 NONE, NONE, new BoxPair(), NONE,
                 NONE, NONE, NONE, NONE];
 
-        /** The table is a constant; there are no instances. */
+        /** Not to be called, because the table is a constant. */
         public function PairTable()
         {
         }

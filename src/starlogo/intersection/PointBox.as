@@ -8,7 +8,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
-    /** The kernel of a sphere and a box, in the box's axes; SegmentBox puts a capsule in the sphere's place. */
+    /** The kernel of a sphere and a box. It works in the box's axes. SegmentBox extends it for capsules. */
     internal class PointBox extends ClosestPoints
     {
         /** The box's half-extents. */
@@ -20,7 +20,7 @@ package starlogo.intersection
         /** @copy #halfX */
         protected var halfZ:Number;
 
-        /** Nothing related yet. */
+        /** Creates a kernel that is not prepared for any pair yet. */
         public function PointBox()
         {
         }
@@ -62,7 +62,7 @@ package starlogo.intersection
         }
 
         /**
-         * That of a sphere written out: through relate() and find() it takes 1.5 times as long in Adobe's VM.
+         * A sphere's contact is written out here, because relate() and find() take 1.5 times as long in Adobe's VM.
          *
          * @inheritDoc
          */
@@ -129,7 +129,7 @@ package starlogo.intersection
             gapZ = x * axisX.z + y * axisY.z + z * axisZ.z;
         }
 
-        // Points a contact's normal from where the gap is out through the nearest face; the depth is how far that is.
+        // Points a contact's normal from the gap's place out through the nearest face. The depth is the distance to that face.
         private function pointThroughFace(box:Box, out:ContactPoint):void
         {
             var x:Number = gapX;

@@ -8,14 +8,14 @@ package starlogo.intersection
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * The kernel of two spheres. When they touch has a closed form: the line of the one centre enters the sphere around the other whose radius is
-     * the sum of both.
+     * The kernel of two spheres. Their time of impact has a closed form: the path of one centre enters a sphere around the other centre.
+     * The radius of that sphere is the sum of both radii.
      *
      * @private
      */
     public final class PointPoint extends PairKernel
     {
-        /** For findEntry: from the other centre to where this one is at time 0. */
+        /** Input of findEntry: the vector from the other centre to this one at time 0. */
         public var x:Number = 0;
 
         /** @copy #x */
@@ -24,10 +24,10 @@ package starlogo.intersection
         /** @copy #x */
         public var z:Number = 0;
 
-        /** For findEntry: how close the centres are when the spheres touch. */
+        /** Input of findEntry: the sum of the radii. */
         public var reach:Number = 0;
 
-        /** Nothing swept yet. */
+        /** Creates a kernel that has swept no pair yet. */
         public function PointPoint()
         {
         }
@@ -47,9 +47,9 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the time for the fields.
+         * Finds when one centre comes within <code>reach</code> of the other. The fields must be set.
          *
-         * @param motion of the one centre, from time 0 to time 1; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param motion the motion of the one centre; receives the time, from 0 to 1, or RelativeMotion.NEVER
          */
         public function findEntry(motion:RelativeMotion):void
         {
@@ -71,7 +71,7 @@ package starlogo.intersection
             {
                 return;
             }
-            // from the point of the line that is nearest, as far back as half the chord
+            // The line enters half a chord before its point that is nearest to the other centre.
             var motionSquared:Number = motionX * motionX + motionY * motionY + motionZ * motionZ;
             var nearest:Number = closing / motionSquared;
             atX += nearest * motionX;
@@ -104,7 +104,7 @@ package starlogo.intersection
             var gapY:Number = out.y - middle.y;
             var gapZ:Number = out.z - middle.z;
             out.depth = sphere.radius + other.radius;
-            // the difference of two points has a direction however short it is
+            // The difference of two points has a direction, however short it is.
             if (gapX * gapX + gapY * gapY + gapZ * gapZ > 0)
             {
                 out.setNormal(gapX, gapY, gapZ);

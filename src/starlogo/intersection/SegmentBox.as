@@ -7,12 +7,12 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
-    /** The kernel of a capsule and a box: in the box's axes, mirrored so that the capsule's axis points up each of them. */
+    /** The kernel of a capsule and a box. It works in the box's axes, mirrored so that no component of the capsule's axis is negative. */
     internal class SegmentBox extends PointBox
     {
         private static const DEEP:BoxPair = new BoxPair();
 
-        /** From the start of the segment to its end, in these axes: not negative. */
+        /** The vector from the segment's start to its end, in these axes. Not negative. */
         protected var alongX:Number;
 
         /** @copy #alongX */
@@ -21,12 +21,12 @@ package starlogo.intersection
         /** @copy #alongX */
         protected var alongZ:Number;
 
-        // -1 where an axis of the box is mirrored, else 1.
+        // -1 if the box's axis is mirrored, otherwise 1.
         private var _signX:Number = 1;
         private var _signY:Number = 1;
         private var _signZ:Number = 1;
 
-        /** Nothing related yet. */
+        /** Creates a kernel that is not prepared for any pair yet. */
         public function SegmentBox()
         {
         }
@@ -86,12 +86,12 @@ package starlogo.intersection
             include "segmentToBox.inc";
             if (lastIn <= firstOut)
             {
-                // of several that are nearest, the one in their midst
+                // If several points are nearest, take the one in the middle of them.
                 lastIn = lastIn > 0 ? (lastIn < 1 ? lastIn : 1) : 0;
                 firstOut = firstOut > 0 ? (firstOut < 1 ? firstOut : 1) : 0;
                 t = (lastIn + firstOut) / 2;
             }
-            // false for NaN too
+            // The comparison is false for NaN too.
             t = t > 0 ? (t < 1 ? t : 1) : 0;
             share = t;
             var x:Number = px + t * dx;

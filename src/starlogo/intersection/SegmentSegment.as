@@ -13,7 +13,7 @@ package starlogo.intersection
     {
         private static const DEEP:BoxPair = new BoxPair();
 
-        // The segments, u and v.
+        // The two segments, u and v.
         private var _ux:Number;
         private var _uy:Number;
         private var _uz:Number;
@@ -21,7 +21,7 @@ package starlogo.intersection
         private var _vy:Number;
         private var _vz:Number;
 
-        /** Nothing related yet. */
+        /** Creates a kernel that is not prepared for any pair yet. */
         public function SegmentSegment()
         {
         }
@@ -50,14 +50,14 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the closest points of two segments: the gap, and where on the first its point is.
+         * Finds the closest points of two segments. It sets the gap, and the share of the first segment at which its closest point lies.
          *
-         * @param a has the ends of the first, x, y, z each
-         * @param startA where in a one end begins
-         * @param endA where the other does
-         * @param b has the ends of the second
-         * @param startB where in b one end begins
-         * @param endB where the other does
+         * @param a x, y, z of each end of the first segment
+         * @param startA index of its start in a
+         * @param endA index of its end in a
+         * @param b x, y, z of each end of the second segment
+         * @param startB index of its start in b
+         * @param endB index of its end in b
          */
         public function findEdges(a:Vector.<Number>, startA:int, endA:int, b:Vector.<Number>, startB:int, endB:int):void
         {
@@ -97,7 +97,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
         {
-            // always in one order: then rounding is the same in either
+            // The order is always the same, so that rounding is the same for (a, b) and (b, a).
             var startA:Vector3D = Capsule(a).start;
             var startB:Vector3D = Capsule(b).start;
             if (startA.x > startB.x || (startA.x == startB.x && isAfter(startA, startB)))
@@ -116,7 +116,8 @@ package starlogo.intersection
             size = Math.sqrt(_ux * _ux + _uy * _uy + _uz * _uz) + Math.sqrt(_vx * _vx + _vy * _vy + _vz * _vz) + radii;
         }
 
-        // At right angles to both segments, as upright as can be where they are parallel, and to the side where a's middle is.
+        // The normal is perpendicular to both segments, and points to the side of a's middle. If the segments are parallel, it points
+        // upwards as far as possible.
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             DEEP.findNormal(a, b, displacement, out);

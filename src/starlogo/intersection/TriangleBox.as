@@ -4,11 +4,11 @@ package starlogo.intersection
     import starlogo.bounding.Box;
 
     /**
-     * Whether triangles touch a solid box: separating axes (Ericson, "Real-Time Collision Detection", §5.2.9). The three axes of the box, the
-     * triangle's normal, and the nine cross products of an edge of each.
+     * Tests whether triangles touch a solid box, by separating axes (Ericson, "Real-Time Collision Detection", §5.2.9): the box's three
+     * axes, the triangle's normal, and the nine cross products of an edge of each.
      *
-     * <p>In the box's space a cross product with one of its axes only exchanges two coordinates. So no axis loses digits, and triangles without
-     * area need no cases of their own.</p>
+     * <p>In the box's space, the cross product with one of the box's axes only exchanges two coordinates. So no axis loses digits, and
+     * triangles without area need no special case.</p>
      *
      * @private
      */
@@ -17,10 +17,10 @@ package starlogo.intersection
         /** The box, in the space of the triangles. */
         public var box:Box;
 
-        /** The gap that still counts as touching, a distance. */
+        /** The largest gap that still counts as touching. */
         public var tolerance:Number = 0;
 
-        // The triangle in the space of the box: the corners, and the edge from each to the next.
+        // The triangle in the box's space: its corners, and the edge from each corner to the next.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -28,16 +28,16 @@ package starlogo.intersection
         private var _axisY:Number = 0;
         private var _axisZ:Number = 0;
 
-        /** No box yet. */
+        /** Creates a test without a box. */
         public function TriangleBox()
         {
         }
 
         /**
-         * Whether a triangle touches the box, or has a gap of no more than the tolerance.
+         * Whether a triangle touches the box, or the gap between them is at most the tolerance.
          *
-         * @param corners has nine numbers of it: x, y, z of each corner
-         * @param at where they begin
+         * @param corners nine numbers of the triangle: x, y, z of each corner
+         * @param at index of the first of them
          */
         public function touches(corners:Vector.<Number>, at:int):Boolean
         {
@@ -47,7 +47,7 @@ package starlogo.intersection
             return !isBeyond(0, box.halfX) && !isBeyond(1, box.halfY) && !isBeyond(2, box.halfZ) && !isNormal() && !isAcrossEdges();
         }
 
-        // Finds one coordinate of the corners in the box's space, and of the edges.
+        // Computes one coordinate of the corners and of the edges in the box's space.
         private function project(corners:Vector.<Number>, at:int, axis:Vector3D, coordinate:int):void
         {
             var x:Number = axis.x;
@@ -114,7 +114,7 @@ package starlogo.intersection
             return false;
         }
 
-        // Whether the axis, of any length, separates the triangle from the box.
+        // Whether the axis separates the triangle from the box. The axis may have any length.
         private function isAxis():Boolean
         {
             var x:Number = _axisX;

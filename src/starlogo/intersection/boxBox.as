@@ -4,31 +4,31 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
 
-    // Written out: through the kernel, BoxPair, it takes 3.3 times as long in Adobe's VM, 2.8 in Ruffle, 5.6 in Node; KernelsAgreeTest has both agree.
+    // This function repeats the arithmetic of the kernel BoxPair, because a call through the kernel takes about three times as long.
+    // KernelsAgreeTest checks that both agree.
 
     /**
-     * Whether two boxes meet: separating axes, with each box projected by its half-extents (thesis §3.6.4; Gottschalk,
-     * Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1).
+     * Whether two boxes touch or overlap, by separating axes (thesis §3.6.4; Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996;
+     * Ericson, "Real-Time Collision Detection", §4.4.1). Touching counts, to within Tolerances.TOUCHING. Allocates nothing.
      *
-     * <p>Before that, what the smallest sphere around b and the largest inside of it say about box a settles most pairs.
-     * Where an edge of one box is parallel to one of the other, the six face axes are enough; where it is nearly so, the
-     * edge axes are computed such that no rounding error separates boxes that meet. Touching counts, to within
-     * Tolerances.TOUCHING. Allocates nothing.</p>
+     * <p>Two spheres decide most pairs before any axis is tried: the smallest sphere around b and the largest sphere inside of b. If an
+     * edge of one box is parallel to an edge of the other, the six face axes are enough. If it is nearly parallel, the edge axes are
+     * computed so that no rounding error separates boxes that touch.</p>
      *
-     * <p>In order: the middles, in a's axes; the spheres around b and inside of it; the faces of a, then of b; the edges, a's axisX with
-     * each of b's first.</p>
+     * <p>The steps are: the vector between the centres, in a's axes; the two spheres of b; the faces of a, then of b; the cross products of
+     * edges, a's axisX with each of b's first.</p>
      *
      * @param a in the space of b; half-extents may be 0
      * @param b in the space of a; the answer is the same, to the last bit, for (b, a)
-     * @param faceAxesOnly leaves out the nine axes of the edges (the optimisation that §3.6.4 considers): conservative, it never
-     *     misses, but boxes that pass each other edge to edge meet too
+     * @param faceAxesOnly leaves out the nine axes of the edges (an optimisation of thesis §3.6.4). The test is then conservative: it
+     *     misses no collision, but it also reports boxes that pass each other edge to edge
      */
     public function boxBox(a:Box, b:Box, faceAxesOnly:Boolean = false):Boolean
     {
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
         var x:Number = centerB.x - centerA.x;
-        // Boxes that share their centre meet, in either order.
+        // Boxes with the same centre touch, so their order does not matter.
         if (x < 0 || (x == 0 && isAfter(centerA, centerB)))
         {
             var first:Box = b;
@@ -67,7 +67,7 @@ package starlogo.intersection
         var halfBY:Number = b.halfY;
         var halfBZ:Number = b.halfZ;
 
-        // How far b's centre is outside of a, against the spheres around b and inside of it.
+        // The squared distance of b's centre from a, to compare with the two spheres of b.
         var gapSquared:Number = 0;
         var gap:Number = tX < 0 ? -tX : tX;
         gap -= halfAX;
@@ -111,7 +111,7 @@ package starlogo.intersection
         var bZy:Number = axis.y;
         var bZz:Number = axis.z;
 
-        // The faces of a. The cosines of the angles between the axes, with their absolute values.
+        // The faces of a. The cosines of the angles between the axes, and their absolute values.
         var reach:Number;
         var cosXX:Number = aXx * bXx + aXy * bXy + aXz * bXz;
         var absXX:Number = cosXX < 0 ? -cosXX : cosXX;
@@ -172,13 +172,13 @@ package starlogo.intersection
             return true;
         }
 
-        // Each edge of a with each of b, unless two are so close to parallel that these products cancel.
+        // The cross products of edges. If two edges are nearly parallel, these products would cancel.
         var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
         if (absZZ > near || absZY > near || absZX > near
                 || absYZ > near || absYY > near || absYX > near
                 || absXZ > near || absXY > near || absXX > near)
         {
-            // both upright
+            // Both boxes are upright.
             if (cosXZ * cosXZ + cosYZ * cosYZ <= Tolerances.PARALLEL)
             {
                 return true;

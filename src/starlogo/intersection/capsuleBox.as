@@ -5,20 +5,21 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
 
-    // Written out: through the kernel, SegmentBox, it takes 3.1 times as long in Adobe's VM, 1.9 in Ruffle, 3.4 in Node; KernelsAgreeTest has both agree.
+    // This function repeats the arithmetic of the kernel SegmentBox, because a call through the kernel takes two to three times as long.
+    // KernelsAgreeTest checks that both agree.
 
     /**
-     * Whether a capsule and a box meet: the distance from the capsule's segment to the box against the radius.
+     * Whether a capsule and a box touch or overlap: compares the distance from the capsule's segment to the box with the radius. Touching
+     * counts, to within Tolerances.TOUCHING. Allocates nothing.
      *
-     * <p>The six axes of thesis §3.6.7 answer yes near the box's corners and near the ends of its edges, where nothing
-     * meets. Here the axes of the box only sort out what is far away. Along the segment the squared distance to the box
-     * is convex, and quadratic between the points where the segment crosses the planes of the box's faces; its minimum
-     * follows in closed form. Touching counts, to within Tolerances.TOUCHING. Allocates nothing.</p>
+     * <p>The test with six axes (thesis §3.6.7) reports false collisions near the box's corners and near the ends of its edges. Here the
+     * box's axes only reject capsules that are far away. The squared distance to the box is convex along the segment, and quadratic between
+     * the points where the segment crosses the planes of the box's faces. So its minimum has a closed form.</p>
      *
-     * <p>In order: the segment in the box's axes, and what is far away; where its line enters and leaves the slabs; the point of it that is
-     * nearest to the box; the distance of that point.</p>
+     * <p>The steps are: transform the segment into the box's axes, and reject it if it is far away; find where its line enters and leaves
+     * the slabs; find the point of it that is nearest to the box; compare that point's distance.</p>
      *
-     * @param capsule in the space of the box; it may have no length
+     * @param capsule in the space of the box; its length may be 0
      * @param box in the space of the capsule; half-extents may be 0
      */
     public function capsuleBox(capsule:Capsule, box:Box):Boolean
@@ -37,7 +38,7 @@ package starlogo.intersection
         startY -= center.y;
         startZ -= center.z;
 
-        // The segment in the box's axes, p + t * d, mirrored so that d points up each axis.
+        // The segment in the box's axes is p + t * d. It is mirrored so that no component of d is negative.
         var axis:Vector3D = box.axisX;
         var axisX:Number = axis.x;
         var axisY:Number = axis.y;
@@ -92,7 +93,7 @@ package starlogo.intersection
 
         include "segmentToBox.inc";
 
-        // NaN too: the products of tiny numbers may vanish
+        // This also catches NaN, because the products of tiny numbers may be 0.
         if (!(t > 0))
         {
             t = 0;
@@ -102,8 +103,8 @@ package starlogo.intersection
             t = 1;
         }
 
-        // Somewhere the segment may be inside of all the slabs that it crosses; those that it runs along remain. A point of it is not
-        // computed then: rounding may put that outside, which a radius of 0 does not forgive.
+        // The segment is not outside if a part of it is inside of all slabs that it crosses. Then only slabs parallel to it are tested. For
+        // the others no point is computed, because rounding might put it outside, and a radius of 0 allows no error.
         var isOutside:Boolean = lastIn > firstOut || lastIn > 1 || firstOut < 0;
         var distanceSquared:Number = 0;
         var excess:Number;

@@ -4,17 +4,18 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
 
-    // The kernel, SegmentSegment, includes the same text. Through it the test takes 2.1 times as long in Adobe's VM, 1.5 in Ruffle, 1.9 in Node.
+    // This function includes the same text as the kernel SegmentSegment, because a call through the kernel takes about twice as long.
 
     /**
-     * Whether two capsules meet: the distance of their segments against the sum of the radii (thesis §3.6.3).
+     * Whether two capsules touch or overlap: compares the distance of their segments with the sum of the radii (thesis §3.6.3). Touching
+     * counts, to within Tolerances.TOUCHING. Allocates nothing.
      *
-     * <p>Clamping both parameters of the closest points of the two lines, as the thesis does, does not give the closest
-     * points of the segments: once one is clamped, the other has to be computed again (Ericson, "Real-Time Collision
-     * Detection", 5.1.9). Nearly parallel segments cost a little more: the lines' closest points then come from
-     * cross products, which do not cancel. Touching counts, to within Tolerances.TOUCHING. Allocates nothing.</p>
+     * <p>The thesis finds the closest points of the two lines and clamps both parameters. That does not always give the closest points of
+     * the segments, so here the other parameter is computed again after one is clamped (Ericson, "Real-Time Collision Detection", 5.1.9).
+     * Nearly parallel segments cost a little more, because the lines' closest points then come from cross products, which do not
+     * cancel.</p>
      *
-     * @param a in the space of b; it may have no length
+     * @param a in the space of b; its length may be 0
      * @param b in the space of a; the answer is the same, to the last bit, for (b, a)
      */
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
@@ -23,7 +24,7 @@ package starlogo.intersection
         var startB:Vector3D = b.start;
         var aX:Number = startA.x;
         var bX:Number = startB.x;
-        // Capsules that share their start meet, in either order.
+        // Capsules with the same start touch, so their order does not matter.
         if (aX > bX || (aX == bX && isAfter(startA, startB)))
         {
             var first:Capsule = b;

@@ -6,16 +6,16 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
 
     /**
-     * Whether two structures meet (thesis §3.6); touching counts. Symmetric; allocates nothing. The test of a pair is the
-     * function of that name in this package: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox.
+     * Whether two structures touch or overlap (thesis §3.6). Symmetric. Allocates nothing. This package has a function for each pair:
+     * sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox.
      *
-     * <p>Costs, sphereSphere being 1: sphereCapsule 2, sphereBox 2.5, capsuleCapsule 4, capsuleBox 5 to 7, boxBox 6 to 9;
-     * finding the test adds 0.5.</p>
+     * <p>The costs, relative to sphereSphere, are: sphereCapsule 2, sphereBox 2.5, capsuleCapsule 4, capsuleBox 5 to 7, boxBox 6 to 9.
+     * Choosing the function adds 0.5.</p>
      *
      * @param a a Sphere, Capsule or Box
-     * @param b likewise, in the same space
-     * @throws ArgumentError when there is no test for the pair: cylinders are fitted, never collided (thesis §3.6.1)
-     * @throws TypeError when one is null
+     * @param b a Sphere, Capsule or Box, in the same space
+     * @throws ArgumentError if there is no test for the pair, because cylinders are fitted but never collided (thesis §3.6.1)
+     * @throws TypeError if a or b is null
      */
     public function intersects(a:BoundingStructure, b:BoundingStructure):Boolean
     {

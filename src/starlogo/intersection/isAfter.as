@@ -3,8 +3,8 @@ package starlogo.intersection
     import flash.geom.Vector3D;
 
     /**
-     * Whether a comes after b in y, or where these are equal in z: what settles the order of two structures whose x is
-     * the same. A test that always works in one order gives the same answer, rounding included, for both.
+     * Whether a comes after b by y, or by z if their y is equal. It settles the order of two structures with the same x. A test that always
+     * takes its structures in one order gives the same answer for (a, b) and (b, a), rounding included.
      *
      * @private
      */

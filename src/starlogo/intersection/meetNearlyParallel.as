@@ -7,9 +7,11 @@ package starlogo.intersection
     import starlogo.intersection.sweep.findBoxImpact;
 
     /**
-     * Whether two boxes meet that their faces do not separate, where an edge of one is nearly parallel to one of the other. With one pair
-     * of edges parallel, every cross product is the direction of a face, which has been tried; else the sweep's axes are taken, which do
-     * not cancel. The cosines are computed anew: V8 would make objects of nine Numbers that are passed.
+     * Whether two boxes touch. Only for boxes that no face separates, and that have two nearly parallel edges, one of each box.
+     *
+     * <p>If two edges are exactly parallel, every cross product is the direction of a face, which has been tried already. Otherwise this
+     * uses the sweep's axes, which do not cancel. The nine cosines are computed again, because V8 would allocate an object for each Number
+     * that is passed.</p>
      *
      * @private
      */
@@ -32,7 +34,7 @@ package starlogo.intersection
             x *= x;
             y *= y;
             z *= z;
-            // along one axis of a: with the others there is nothing of it
+            // The axis is along one axis of a, because its components along the other two are 0.
             if (x + y <= limit || y + z <= limit || x + z <= limit)
             {
                 return true;

@@ -4,11 +4,11 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
 
     /**
-     * Whether two spheres meet: the squared distance of their centres against the square of the sum of their radii
-     * (thesis §3.6.2). Touching counts. Exact for the numbers as they are stored; allocates nothing.
+     * Whether two spheres touch or overlap: compares the squared distance of their centres with the square of the sum of their radii
+     * (thesis §3.6.2). Touching counts, exactly as the numbers are stored. Allocates nothing.
      *
      * @param a in the space of b; a radius of 0 makes it a point
-     * @param b in the space of a
+     * @param b in the space of a; a radius of 0 makes it a point
      */
     public function sphereSphere(a:Sphere, b:Sphere):Boolean
     {

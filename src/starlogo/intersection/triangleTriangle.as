@@ -3,29 +3,29 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
 
     /**
-     * Whether two triangles meet: they overlap, touch, or have a gap of no more than closest.reach.
+     * Whether two triangles overlap, touch, or have a gap of at most <code>closest.reach</code>. Symmetric up to rounding. Allocates
+     * nothing.
      *
-     * <p>The quick test finds an axis along which the gap is larger: the second's normal, or a direction at right angles to an edge of each. Where two
-     * triangles cross each other's planes, each has a corner alone on one side. Only edges from these two corners can be the ones that face
-     * each other (Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", Journal of Graphics
-     * Tools, 2003). The closest points decide all other pairs: triangles that overlap, just touch or are nearly in one plane, and needles.</p>
+     * <p>A quick test rejects most pairs. It looks for a direction along which the gap is larger than that: the second triangle's normal,
+     * or a direction perpendicular to an edge of each. If each triangle crosses the other's plane, each has one corner alone on its side of
+     * that plane. Then only the edges from these two corners can face each other (Guigue and Devillers, "Fast and robust triangle-triangle
+     * overlap test using orientation predicates", Journal of Graphics Tools, 2003). The closest points decide all other pairs: triangles
+     * that overlap, just touch or are nearly in one plane, and needles.</p>
      *
-     * <p>Symmetric up to rounding; allocates nothing.</p>
-     *
-     * @param a has nine numbers of a triangle: x, y, z of each corner
-     * @param atA where in a they begin
-     * @param b has nine numbers of the other, in the same space
-     * @param atB where in b they begin
-     * @param closest finds the closest points. Its reach, the gap that still counts as touching, must be above the rounding errors:
-     *     Tolerances.SURFACES of the coordinates' size is
-     *
+     * @param a nine numbers of the first triangle: x, y, z of each corner
+     * @param atA index of the first of them in a
+     * @param b nine numbers of the second triangle, in the same space
+     * @param atB index of the first of them in b
+     * @param closest finds the closest points. Its reach is the gap that still counts as touching. It must be larger than the rounding
+     *     errors; Tolerances.SURFACES of the coordinates' size is large enough
      * @private
      */
     public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, closest:ClosestTriangles):Boolean
     {
         var limit:Number = closest.reach * closest.reach;
 
-        // a's edges u and v from its first corner, b's edges f and g from its first corner, and from the one corner to the other: d
+        // The vectors u and v are a's edges from its first corner, f and g are b's edges from its first corner, and d connects the two
+        // corners.
         var x:Number = a[atA];
         var y:Number = a[int(atA + 1)];
         var z:Number = a[int(atA + 2)];
@@ -45,7 +45,7 @@ package starlogo.intersection
         var gy:Number = b[int(atB + 7)] - y - dy;
         var gz:Number = b[int(atB + 8)] - z - dz;
 
-        // a on one side of b's plane
+        // Whether all of a is on one side of b's plane.
         x = fy * gz - fz * gy;
         y = fz * gx - fx * gz;
         z = fx * gy - fy * gx;
@@ -56,7 +56,7 @@ package starlogo.intersection
         var high:Number = atU < atV ? atV : atU;
         low = atFirst < low ? atFirst : low;
         high = atFirst < high ? high : atFirst;
-        // of a needle, b's own corners are off the plane that was computed
+        // For a needle, b's own corners are off the plane that was computed.
         var own:Number = x * fx + y * fy + z * fz;
         var gap:Number = own < 0 ? own : -own;
         own = x * gx + y * gy + z * gz;
@@ -69,13 +69,14 @@ package starlogo.intersection
             return false;
         }
 
-        // whether each corner is well off the other's plane, on both sides of it, and neither is a needle: then no rounding matters
+        // Rounding does not matter if each corner is clearly off the other's plane, there are corners on both sides of it, and neither
+        // triangle is a needle.
         var clearly:Number = Tolerances.CLEARLY_OFF_PLANE * limit;
         var enough:Number = clearly * (x * x + y * y + z * z);
         var isSure:Boolean = low < 0 && high > 0 && atFirst * atFirst > enough && atU * atU > enough && atV * atV > enough
             && Tolerances.SLIMMEST_TRIANGLE * (x * x + y * y + z * z) > (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
 
-        // u and v from the corner that is alone on its side of b's plane
+        // Now u and v begin at the corner that is alone on its side of b's plane.
         if (atFirst * atU > 0)
         {
             dx -= vx;
@@ -101,7 +102,7 @@ package starlogo.intersection
             uz = -uz;
         }
 
-        // f and g from the corner that is alone on its side of a's plane
+        // Now f and g begin at the corner that is alone on its side of a's plane.
         x = uy * vz - uz * vy;
         y = uz * vx - ux * vz;
         z = ux * vy - uy * vx;
@@ -136,7 +137,7 @@ package starlogo.intersection
             fz = -fz;
         }
 
-        // across an edge of each: u and f, u and g, v and g, v and f
+        // The axes perpendicular to an edge of each: u and f, u and g, v and g, v and f.
         for (var i:int = 0; i < 4; i++)
         {
             x = uy * fz - uz * fy;

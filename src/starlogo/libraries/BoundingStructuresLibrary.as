@@ -14,25 +14,25 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * The tightest fitting bounding structure of each model, by the name of its shape (thesis §3.7). A model's structures are
-     * computed when it is added; what is set here later counts for models added from then on.
+     * The tightest bounding structure of each model, found by the name of its shape (thesis §3.7). The structures are computed when a model
+     * is added. A setting that you change counts for models that are added afterwards.
      *
-     * <p>The structures that it hands out are its own, shared by every agent of the shape, so that looking one up costs nothing:
-     * read them, and <code>clone()</code> before changing one.</p>
+     * <p>The library's structures are shared by all agents of a shape, so looking one up costs nothing. Do not change them:
+     * <code>clone()</code> a structure first.</p>
      */
     public final class BoundingStructuresLibrary
     {
-        // by the numbers of the kinds
+        // the index is the kind's number
         private static const KINDS:Array = ["sphere", "capsule", "box"];
 
         /**
-         * Whether the smallest sphere, box and capsule found are kept beside the tightest fit
-         * (loadAllBoundingStructures, thesis §3.8).
+         * Whether the smallest sphere, box and capsule are kept too, in addition to the tightest fit (thesis §3.8). A GreatLand sets it as
+         * loadAllBoundingStructures.
          */
         public var keepAll:Boolean = false;
 
         /**
-         * What is known of each shape; both libraries of a GreatLand share it.
+         * The data of all shapes. Both libraries of a GreatLand share it.
          *
          * @private
          */
@@ -43,7 +43,7 @@ package starlogo.libraries
         private var _fitters:Vector.<Fitter>;
 
         /**
-         * A library without models, with the three fitters of the thesis.
+         * Creates a library without models, with the three fitters of the thesis.
          *
          * @param orientedBoxDegIncrement degrees between the rotations that the default fitters try
          * @throws ArgumentError if that is not a positive, finite number
@@ -55,10 +55,10 @@ package starlogo.libraries
         }
 
         /**
-         * The algorithms whose results are compared when a model is added; to be changed or replaced at any time. At
-         * first: the naive sphere, the oriented box, and the capsule of that box (which then is computed once).
+         * The algorithms that are compared when a model is added. You may change the list or replace it at any time. The default: the naive
+         * sphere, the oriented box, and the capsule of that box. The box is then computed only once.
          *
-         * @throws ArgumentError if it is set to null, to an empty list or to one that has null in it
+         * @throws ArgumentError if you set it to null, to an empty list or to a list that contains null
          */
         public function get fitters():Vector.<Fitter>
         {
@@ -75,9 +75,9 @@ package starlogo.libraries
         }
 
         /**
-         * The degrees between the rotations that the oriented box of the default list tries (thesis §3.8); it does not count for other fitters.
+         * The degrees between the rotations that the default oriented box fitter tries (thesis §3.8). It has no effect on other fitters.
          *
-         * @throws ArgumentError if it is set to what is not a positive, finite number
+         * @throws ArgumentError if you set it to a value that is not a positive, finite number
          */
         public function get orientedBoxDegIncrement():Number
         {
@@ -90,10 +90,11 @@ package starlogo.libraries
         }
 
         /**
-         * How many times the smallest volume a structure may have to be preferred for its cheaper intersection tests, a sphere
-         * over a capsule over a box (thesis §7.4). 1, the default, takes the smallest; of equal ones the cheapest.
+         * A structure with cheaper intersection tests is preferred if its volume is at most this many times the smallest volume (thesis
+         * §7.4). A sphere is cheaper than a capsule, and a capsule is cheaper than a box. With 1, the default, the smallest volume wins.
+         * Among equal volumes, the cheapest structure wins.
          *
-         * @throws ArgumentError if it is set to less than 1, or to what is not a finite number
+         * @throws ArgumentError if you set it to less than 1, or to a value that is not a finite number
          */
         public function get cheaperTestsFactor():Number
         {
@@ -110,14 +111,13 @@ package starlogo.libraries
         }
 
         /**
-         * Finds and stores the structures of a model; those stored under the name before are replaced. If it throws,
-         * nothing has changed.
+         * Finds and stores the structures of a model. They replace those stored under the same name. If it throws, nothing has changed.
          *
          * @param name the shape's name
-         * @param vertices x, y, z of each of the model's vertices, in the model's space; neither kept nor changed
-         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, their number of coordinates is
-         *         no multiple of 3, or one is not finite; if the list of fitters is empty or has one whose structures cannot be
-         *         collided or do not enclose the vertices
+         * @param vertices x, y, z of each vertex, in the model's space; neither kept nor changed
+         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, their number of coordinates is no multiple
+         * of 3, or one is not finite; if the list of fitters is empty, or one of them finds a structure that cannot be collided or does not
+         * enclose the vertices
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
@@ -126,14 +126,14 @@ package starlogo.libraries
             shapes.of(name).structures = build.structures;
         }
 
-        /** Whether there are structures for a shape. */
+        /** Whether the library has structures for a shape. */
         public function has(name:String):Boolean
         {
             return shapes.of(name).structures != null;
         }
 
         /**
-         * The tightest fit of a shape: the library's own, to be read only.
+         * The tightest fit of a shape. It is shared: do not change it.
          *
          * @throws ArgumentError if no model of this name was added
          */
@@ -143,9 +143,9 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest sphere found for a shape: the library's own, to be read only.
+         * The smallest sphere found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no sphere kept for it
+         * @throws ArgumentError if no model of this name was added, or no sphere was kept for it
          */
         public function sphere(name:String):Sphere
         {
@@ -153,9 +153,9 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest box found for a shape: the library's own, to be read only.
+         * The smallest box found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no box kept for it
+         * @throws ArgumentError if no model of this name was added, or no box was kept for it
          */
         public function box(name:String):Box
         {
@@ -163,16 +163,16 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest capsule found for a shape: the library's own, to be read only.
+         * The smallest capsule found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no capsule kept for it
+         * @throws ArgumentError if no model of this name was added, or no capsule was kept for it
          */
         public function capsule(name:String):Capsule
         {
             return Capsule(kept(name, BoundingStructure.CAPSULE));
         }
 
-        /** Whether the sphere, the box and the capsule of a shape were all kept. */
+        /** Whether a sphere, a box and a capsule were kept for a shape. */
         public function hasAll(name:String):Boolean
         {
             var shape:ShapeStructures = shapes.of(name).structures;
@@ -180,11 +180,11 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest structure of a kind for a shape: the one that was kept, or else the one that the fitters find now, once.
+         * The smallest structure of a kind for a shape. If none was kept, the fitters find it now, once.
          *
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
-         * @param vertices those of the shape's model
+         * @param vertices the vertices of the shape's model
          * @throws ArgumentError if no model of this name was added, or no fitter in the list finds this kind
          * @private
          */
@@ -205,7 +205,7 @@ package starlogo.libraries
         }
 
         /**
-         * The work that finds the structures of a shape, not begun.
+         * The work that finds the structures of a shape. None of its steps is done yet.
          *
          * @private
          */

@@ -7,40 +7,41 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Every setting that decides what the libraries compute for a model, as it is when this object is made: fits that were computed with other
-     * settings are not used. Settings that only choose among what was computed are not part of it: cheaperTestsFactor, keepAll, boundsKind.
+     * The settings that decide the results that libraries compute for a model. They are copied when this object is made. Fits that were
+     * computed with other settings are not used. Settings that only choose among the results are not part of it: cheaperTestsFactor,
+     * keepAll, boundsKind.
      */
     public final class FitSettings
     {
-        /** Has to be raised whenever an algorithm of the engine gives another result for the same settings. */
+        /** Increase it whenever an algorithm of the engine gives other results for the same settings. */
         private static const REVISION:int = 5;
 
         /**
-         * The settings that structures depend on; null if structures are not wanted, or cannot be kept.
+         * The settings for structures; null if structures are not wanted, or cannot be kept.
          *
          * @private
          */
         engine var structures:Fingerprint = null;
 
         /**
-         * The settings that a hierarchy depends on; null if none is wanted.
+         * The settings for a hierarchy; null if none is wanted.
          *
          * @private
          */
         engine var hierarchy:Fingerprint = null;
 
         /**
-         * Whether what exact colliders need is wanted.
+         * Whether the surface for exact colliders is wanted.
          *
          * @private
          */
         engine var wantsSurface:Boolean = false;
 
         /**
-         * The settings of libraries as they are now.
+         * Copies the present settings of the libraries.
          *
-         * @param structures finds structures; null if none are wanted
-         * @param hierarchies builds hierarchies; null if none are wanted
+         * @param structures the library of structures; null if none are wanted
+         * @param hierarchies the library of hierarchies; null if none are wanted
          */
         public function FitSettings(structures:BoundingStructuresLibrary, hierarchies:HierarchiesLibrary)
         {
@@ -55,13 +56,13 @@ package starlogo.libraries
             }
         }
 
-        /** All of them in sixteen hexadecimal digits. */
+        /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
             return fingerprintOf([structures, hierarchy, wantsSurface].join()).toString();
         }
 
-        // null if one of the fitters has no signature
+        // null if a fitter has no signature
         private static function fingerprintOfAll(fitters:Vector.<Fitter>):Fingerprint
         {
             var signatures:Array = ["structures"];

@@ -3,22 +3,21 @@ package starlogo.libraries
     import flash.utils.ByteArray;
 
     /**
-     * Where a FitStore keeps bytes from one game to the next, by name. It may lose them, change them or refuse more of them:
-     * a FitStore checks what comes back.
+     * Stores the bytes of a FitStore between games, by name. It may lose, change or refuse bytes, because the FitStore checks every result.
      */
     public interface FitStorage
     {
-        /** What is kept under a name, a copy; null if nothing is, or can't be read. Throws nothing. */
+        /** A copy of the bytes under a name; null if there are none, or they can't be read. Never throws. */
         function read(name:String):ByteArray;
 
         /**
-         * Keeps bytes under a name, in place of what was there.
+         * Stores bytes under a name and replaces the bytes stored there before. Never throws.
          *
-         * @return whether they are kept now; if not, nothing is under the name. Throws nothing
+         * @return whether the bytes are stored; if not, nothing is stored under the name
          */
         function write(name:String, bytes:ByteArray):Boolean;
 
-        /** Forgets what is kept under a name, if anything is. Throws nothing. */
+        /** Removes the bytes under a name, if there are any. Never throws. */
         function remove(name:String):void;
     }
 }

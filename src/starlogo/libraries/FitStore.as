@@ -17,19 +17,20 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Keeps from one game to the next what was computed for models (thesis §7.9), so that a machine computes it once: a
-     * GreatLand that has one asks it before it computes, and gives it what it had to compute.
+     * Keeps the results computed for models from one game to the next (thesis §7.9). So each machine computes them only once. Give it to a
+     * GreatLand: the GreatLand looks here before it computes, and stores new results here.
      *
-     * <p>An entry is found by the geometry of a model, whatever its name, and by every setting that matters. What comes back is
-     * checked as a cooked file is: an entry that was changed, cut off or forged is ignored, and replaced. Where there is no room, the
-     * entries that were not used for longest go; where nothing can be kept, games work without.</p>
+     * <p>An entry is found by the model's geometry and all settings that matter. The model's name does not matter. Every entry is checked
+     * like a cooked file. A changed, incomplete or forged entry is ignored and replaced. If there is not enough room, the least recently
+     * used entries are removed. If nothing can be stored, games still work.</p>
      *
-     * <p>Several games at once, in several tabs say, may share a storage. Each entry is stored separately, so that no game overwrites the entries
-     * of another; if two write the list of entries at the same time, one entry may be missing from it until it is used the next time.</p>
+     * <p>Several games may share a storage at the same time, for example in several tabs. Each entry is stored separately, so no game
+     * overwrites another's entries. If two games write the list of entries at the same time, an entry may be missing from the list until
+     * its next use.</p>
      */
     public final class FitStore
     {
-        /** How many bytes of fits are kept unless told. Flash Player lets a site have 100 KB unasked. */
+        /** The default capacity, in bytes. Flash Player lets a site store 100 KB without asking the user. */
         public static const DEFAULT_CAPACITY:int = 90000;
 
         private static const INDEX:String = "index";
@@ -39,10 +40,10 @@ package starlogo.libraries
         private var _isOff:Boolean = false;
 
         /**
-         * A store of a certain size.
+         * Creates a store of a given size.
          *
-         * @param capacity how many bytes to keep at most
-         * @param storage where; null for the player's shared objects, or the page's local storage
+         * @param capacity the most bytes to keep, 0 or more
+         * @param storage where to keep them; null for the player's shared objects, or the page's local storage
          * @throws RangeError if the capacity is negative or not a number
          */
         public function FitStore(capacity:Number = DEFAULT_CAPACITY, storage:FitStorage = null)
@@ -55,25 +56,25 @@ package starlogo.libraries
             _storage = storage == null ? new SharedFitStorage() : storage;
         }
 
-        /** How many bytes are kept at most. */
+        /** The most bytes that it keeps. */
         public function get capacity():Number
         {
             return _capacity;
         }
 
-        /** How many bytes are kept. */
+        /** The number of bytes that it has now. */
         public function get length():Number
         {
             return readIndex().total;
         }
 
         /**
-         * What is kept of a model, at once.
+         * Reads the fits of a model, at once.
          *
          * @param model the model
-         * @param settings what it is wanted for
-         * @return null if nothing is kept, or what is kept is damaged
-         * @throws ArgumentError if one of the two is null
+         * @param settings the settings of the wanted fits
+         * @return null if there are none, or they are damaged
+         * @throws ArgumentError if one argument is null
          */
         public function read(model:Model, settings:FitSettings):ModelFits
         {
@@ -83,13 +84,13 @@ package starlogo.libraries
         }
 
         /**
-         * Keeps fits of a model, in place of what was kept of it for the same settings.
+         * Stores the fits of a model. They replace those stored for the same settings.
          *
          * @param model the model
-         * @param settings what they were computed with
-         * @param fits what was computed
-         * @return whether they are kept now
-         * @throws ArgumentError if one of the three is null
+         * @param settings the settings with which they were computed
+         * @param fits the fits
+         * @return whether they are stored
+         * @throws ArgumentError if one argument is null
          */
         public function write(model:Model, settings:FitSettings, fits:ModelFits):Boolean
         {
@@ -102,7 +103,7 @@ package starlogo.libraries
             return keep(geometry.fingerprint, settings, fits);
         }
 
-        /** Forgets everything. */
+        /** Removes all entries. */
         public function clear():void
         {
             for each (var name:String in readIndex().names)
@@ -113,12 +114,12 @@ package starlogo.libraries
         }
 
         /**
-         * Reads in steps what is kept of a model.
+         * Reads the fits of a model, in steps.
          *
          * @param model the model
-         * @param geometry what it is found by, not begun
-         * @param settings what it is wanted for
-         * @param fits gets what is kept; what it has already stays
+         * @param geometry the fingerprint of the model; none of its steps is done yet
+         * @param settings the settings of the wanted fits
+         * @param fits takes the results; it keeps what it already has
          *
          * @private
          */
@@ -153,7 +154,7 @@ package starlogo.libraries
         }
 
         /**
-         * Whether fits of a model may have room.
+         * Whether there may be room for the fits of a model.
          *
          * @private
          */
@@ -164,9 +165,9 @@ package starlogo.libraries
         }
 
         /**
-         * Keeps what was computed for a geometry.
+         * Stores the fits of a geometry.
          *
-         * @return whether they are kept now
+         * @return whether they are stored
          *
          * @private
          */
@@ -190,7 +191,7 @@ package starlogo.libraries
                 drop(index);
                 isKept = _storage.write(name, bytes);
             }
-            // there is no room for even one
+            // there is no room even for one entry
             _isOff = !isKept;
             if (isKept)
             {
@@ -218,7 +219,7 @@ package starlogo.libraries
         }
 
         /**
-         * What a model is found by, not begun.
+         * The fingerprint by which a model is found. None of its steps is done yet.
          *
          * @private
          */

@@ -12,31 +12,31 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * The hierarchy of bounding structures of each model, by the name of its shape (thesis §4.3, §4.4). A model's hierarchy
-     * is built when it is added; what is set here later counts for models added from then on.
+     * The hierarchy of bounding structures of each model, found by the name of its shape (thesis §4.3, §4.4). The hierarchy is built when a
+     * model is added. A setting that you change counts for models that are added afterwards.
      *
-     * <p>The thesis builds hierarchies of a model's vertices. Their boxes leave holes: a wall is four vertices, and below
-     * the first split nothing covers its middle. Where a model has triangles, they are what is divided here, and the box
-     * of a node encloses the whole triangles under it: no level misses a part of the surface. See HierarchyNode.</p>
+     * <p>The thesis builds hierarchies from vertices, and their boxes have holes. For example, a wall has four vertices. Below the first
+     * split no box covers its middle. This library divides the triangles of a model, if it has any. The box of a node then encloses all
+     * triangles of the node completely. So every level covers the whole surface. See HierarchyNode.</p>
      *
-     * <p>The nodes are the library's own, shared by every agent of the shape: do not change them.</p>
+     * <p>The nodes are shared by all agents of a shape: do not change them.</p>
      */
     public final class HierarchiesLibrary
     {
         /**
-         * Whether a node is split at the mean of its vertices along the longest axis of its box, or of its triangles'
-         * centres, rather than at the halfway point of that axis (§4.4).
+         * Whether a node is split at a mean along the longest axis of its box: the mean of its vertices, or of its triangles' centres.
+         * Otherwise it is split halfway along that axis (§4.4).
          */
         public var splitByMean:Boolean = false;
 
         /**
-         * Whether what exact colliders need of a model's triangles is prepared when the model is added, rather than when an
-         * exact collider, or one of models that are close, first meets the model. Then a load takes longer, and no frame does.
+         * Whether a model's surface is prepared for exact colliders when the model is added. Then loading takes longer, but no frame does.
+         * Otherwise it is prepared during the game, when a collider first needs it: see <code>GreatLand.prepareExact</code>.
          */
         public var prepareExact:Boolean = false;
 
         /**
-         * What is known of each shape; both libraries of a GreatLand share it.
+         * The data of all shapes. Both libraries of a GreatLand share it.
          *
          * @private
          */
@@ -46,16 +46,16 @@ package starlogo.libraries
         private var _maxDepth:int = 10;
         private var _boundsKind:int = BoundingStructure.BOX;
 
-        /** A library without models. */
+        /** Creates a library without models. */
         public function HierarchiesLibrary()
         {
         }
 
         /**
-         * A node of no more vertices than this is a leaf (§4.4; §4.8 would split one of just as many), and so is a single
-         * triangle. The vertices of a node's triangles count once each. The default is 5.
+         * A node with at most this many vertices is a leaf (§4.4). In another place the thesis splits a node with exactly this many (§4.8).
+         * A single triangle is always a leaf. A vertex that several triangles of the node share counts once. The default is 5.
          *
-         * @throws RangeError if it is set to less than 1
+         * @throws RangeError if you set it to less than 1
          */
         public function get minVerticesToSplit():int
         {
@@ -69,9 +69,9 @@ package starlogo.libraries
         }
 
         /**
-         * A node on this level is a leaf (§4.4); the root is on level 1. The default is 10.
+         * A node on this level is a leaf (§4.4). The root is on level 1. The default is 10.
          *
-         * @throws RangeError if it is set to less than 1
+         * @throws RangeError if you set it to less than 1
          */
         public function get maxDepth():int
         {
@@ -85,11 +85,11 @@ package starlogo.libraries
         }
 
         /**
-         * Which kind of structure the nodes have: BoundingStructure.BOX, the default, SPHERE or CAPSULE (§7.7). The splits are those of the
-         * boxes in any case. A sphere is about the middle of the node's box, a capsule along the box's longest axis; both
-         * are as small as the vertices then allow.
+         * The kind of structure of the nodes: BoundingStructure.BOX, the default, SPHERE or CAPSULE (§7.7). The splits are the same for all
+         * kinds. A sphere has the centre of the node's box. A capsule lies along the box's longest axis. Both are as small as the vertices
+         * allow.
          *
-         * @throws ArgumentError if it is set to anything else
+         * @throws ArgumentError if you set it to anything else
          */
         public function get boundsKind():int
         {
@@ -106,15 +106,14 @@ package starlogo.libraries
         }
 
         /**
-         * Builds and stores the hierarchy of a model; the one stored under the name before is replaced. If it throws,
-         * nothing has changed. The time goes with the number of triangles or vertices times the number of levels.
+         * Builds and stores the hierarchy of a model. It replaces the one stored under the same name. If it throws, nothing has changed.
+         * The time is proportional to the number of triangles or vertices times the number of levels.
          *
          * @param name the shape's name
-         * @param vertices x, y, z of each of the model's vertices, in the model's space; copied
-         * @param triangles three vertex indices each, or null where only vertices are known; an empty one is taken for
-         *     null; copied. Triangles without area are allowed
-         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, or a coordinate is missing or
-         *     not finite; if a triangle names a vertex that is not there
+         * @param vertices x, y, z of each vertex, in the model's space; copied
+         * @param triangles three vertex indices each; null or empty if only vertices are known; copied. Triangles without area are allowed
+         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, or a coordinate is missing or not finite;
+         * if a triangle names a vertex that does not exist
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
@@ -123,14 +122,14 @@ package starlogo.libraries
             shapes.of(name).setHierarchy(builder);
         }
 
-        /** Whether there is a hierarchy for a shape. */
+        /** Whether the library has a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
             return name != null && shapes.of(name).hasHierarchy;
         }
 
         /**
-         * The node around the whole model.
+         * The root of a shape's hierarchy: the node around the whole model.
          *
          * @throws ArgumentError if no model of this name was added
          */
@@ -154,7 +153,7 @@ package starlogo.libraries
         }
 
         /**
-         * The work that builds the hierarchy of a shape, not begun.
+         * The work that builds the hierarchy of a shape. None of its steps is done yet.
          *
          * @private
          */
@@ -171,7 +170,8 @@ package starlogo.libraries
         }
 
         /**
-         * The work that builds the hierarchy of a model, not begun. A model is known to be valid, and never changes.
+         * The work that builds the hierarchy of a model. None of its steps is done yet. The model is not checked or copied, because a Model
+         * is always valid and never changes.
          *
          * @private
          */

@@ -16,7 +16,8 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Gets for one model what the libraries need: from its cooked file, or else from a store; what neither has is computed, and kept in the store.
+     * Gets the results that the libraries need for one model. It takes them from the model's cooked file, otherwise from a store. It
+     * computes the results that are missing and adds them to the store.
      *
      * @private
      */
@@ -35,7 +36,7 @@ package starlogo.libraries
          * @param model the model
          * @param structures finds its structures; null if none are wanted
          * @param hierarchy builds its hierarchy; null if none is wanted
-         * @param settings those of the libraries that these two are of
+         * @param settings the settings of the libraries that want them
          * @param store null for none
          */
         public function ModelBuild(model:Model, structures:StructuresBuild, hierarchy:SolidHierarchyBuilder, settings:FitSettings,
@@ -76,13 +77,13 @@ package starlogo.libraries
             return _structures == null ? null : _structures.structures;
         }
 
-        /** Whether the structures were read, when no step is left. */
+        /** Whether the structures were read and not computed. Read it when no step is left. */
         public function get areStructuresRead():Boolean
         {
             return _structures != null && _fits.structures != null;
         }
 
-        /** The builder that has the hierarchy, or builds it when it is needed; when no step is left. Null if none was wanted. */
+        /** The builder that has the hierarchy or builds it when it is needed. Read it when no step is left. Null if none was wanted. */
         public function get hierarchy():SolidHierarchyBuilder
         {
             return _hierarchy;
@@ -95,9 +96,9 @@ package starlogo.libraries
         }
 
         /**
-         * A cooked file of the model, including the surface, when no step is left. If the surface is not prepared, that is done now.
+         * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
          *
-         * @param wanted what the model is for
+         * @param wanted the fingerprint of the model's arguments
          */
         public function toCooked(wanted:Fingerprint):ByteArray
         {
@@ -126,7 +127,7 @@ package starlogo.libraries
             }
         }
 
-        // What is known already waits until it is needed, unless all is to be prepared.
+        // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
         private function divide():Steps
         {
             return _hierarchy.isTaken && !_settings.wantsSurface ? null : _hierarchy;

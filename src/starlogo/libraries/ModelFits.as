@@ -11,13 +11,13 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * The record of what was computed for a model: the smallest structures, how the hierarchy divides the triangles, and the surface. A cooked
-     * file contains it and a FitStore keeps it, sealed by a checksum.
+     * The results that were computed for a model: the smallest structures, the division of the triangles in the hierarchy, and the surface.
+     * A cooked file contains it and a FitStore keeps it. A checksum protects both.
      */
     public final class ModelFits
     {
         /**
-         * By the numbers of the kinds, the smallest of each, or null; null if there are none.
+         * The smallest structure of each kind, or null. The index is the kind's number. The list is null if there are no structures.
          *
          * @private
          */
@@ -31,7 +31,7 @@ package starlogo.libraries
         engine var tree:ByteArray = null;
 
         /**
-         * What exact tests need to know of the surface; null if it was not prepared.
+         * The surface for exact tests; null if it was not prepared.
          *
          * @private
          */
@@ -42,26 +42,26 @@ package starlogo.libraries
         {
         }
 
-        /** Whether there are structures. */
+        /** Whether it has structures. */
         public function get hasStructures():Boolean
         {
             return structures != null;
         }
 
-        /** Whether there is a hierarchy. */
+        /** Whether it has a hierarchy. */
         public function get hasHierarchy():Boolean
         {
             return tree != null;
         }
 
-        /** Whether there is what exact colliders need of the surface. */
+        /** Whether it has the surface for exact colliders. */
         public function get hasSurface():Boolean
         {
             return surface != null;
         }
 
         /**
-         * The fits that the libraries have.
+         * The results that the libraries have for a model.
          *
          * @param shape null if there are no structures
          * @param hierarchy null if there is none

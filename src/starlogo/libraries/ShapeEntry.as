@@ -5,13 +5,13 @@ package starlogo.libraries
     import starlogo.solid.SolidHierarchyBuilder;
 
     /**
-     * What is known under the name of one shape.
+     * The data under the name of one shape.
      *
      * @private
      */
     public final class ShapeEntry
     {
-        /** How many models of the name are being loaded. */
+        /** The number of models of this name that are loading. */
         public var loading:int = 0;
 
         private var _table:ShapeTable;
@@ -21,15 +21,13 @@ package starlogo.libraries
         private var _builder:SolidHierarchyBuilder = null;
         private var _hierarchy:SolidHierarchy = null;
 
-        /**
-         * @param table counts what is replaced or removed
-         */
+        /** @param table counts replaced and removed data of all shapes */
         public function ShapeEntry(table:ShapeTable)
         {
             _table = table;
         }
 
-        /** How often something that was known under the name was replaced or removed. */
+        /** The number of times that data under this name was replaced or removed. */
         public function get revision():int
         {
             return _revision;
@@ -47,7 +45,7 @@ package starlogo.libraries
             _model = value;
         }
 
-        /** Its structures; null if there are none. */
+        /** The structures; null if there are none. */
         public function get structures():ShapeStructures
         {
             return _structures;
@@ -59,13 +57,13 @@ package starlogo.libraries
             _structures = value;
         }
 
-        /** Whether there is a hierarchy, built or not. */
+        /** Whether there is a hierarchy. It may not be built yet. */
         public function get hasHierarchy():Boolean
         {
             return _builder != null || _hierarchy != null;
         }
 
-        /** Its hierarchy, built now where that was left until it is needed; null if there is none. */
+        /** The hierarchy; null if there is none. If it is not built yet, it is built now. */
         public function get hierarchy():SolidHierarchy
         {
             if (_builder != null)
@@ -76,7 +74,7 @@ package starlogo.libraries
             return _hierarchy;
         }
 
-        /** Sets the builder that has the hierarchy, or builds it when it is first asked for; null for none. */
+        /** Sets the builder that has the hierarchy, or that builds it when it is first needed; null for none. */
         public function setHierarchy(builder:SolidHierarchyBuilder):void
         {
             countChange(_builder || _hierarchy);

@@ -3,26 +3,29 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * What the BoundingStructuresLibrary has of one shape. Structures are listed by the numbers of their kinds, which are numbered by the
-     * cost of their tests.
+     * The structures of one shape in the BoundingStructuresLibrary. The index in a list is the kind's number. Kinds with cheaper tests have
+     * lower numbers.
      *
      * @private
      */
     public final class ShapeStructures
     {
-        /** The smallest structure of each kind, or null; also if the client is not given it, so that it need not be computed again. */
+        /**
+         * The smallest structure of each kind, or null. It is kept even if the client may not read it, so that it need not be computed
+         * again.
+         */
         public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
-        /** The structure with the least volume, or with the cheapest tests within the factor. */
+        /** The structure with the least volume, or one with cheaper tests within the factor. */
         public var tightest:BoundingStructure = null;
 
-        /** Whether the client is given the smallest of each kind. */
+        /** Whether the client may read the smallest structure of each kind. */
         public var keepsAll:Boolean;
 
         /**
-         * @param found all structures that were found; null among them is left out
-         * @param cheaperTestsFactor how much larger than the smallest one the tightest may be for cheaper tests
-         * @param keepsAll whether the client is given the smallest of each kind
+         * @param found all structures that were found; null entries are ignored
+         * @param cheaperTestsFactor a structure with cheaper tests may have this many times the smallest volume
+         * @param keepsAll whether the client may read the smallest structure of each kind
          */
         public function ShapeStructures(found:Vector.<BoundingStructure>, cheaperTestsFactor:Number, keepsAll:Boolean)
         {
@@ -38,7 +41,7 @@ package starlogo.libraries
             }
             for each (structure in smallest)
             {
-                // a volume that was read may be no number
+                // a volume that was read may be NaN
                 if (tightest == null && structure != null && !(structure.volume > least * cheaperTestsFactor))
                 {
                     tightest = structure;
@@ -46,7 +49,7 @@ package starlogo.libraries
             }
         }
 
-        /** Takes what other fitters found of kinds that are missing. */
+        /** Adds the structures of kinds that are missing here. */
         public function addMissing(other:ShapeStructures):void
         {
             for (var kind:int = 0; kind < smallest.length; kind++)

@@ -1,27 +1,27 @@
 package starlogo.libraries
 {
     /**
-     * What a game has under the names of shapes, and how often any of it was replaced or removed: what was derived from it is void when that number
-     * has changed.
+     * The data of a game under the names of shapes. It counts how often data was replaced or removed. If that number has changed, results
+     * derived from the data are out of date.
      *
      * @private
      */
     public final class ShapeTable
     {
-        // in front of every key: a shape may be called "hasOwnProperty"
+        // stands before every key, because a shape may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
-        /** How often something was replaced or removed, whatever its name. */
+        /** The number of times that data of any shape was replaced or removed. */
         public var revision:int = 0;
 
         private var _entries:Object = {};
 
-        /** An empty table. */
+        /** Creates an empty table. */
         public function ShapeTable()
         {
         }
 
-        /** The entry of a name; an empty one if nothing is known. Once made, an entry stays: its revisions are counted on. */
+        /** The entry of a name. An unknown name gets an empty entry. An entry is never removed, so its revision only increases. */
         public function of(name:String):ShapeEntry
         {
             var entry:ShapeEntry = _entries[PREFIX + name];
@@ -43,11 +43,11 @@ package starlogo.libraries
         }
 
         /**
-         * The error to throw if something is missing under a name.
+         * The error for something that is missing under a name.
          *
          * @param what the thing that is missing
          * @param name the name
-         * @param flag the flag that would have it computed
+         * @param flag the flag that makes addModel compute it
          */
         public static function missing(what:String, name:String, flag:String):ArgumentError
         {

@@ -5,17 +5,17 @@ package starlogo.libraries
     import flash.utils.ByteArray;
 
     /**
-     * Keeps fits as shared objects, one for each name (thesis §7.9): in the player on the user's disk, in the ES module in the
-     * page's local storage. Where these are switched off nothing is kept.
+     * Keeps fits as shared objects, one for each name (thesis §7.9). In the player they are on the user's disk, in the ES module in the
+     * page's local storage. If these are switched off, nothing is kept.
      *
-     * <p>The player lets a site have 100 KB unasked. For more it asks the user, and a game does not wait for the answer: what would need more room
-     * is not kept.</p>
+     * <p>The player lets a site store 100 KB without asking. For more it asks the user, and a game does not wait for the answer. So entries
+     * that would need more room are not kept.</p>
      */
     public final class SharedFitStorage implements FitStorage
     {
         private static const PREFIX:String = "starlogo-fits/";
 
-        /** The player's shared objects of this site. */
+        /** Uses the player's shared objects of this site. */
         public function SharedFitStorage()
         {
         }
@@ -62,7 +62,7 @@ package starlogo.libraries
             }
         }
 
-        // null where they are switched off
+        // null if they are switched off
         private static function sharedOf(name:String):SharedObject
         {
             try
@@ -71,7 +71,7 @@ package starlogo.libraries
             }
             catch (error:Error)
             {
-                // null
+                // the result is null
             }
             return null;
         }

@@ -14,8 +14,8 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Finds the structures of one shape for a BoundingStructuresLibrary, with the library's settings as they were when it
-     * began: the hull of the vertices, then what each fitter finds.
+     * Finds the structures of one shape for a BoundingStructuresLibrary. It computes the convex hull of the vertices, and then runs each
+     * fitter. It uses the settings that the library had at the beginning.
      *
      * @private
      */
@@ -33,10 +33,10 @@ package starlogo.libraries
 
         /**
          * @param name the shape's name
-         * @param vertices x, y, z each; not to be changed until the last step is done
-         * @param fitters what to compare; copied
-         * @param cheaperTestsFactor how much larger than the smallest one the tightest may be for cheaper tests
-         * @param keepsAll whether the client is given the smallest one of each kind
+         * @param vertices x, y, z each; must not change until the last step is done
+         * @param fitters the fitters to compare; copied
+         * @param cheaperTestsFactor a structure with cheaper tests may have this many times the smallest volume
+         * @param keepsAll whether the client may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
         public function StructuresBuild(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, cheaperTestsFactor:Number,
@@ -67,9 +67,9 @@ package starlogo.libraries
         }
 
         /**
-         * Uses structures that were read in place of the fitters. To be called before the first step.
+         * Uses structures that were read instead of running the fitters. Call it before the first step.
          *
-         * @param read by the numbers of the kinds, the smallest of each that the fitters once found, or null
+         * @param read the smallest structure of each kind that the fitters found before, or null; the index is the kind's number
          */
         public function useRead(read:Vector.<BoundingStructure>):void
         {
@@ -85,8 +85,9 @@ package starlogo.libraries
         /**
          * @inheritDoc
          *
-         * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is not
-         *         finite; if a fitter finds what cannot be collided or does not enclose the vertices, or refuses them; the message names the shape
+         * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is not finite;
+         * if a fitter finds a structure that cannot be collided or does not enclose the vertices, or refuses the vertices; the message
+         * names the shape
          */
         public function step():Boolean
         {
@@ -101,7 +102,7 @@ package starlogo.libraries
             return false;
         }
 
-        // One structure in each call.
+        // Checks one structure in each call.
         private function checkNext():Boolean
         {
             var fitter:Fitter = _fitters[_checked];
@@ -120,7 +121,7 @@ package starlogo.libraries
             return _checked < _fits.length;
         }
 
-        // Where the first vertex is that is farther outside than a fit may leave one; -1 if there is none.
+        // The place of the first vertex that is farther outside than the tolerance of a fit; -1 if there is none.
         private function firstOutside(structure:BoundingStructure):int
         {
             var most:Number = EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;

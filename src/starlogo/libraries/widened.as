@@ -7,9 +7,9 @@ package starlogo.libraries
     import starlogo.geometry.Tolerances;
 
     /**
-     * A copy of a fitted structure that is wider by what surfaces may be apart and still touch (Tolerances.SURFACES): models
-     * whose surfaces touch have structures that do, also flat and thin ones. A sphere is as it was: its radius is never small
-     * beside the model, so that the tests' own tolerance does.
+     * A copy of a fitted structure, wider by the distance at which surfaces still count as touching (Tolerances.SURFACES). So if the
+     * surfaces of two models touch, their structures do too, even flat and thin ones. A sphere is copied unchanged: its radius is never
+     * small compared with the model, so the tests' own tolerance is enough.
      *
      * @param structure a sphere, a capsule or a box
      *
@@ -17,7 +17,8 @@ package starlogo.libraries
      */
     internal function widened(structure:BoundingStructure):BoundingStructure
     {
-        // a model's radius, about the middle of its extents, is at most the root of three times that of a sphere around it
+        // The tolerance depends on the model's radius about the middle of its extents. That is at most the square root of 3 times the
+        // radius of a sphere around the model.
         var copy:BoundingStructure = structure.clone();
         if (copy is Capsule)
         {

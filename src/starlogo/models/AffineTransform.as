@@ -3,24 +3,23 @@ package starlogo.models
     import starlogo.geometry.Placement;
 
     /**
-     * Where a node of a scene is: x' = m00 x + m01 y + m02 z + m03 and so on, in doubles on every player.
+     * An affine transform of points: a node's place in a scene. x' = m00 x + m01 y + m02 z + m03, and y' and z' from the next two rows. All
+     * numbers are doubles on every player.
      *
      * @private
      */
     public final class AffineTransform
     {
-        /** Three rows of four numbers, the last of each the translation. */
+        /** Three rows of four numbers. The last number of each row is the translation. */
         public var rows:Vector.<Number>;
 
-        /**
-         * @param rows three rows of four numbers, the last of each the translation; null for no change
-         */
+        /** @param rows three rows of four numbers, the last of each row the translation; null for no change */
         public function AffineTransform(rows:Vector.<Number> = null)
         {
             this.rows = rows == null ? new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : rows;
         }
 
-        /** A scale, after it a turn, after it a translation. @param turn its rotation */
+        /** A transform that scales first, then turns, then moves. @param turn gives the rotation */
         public static function of(turn:Placement, scaleX:Number = 1, scaleY:Number = 1, scaleZ:Number = 1, x:Number = 0, y:Number = 0, z:Number = 0):AffineTransform
         {
             return new AffineTransform(new <Number>[
@@ -29,7 +28,7 @@ package starlogo.models
                         turn.r20 * scaleX, turn.r21 * scaleY, turn.r22 * scaleZ, z]);
         }
 
-        /** First another transform, then this one. */
+        /** Returns the transform that applies the given one first and then this one. */
         public function after(first:AffineTransform):AffineTransform
         {
             var a:Vector.<Number> = rows;
@@ -46,7 +45,7 @@ package starlogo.models
             return new AffineTransform(product);
         }
 
-        /** Whether it turns left turns into right ones. */
+        /** Whether it mirrors: a left hand becomes a right hand. */
         public function get isMirror():Boolean
         {
             var m:Vector.<Number> = rows;
@@ -54,14 +53,14 @@ package starlogo.models
         }
 
         /**
-         * Transforms some points.
+         * Transforms the points from one index up to another.
          *
-         * @param points x, y, z each
-         * @param first the first of them
-         * @param end the one behind the last
-         * @param out where they go; long enough; may be the same points
-         * @param to where in it the first one goes
-         * @return whether all their coordinates are finite
+         * @param points x, y, z of each point
+         * @param first the index of the first point
+         * @param end the index after the last point
+         * @param out takes the results; long enough; may be the same vector as points
+         * @param to the index in out for the first point
+         * @return whether all new coordinates are finite
          */
         public function place(points:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int):Boolean
         {

@@ -3,8 +3,8 @@ package starlogo.models
     import starlogo.geometry.Trigonometry;
 
     /**
-     * The shapes that the client has without a file: a sphere, a cube and a cylinder, with the vertex counts of the
-     * thesis (Figure 6-2). Their triangles are closed surfaces, counter-clockwise seen from outside.
+     * The shapes that need no file: a sphere, a cube and a cylinder, with the vertex counts of the thesis (Figure 6-2). Their surfaces are
+     * closed, and their triangles are counter-clockwise seen from outside.
      */
     public final class BuiltInModel extends Model
     {
@@ -14,17 +14,16 @@ package starlogo.models
         private static const CYLINDER_SIDE_RINGS:int = 8;
         private static const CYLINDER_HEIGHT:Number = 1.1314;
 
-        // the corners of a square, in this order, are counter-clockwise seen against the axis that they are given
+        // The corners of a square, counter-clockwise seen from the end of the axis.
         private static const SQUARE_U:Vector.<Number> = new <Number>[-0.5, 0.5, 0.5, -0.5];
         private static const SQUARE_V:Vector.<Number> = new <Number>[-0.5, -0.5, 0.5, 0.5];
 
         /**
-         * The shapes come from <code>sphere()</code>, <code>cube()</code> and <code>cylinder()</code>; the
-         * constructor serves them.
+         * Use <code>sphere()</code>, <code>cube()</code> or <code>cylinder()</code> instead.
          *
-         * @param name as Model's
-         * @param vertices as Model's
-         * @param triangles as Model's
+         * @param name as for Model
+         * @param vertices as for Model
+         * @param triangles as for Model
          */
         public function BuiltInModel(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
@@ -32,8 +31,8 @@ package starlogo.models
         }
 
         /**
-         * A sphere of diameter 1, named "sphere": two poles and 13 rings of 17 vertices (16 segments, the vertex at the
-         * seam repeated), 223 in all, and 416 triangles.
+         * A sphere of diameter 1, named "sphere". It has 223 vertices: two poles and 13 rings of 17 vertices (16 segments; the vertex at
+         * the seam appears twice). It has 416 triangles.
          */
         public static function sphere():Model
         {
@@ -61,7 +60,8 @@ package starlogo.models
         }
 
         /**
-         * A cube of edge 1, named "cube": each of its 6 faces has 4 vertices of its own, 24 in all, and 2 triangles.
+         * A cube of edge 1, named "cube". Each of its 6 faces has 4 vertices of its own and 2 triangles, so the cube has 24 vertices and 12
+         * triangles.
          */
         public static function cube():Model
         {
@@ -84,8 +84,8 @@ package starlogo.models
         }
 
         /**
-         * An upright cylinder of diameter 1 and height 1.1314 (that of Figure 6-1: it prints 1.131), named "cylinder": 10 rings of 32 vertices, 8 on the side
-         * and one round each cap, 320 in all, and 508 triangles.
+         * An upright cylinder of diameter 1 and height 1.1314, named "cylinder". Figure 6-1 prints the height as 1.131. It has 320 vertices
+         * in 10 rings of 32: 8 rings on the side and one around each cap. It has 508 triangles.
          */
         public static function cylinder():Model
         {
@@ -108,7 +108,7 @@ package starlogo.models
             return new BuiltInModel("cylinder", vertices, triangles);
         }
 
-        /** A horizontal circle of vertices about the z axis, counter-clockwise seen from above, the first at +x. */
+        /** Adds a horizontal circle of vertices around the z axis. It begins at +x and is counter-clockwise seen from above. */
         private static function addRing(vertices:Vector.<Number>, segments:int, radius:Number, z:Number):void
         {
             for (var segment:int = 0; segment < segments; segment++)
@@ -118,7 +118,10 @@ package starlogo.models
             }
         }
 
-        /** Joins each of some rings of vertices, which follow one another from the first vertex on, to the next ring. */
+        /**
+         * Joins each ring of vertices to the next ring with triangles. The rings follow one another, and the first ring begins at vertex
+         * first.
+         */
         private static function addBands(triangles:Vector.<uint>, first:int, count:int, ringSize:int, segments:int):void
         {
             for (var below:int = first; below < first + count * ringSize; below += ringSize)

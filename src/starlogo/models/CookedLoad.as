@@ -10,10 +10,10 @@ package starlogo.models
 
     use namespace engine;
 
-    /** Makes a model's shape of a cooked file, in steps, none of which throws. */
+    /** Makes a model's shape from a cooked file, in steps. No step throws. */
     internal final class CookedLoad extends StepSequence
     {
-        /** Why there is no shape, when no step is left; null if there is one. */
+        /** Why there is no shape; null if there is one. Read it when no step is left. */
         public var problem:ModelError = null;
 
         private var _name:String;
@@ -24,8 +24,8 @@ package starlogo.models
 
         /**
          * @param name the model's name
-         * @param bytes what may be a cooked file
-         * @param asked the arguments that it has to be for; null for any
+         * @param bytes the bytes of a possible cooked file
+         * @param asked the arguments for which the file must have been cooked; null for any
          */
         public function CookedLoad(name:String, bytes:ByteArray, asked:Fingerprint = null)
         {
@@ -49,7 +49,7 @@ package starlogo.models
             return false;
         }
 
-        /** Makes a model that of the file, when no step is left. @throws ModelError if there is a problem */
+        /** Gives the file's shape to a model. Call it when no step is left. @throws ModelError if there is a problem */
         public function giveTo(model:Model):Model
         {
             if (problem != null)

@@ -4,15 +4,16 @@ package starlogo.models
     import starlogo.steps.finish;
 
     /**
-     * A model from a cooked file: what <code>GreatLand.bake()</code>, <code>./antw bake</code> or <code>starlogo-bake</code> made of a model's
-     * source. It is the same as the source's, to the last bit, and a GreatLand that it is added to need not compute what the file has.
+     * A model from a cooked file. <code>GreatLand.bake()</code>, <code>./antw bake</code> or <code>starlogo-bake</code> makes the file from
+     * a model's source. The model equals the source's to the last bit. A GreatLand that it is added to need not compute what is in the
+     * file.
      *
-     * <p>The file is checked as docs/cooked.md says. Its up axis, transform and scaling are in it. Cost: linear in the file.</p>
+     * <p>The file is checked as docs/cooked.md says. It contains its up axis, transform and scaling. Cost: linear in the file.</p>
      */
     public class CookedModel extends Model
     {
         /**
-         * The model comes from <code>fromBytes()</code>; the constructor serves that.
+         * Use <code>fromBytes()</code> instead.
          *
          * @copy #fromBytes()
          */
@@ -28,8 +29,8 @@ package starlogo.models
          * Reads a model from a file's bytes.
          *
          * @param name what agents call the shape, not empty
-         * @param bytes the whole file, which is left as it is but for position and endianness
-         * @throws ModelError if it is no cooked file, or one that is damaged, of another version, or forged so that it makes no model
+         * @param bytes the whole file; its position and endianness may change
+         * @throws ModelError if it is no cooked file, or if the file is damaged, of another version, or forged and makes no model
          */
         public static function fromBytes(name:String, bytes:ByteArray):CookedModel
         {

@@ -1,42 +1,44 @@
 package starlogo.models
 {
     /**
-     * Reads numbers that are written in decimals, with the same result on every machine: the nearest Number, or one of the two nearest where the
-     * middle between them is nearer than 1e-12 of their distance. What players read differs by some units in the last place where there are more than fifteen digits.
+     * Reads decimal numbers with the same result on every machine. The result is the nearest Number. If the decimal is almost halfway
+     * between two Numbers (within 1e-12 of their distance), the result is one of these two. The players' own functions differ in the last
+     * bits if a number has more than fifteen digits.
      *
-     * <p>These are taken as the sum of two Numbers, with the exact products of T. J. Dekker ("A floating-point technique for extending the
-     * available precision", Numerische Mathematik 18, 1971).</p>
+     * <p>Such a number is taken as the sum of two Numbers. Products are computed exactly, by the method of T. J. Dekker ("A floating-point
+     * technique for extending the available precision", Numerische Mathematik 18, 1971).</p>
      *
      * @private
      */
     public final class Decimal
     {
-        // So many characters have at most fifteen digits: a whole Number. Between the limits it is multiplied or divided, once, by at most 1e22, a
-        // Number too: all players round that alike.
+        // A word of this length has at most fifteen digits, so its digits make a whole Number exactly. If the value is between the limits,
+        // the player multiplies or divides the digits once, by a power of ten up to 1e22. Those powers are exact too, so all players round
+        // in the same way.
         private static const SHORT:int = 15;
         private static const SMALLEST:Number = 1e-7;
         private static const LARGEST:Number = 1e15;
 
-        // sign, digits, digits behind the point, exponent; not the zeros before
+        // sign, digits, digits after the point, exponent; leading zeros are left out
         private static const PARTS:RegExp = /^([-+]?)(?=\.?\d)0*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?$/;
         private static const MOST_DIGITS:int = 30;
         private static const LARGEST_EXPONENT:Number = 99999;
         private static const POWERS:Vector.<Number> = powersOfTen(22);
 
-        // 2^27 + 1 splits a Number in two halves, if it is not among the largest: the products of halves are exact
+        // 2^27 + 1 splits a Number into two halves whose products are exact. The largest Numbers cannot be split.
         private static const SPLITTER:Number = 134217729;
         private static const LARGEST_TO_SPLIT:Number = 1e290;
 
-        /** All is static. */
+        /** Has only static members. */
         public function Decimal()
         {
         }
 
         /**
-         * The number that a word is.
+         * The number that a word stands for.
          *
          * @param word such as "1", "-.5" or "2.50e-3"
-         * @return NaN if it is none; Infinity if it is too large
+         * @return NaN if the word is no number; Infinity if it is too large
          */
         public static function of(word:String):Number
         {
@@ -45,7 +47,7 @@ package starlogo.models
             {
                 return NaN;
             }
-            // to some players "1e" is a number
+            // some players read "1e" as a number
             var last:int = word.charCodeAt(length - 1);
             if (length <= SHORT && last < 0x3A && last > 0x2D)
             {
@@ -74,7 +76,7 @@ package starlogo.models
             return parts[1] == "-" ? -size : size;
         }
 
-        // (first * 10^shift + second) * 10^exponent; first and second are whole and have at most fifteen digits
+        // Returns (first * 10^shift + second) * 10^exponent. first and second are whole and have at most fifteen digits.
         private static function scaled(first:Number, second:Number, shift:int, exponent:Number):Number
         {
             var product:Number = first * POWERS[shift];
@@ -107,7 +109,7 @@ package starlogo.models
             return high;
         }
 
-        // What a product lacks by rounding.
+        // The rounding error of a product.
         private static function errorOf(a:Number, b:Number, product:Number):Number
         {
             var split:Number = SPLITTER * a;

@@ -1,14 +1,14 @@
 package starlogo.models
 {
     /**
-     * Reads text that has a statement in each line, some lines at a time. A format overrides <code>readStatement()</code>, whose own loops go
-     * through <code>words</code>: that is what makes it fast.
+     * Reads text that has one statement per line, some lines at a time. A format overrides <code>readStatement()</code>. That method loops
+     * over <code>words</code> itself, because this is fast.
      *
      * @private
      */
     public class LineReader extends ModelReader
     {
-        // the marks are words of characters that no text uses
+        // The marks are words made of characters that no text uses.
 
         /** Marks a line's end.  */
         protected static const END:String = "\uE000";
@@ -16,24 +16,24 @@ package starlogo.models
         /** Marks a line's end after which the next line continues the statement. */
         protected static const CONTINUED:String = "\uE001";
 
-        // a line is taken in one step, with those that it is continued in
+        // A line is read in one step, together with its continuation lines.
         private static const MAX_PIECE:int = 1000000;
 
         private static const CHARACTERS_PER_PIECE:int = 30000;
         private static const WORDS_PER_STEP:int = 1000;
 
-        /** The words of the present piece. The first and the last are empty. */
+        /** The words of the piece that is being read. The first and the last are empty. */
         protected var words:Array = [""];
 
-        /** Where in <code>words</code> the next one is. */
+        /** The index of the next word in <code>words</code>. */
         protected var next:int = 0;
 
-        /** The number of the next word's line, from 1. Whoever passes a mark counts it. */
+        /** The line number of the next word, from 1. The code that passes a mark must increase it. */
         protected var line:int = 0;
 
         private var _source:String = "";
 
-        // the piece is the text from _start up to _end
+        // The piece is the text from _start up to _end.
         private var _start:int = 0;
         private var _end:int = 0;
 
@@ -58,32 +58,35 @@ package starlogo.models
             return "line " + line;
         }
 
-        /** Adds the steps that read a text. @param source the text; a byte-order mark is left out */
+        /** Adds the steps that read a text. @param source the text; a byte-order mark is skipped */
         protected final function readLines(source:String):void
         {
             _source = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
             repeat(readSome);
         }
 
-        /** Reads a statement, or as much of it as matters. A format that does not say how passes over all. @param word its first word; the next one is <code>words[next]</code> */
+        /**
+         * Reads a statement, or the part of it that matters. By default every statement is skipped. @param word its first word; the next
+         * one is <code>words[next]</code>
+         */
         protected function readStatement(word:String):void
         {
             skipStatement();
         }
 
-        /** How many triangles there are so far. */
+        /** The number of triangles so far. */
         protected function get triangleCount():int
         {
             return triangles.length / 3;
         }
 
-        /** Refuses what has too many vertices or triangles so far. */
+        /** Throws if there are too many vertices or triangles so far. */
         protected final function checkLimits(place:String):void
         {
             refuseIf(ModelLimits.areExceeded(vertices.length / 3, triangleCount), name, ModelLimits.PROBLEM, place);
         }
 
-        /** Goes to the end of the line. */
+        /** Moves on to the end of the line. */
         protected final function skipStatement():void
         {
             var word:String = words[next];
@@ -93,7 +96,7 @@ package starlogo.models
             }
         }
 
-        /** The words up to the end of the statement or to a comment, without marks; goes to that end. */
+        /** Returns the words up to the end of the statement or to a comment, without marks. Moves on to that end. */
         protected final function restOfStatement():Array
         {
             var rest:Array = [];
@@ -140,7 +143,7 @@ package starlogo.models
             return next < words.length - 1 || _end < _source.length;
         }
 
-        // Lines that are continued stay in one piece.
+        // Continued lines stay in one piece.
         private function readPiece():void
         {
             _start = _end;
@@ -150,7 +153,7 @@ package starlogo.models
                 _end = _source.indexOf("\n", _end) + 1;
             }
             _end = _end == 0 ? _source.length : _end;
-            refuseIf(_end - _start > MAX_PIECE, name, "a line, with those that it is continued in, has more than " + MAX_PIECE + " characters", placeOf(line + 1));
+            refuseIf(_end - _start > MAX_PIECE, name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(line + 1));
             var text:String = (_start == 0 ? "\n" : "") + _source.substring(_start, _end) + (_end == _source.length ? "\n" : "");
             text = TextTokens.replaceAll(text, "\r\n", "\n");
             text = TextTokens.replaceAll(text, "\r", "\n");

@@ -8,48 +8,46 @@ package starlogo.models
     use namespace engine;
 
     /**
-     * The shape of a kind of agents, as the collision engine sees it: a name, vertices and, where known, triangles.
+     * A shape that agents can have: a name, vertices and, if known, triangles.
      *
-     * <p>The vertices are normalised: <code>FOOTPRINT</code>, <code>VOLUME</code> and <code>AS_GIVEN</code> say how. An agent is the model,
-     * scaled by its size, turned about the model's origin and put in its place.</p>
+     * <p>The vertices are normalised: <code>FOOTPRINT</code>, <code>VOLUME</code> and <code>AS_GIVEN</code> say how. To place an agent, its
+     * model is scaled by the agent's size, turned about the model's origin and moved to the agent's position.</p>
      *
-     * <p>A model never changes. Its coordinates are finite and its triangles name vertices that exist; triangles
-     * without area are kept.</p>
+     * <p>A model never changes. Its coordinates are finite, and its triangles use only existing vertices. Triangles without area are
+     * kept.</p>
      */
     public class Model
     {
-        /** The vertices of a model that takes its shape from elsewhere. */
+        /** The vertices of a model whose shape is set later. */
         internal static const ORIGIN:Vector.<Number> = new <Number>[0, 0, 0];
 
         /**
-         * The scaling of the thesis (§2.2), and of every model unless told: centred on the origin in x and y, the lowest vertex at z = 0, and
-         * the larger of the x and y extents 1. In z a model may be taller than that. A model without extent in x and y (less than a
-         * millionth of its extent in z) is a vertical line: it is scaled to a z extent of 1. A single point is only moved to the origin. Of a
-         * ModelTransform its rotation and uneven scale are seen.
+         * The default scaling, from the thesis (§2.2). The model is centred on the origin in x and y, its lowest vertex is at z = 0, and
+         * the larger of its x and y extents is 1. Its height may be more than 1. If the x and y extents are both less than a millionth of
+         * the z extent, the model is a vertical line and its z extent becomes 1. A single point is only moved to the origin. Only the
+         * rotation and an uneven scale of a ModelTransform have an effect.
          */
         public static const FOOTPRINT:String = "footprint";
 
         /**
-         * The scaling of the StarLogo Nova client of 2017: centred, and divided by the cube root of its box's volume, a length of 0 counting
-         * as 1; turned as a ModelTransform says, and the same again; multiplied by the transform's factors; its lowest vertex put at z = 0; and
-         * moved as the transform says.
+         * The scaling of the StarLogo Nova client of 2017. The model is centred, and divided by the cube root of its box's volume; a side
+         * of length 0 counts as 1. Then it is turned by the ModelTransform, and centred and divided again. Then it is multiplied by the
+         * transform's factors, its lowest vertex is put at z = 0, and the transform moves it.
          */
         public static const VOLUME:String = "volume";
 
-        /**
-         * No scaling: for vertices that are in the agent's own unit and place already. A ModelTransform turns, scales and moves them.
-         */
+        /** No scaling, for vertices that are already in the agent's unit and place. A ModelTransform turns, scales and moves them. */
         public static const AS_GIVEN:String = "as given";
 
         /**
-         * The scalings, in the order of their numbers in cooked files.
+         * The scalings. Cooked files store their index here.
          *
          * @private
          */
         engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
 
         /**
-         * The file that has what was computed for the model; null for none.
+         * The cooked file with the results for the model; null for none.
          *
          * @private
          */
@@ -64,13 +62,13 @@ package starlogo.models
          * Copies and normalises a shape.
          *
          * @param name what agents call the shape, not empty
-         * @param vertices x, y, z, x, y, z, ... of at least one vertex, z up, in any unit; left as it is
-         * @param triangles three vertex indices (0 is the first vertex) each, or null where only vertices are known; an
-         *     empty one is taken for null; left as it is
+         * @param vertices x, y, z, x, y, z, ... of at least one vertex, z up, in any unit; is not changed
+         * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
+         * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @throws ModelError if the name is empty, there is no vertex, a coordinate is missing, not finite or so large
-         *     that the model's extent is not finite, an index names no vertex, or the scaling is none
-         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295, which all are in a Vector
+         * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
+         * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
+         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all are
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT)
         {
@@ -79,7 +77,7 @@ package starlogo.models
             setShape(shape);
         }
 
-        /** A model made of a shape of which all steps are done. */
+        /** A model with a shape whose steps are all done. */
         internal static function of(shape:NormalisedShape):Model
         {
             var model:Model = new Model(shape.name, ORIGIN);
@@ -87,35 +85,33 @@ package starlogo.models
             return model;
         }
 
-        /** Where the model is in what it was made of, and how large: for a renderer that draws the source. The model's own. */
+        /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
         public function get source():SourceFrame
         {
             return _source;
         }
 
-        /** What agents call the shape. */
+        /** The name by which agents select the shape. */
         public function get name():String
         {
             return _name;
         }
 
-        /** The vertices, normalised: x, y, z, x, y, z, ... The model's own: do not change them. */
+        /** The normalised vertices: x, y, z, x, y, z, ... This is the model's own vector: do not change it. */
         public function get vertices():Vector.<Number>
         {
             return _vertices;
         }
 
-        /**
-         * Three vertex indices per triangle, or null where only vertices are known. The model's own: do not change
-         * them.
-         */
+        /** Three vertex indices per triangle, or null if only vertices are known. This is the model's own vector: do not change it. */
         public function get triangles():Vector.<uint>
         {
             return _triangles;
         }
 
         /**
-         * Whether points, turned and scaled as the model's were, are its vertices to the last bit, and in the same place of its source.
+         * Whether the points make this model: normalised in the same way, they equal its vertices to the last bit, and their frame equals
+         * its source frame.
          *
          * @private
          */
@@ -126,7 +122,7 @@ package starlogo.models
             return VertexData.areSame(shape.vertices, _vertices) && shape.frame.isAs(_source) && String(shape.triangles) == String(_triangles);
         }
 
-        /** Gives the model its shape, all steps of which are done. */
+        /** Sets the shape. All its steps must be done. */
         internal final function setShape(shape:NormalisedShape):void
         {
             _name = shape.name;

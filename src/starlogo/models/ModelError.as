@@ -1,18 +1,16 @@
 package starlogo.models
 {
-    /**
-     * Thrown when a model can't be loaded: its message says which model, where in the file, and what is wrong with it.
-     */
+    /** Thrown if a model can't be loaded. The message says which model, where in the file, and what is wrong. */
     public class ModelError extends Error
     {
         private var _modelName:String;
         private var _place:String;
 
         /**
-         * An error that says which model, where and what.
+         * Creates an error for a place in a model's file.
          *
          * @param modelName the model's name as it was given
-         * @param place where in the file: "line 12", or an element's path; "" where it has no place
+         * @param place where in the file: "line 12", or an element's path; "" if the error has no place
          * @param problem what is wrong, and what was expected
          */
         public function ModelError(modelName:String, place:String, problem:String)
@@ -29,7 +27,7 @@ package starlogo.models
             return _modelName;
         }
 
-        /** Where in the file: "line 12" or an element's path; "" where it has no place. */
+        /** Where in the file: "line 12" or an element's path; "" if the error has no place. */
         public function get place():String
         {
             return _place;

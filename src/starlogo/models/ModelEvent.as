@@ -2,19 +2,19 @@ package starlogo.models
 {
     import flash.events.Event;
 
-    /** Tells that a ModelLoader has loaded a model: from now on agents may have its shape. */
+    /** Sent when a ModelLoader has loaded a model. From now on agents may have its shape. */
     public class ModelEvent extends Event
     {
-        /** The type of the event. */
+        /** Sent when a model is loaded. */
         public static const LOADED:String = "modelLoaded";
 
         private var _model:Model;
 
         /**
-         * An event of a model.
+         * Creates an event.
          *
          * @param type the type of the event
-         * @param model the model
+         * @param model the model that was loaded
          */
         public function ModelEvent(type:String, model:Model)
         {
@@ -22,13 +22,13 @@ package starlogo.models
             _model = model;
         }
 
-        /** The model. */
+        /** The model that was loaded. */
         public function get model():Model
         {
             return _model;
         }
 
-        /** The same event, to be sent again. */
+        /** Copies the event, so that it can be sent again. */
         override public function clone():Event
         {
             return new ModelEvent(type, _model);

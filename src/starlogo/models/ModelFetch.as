@@ -10,21 +10,21 @@ package starlogo.models
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
 
-    /** A model's file that is being fetched. */
+    /** The download of one file of a model. */
     internal final class ModelFetch
     {
         private static const EVENTS:Array = [Event.COMPLETE, ProgressEvent.PROGRESS, IOErrorEvent.IO_ERROR, SecurityErrorEvent.SECURITY_ERROR];
 
-        /** Whether the file is still being fetched: neither complete, nor failed, nor cancelled. */
+        /** Whether the download is running: it is not complete, not cancelled, and has not failed. */
         public var isUnderWay:Boolean = true;
 
-        /** How much of it is fetched, from 0 to 1. */
+        /** The share that has arrived, from 0 to 1. */
         public var progress:Number = 0;
 
-        /** The file; null until it is fetched. */
+        /** The file; null until it has arrived. */
         public var bytes:ByteArray = null;
 
-        /** Why it cannot be fetched; null if there is no problem. */
+        /** Why the file cannot be fetched; null if there is no problem. */
         public var problem:String = null;
 
         private var _loader:URLLoader;
@@ -32,7 +32,7 @@ package starlogo.models
         /**
          * Starts to fetch a file.
          *
-         * @param url where it is
+         * @param url the file's address
          * @param loader fetches it
          */
         public function ModelFetch(url:String, loader:URLLoader)

@@ -6,7 +6,7 @@ package starlogo.models
     import starlogo.steps.finish;
 
     /**
-     * Makes text of a model file's bytes, whatever the encoding.
+     * Decodes the bytes of a model's file into text. It detects the encoding.
      *
      * @private
      */
@@ -19,7 +19,7 @@ package starlogo.models
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;
 
-        /** All is static. */
+        /** Has only static members. */
         public function ModelFile()
         {
         }
@@ -27,8 +27,8 @@ package starlogo.models
         /**
          * The text of a file.
          *
-         * @param format what the file has to be if its format has a binary form as well, for the message
-         * @throws ModelError if the bytes are no text: an image, say
+         * @param format the format's name for the message, if the format has a binary form too; null otherwise
+         * @throws ModelError if the bytes are no text, for example an image
          */
         public static function text(name:String, bytes:ByteArray, format:String = null):String
         {
@@ -55,7 +55,7 @@ package starlogo.models
             return bytes.readUTFBytes(bytes.length);
         }
 
-        /** The text of a COLLADA document, or of the one in a zip archive. */
+        /** The text of a COLLADA document. The document may be in a zip archive. */
         public static function colladaText(name:String, bytes:ByteArray):String
         {
             if (bytes == null || !ZipArchive.isArchive(bytes))
@@ -87,7 +87,7 @@ package starlogo.models
             return declaration == null ? UTF_8 : declaration[1].toLowerCase();
         }
 
-        // the player ends a text at its first zero
+        // The player ends a text at its first zero character.
         private static function checkText(name:String, bytes:ByteArray, format:String):void
         {
             bytes.position = 0;
@@ -97,8 +97,8 @@ package starlogo.models
             {
                 if (bytes[i] == 0)
                 {
-                    throw new ModelError(name, "", format == null ? "this is no text but some binary file: expected a model"
-                            : "this is no " + format + " file but some other binary file");
+                    throw new ModelError(name, "", format == null ? "this is a binary file, not text: expected a model"
+                            : "this is a binary file, but no " + format + " file");
                 }
             }
         }

@@ -3,7 +3,7 @@ package starlogo.models
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.stl.StlReader;
 
-    /** Tells the formats of text files apart: by what is in them, and by their names where that says nothing. */
+    /** Detects the format of a text file from its content. If the content does not tell, the file's name does. */
     internal final class ModelFormat
     {
         internal static const OBJ:String = "obj";
@@ -16,7 +16,7 @@ package starlogo.models
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|zae|gltf|stl)([?#]|$)/i;
 
-        /** All is static. */
+        /** Has only static members. */
         public function ModelFormat()
         {
         }
@@ -24,8 +24,8 @@ package starlogo.models
         /**
          * The format of a text.
          *
-         * @param text the text
-         * @param url the address that it is from; null if there is none
+         * @param text the file's text
+         * @param url the file's address; null if it has none
          */
         internal static function of(text:String, url:String):String
         {

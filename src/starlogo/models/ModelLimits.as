@@ -1,30 +1,30 @@
 package starlogo.models
 {
     /**
-     * How large models may be: sizes that players can hold with room to spare (docs/limits.md).
+     * The largest models that can be loaded. Players can hold these sizes easily (docs/limits.md).
      *
      * @private
      */
     public final class ModelLimits
     {
-        /** How many vertices a file may have; instances may make any number of a small file's. */
+        /** The most vertices of a file. A small file can place its meshes many times, so it can ask for any number. */
         public static const VERTICES:int = 1000000;
 
-        /** How many triangles. */
+        /** The most triangles of a file. */
         public static const TRIANGLES:int = 2000000;
 
-        /** How many bytes. */
+        /** The most bytes of a file. */
         public static const BYTES:int = 67108864;
 
-        /** What is wrong with a file that has more. */
+        /** The message for a file that has more vertices or triangles. */
         public static const PROBLEM:String = "it has more than 1000000 vertices or 2000000 triangles";
 
-        /** All is static. */
+        /** Has only static members. */
         public function ModelLimits()
         {
         }
 
-        /** Whether a model has too much of something. */
+        /** Whether there are too many vertices or triangles. */
         public static function areExceeded(vertexCount:int, triangleCount:int):Boolean
         {
             return vertexCount > VERTICES || triangleCount > TRIANGLES;

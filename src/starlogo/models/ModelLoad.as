@@ -14,26 +14,29 @@ package starlogo.models
     import starlogo.steps.Steps;
 
     /**
-     * One model in a ModelLoader: fetched, read, normalised, and taken in by the receiver. The steps throw a ModelError
-     * if the file did not come or is no model; those of the receiver may throw other errors.
+     * One model in a ModelLoader. It is fetched, read, normalised and given to the receiver. A step throws a ModelError if the file did not
+     * arrive or is no model. The receiver's steps may throw other errors.
      */
     internal final class ModelLoad extends StepSequence
     {
-        // how far along a model is when it is fetched, and when it is read
+        // the progress of a model when its file has arrived, and when it is read
         private static const FETCHED:Number = 0.2;
         private static const READ:Number = 0.5;
 
-        // the address of a file: data:text/plain,... has none beside it
+        // The address of a file. No file can be beside a "data:" or "blob:" address.
         private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
         private static const EXTENSION:RegExp = /\.[^.\/]*$/;
 
         /** The model's name. */
         public var name:String;
 
-        /** The model, from when it is read. */
+        /** The model; null until it is read. */
         public var model:Model = null;
 
-        /** <code>function(model:Model, problem:Error):void</code>, called when it is over: with one of the two, or none if it was cancelled. */
+        /**
+         * <code>function(model:Model, problem:Error):void</code>, called when the load is over. One argument is set; after a cancel both
+         * are null.
+         */
         public var whenOver:Function = null;
 
         private var _upAxis:Object;
@@ -41,7 +44,7 @@ package starlogo.models
         private var _receiver:ModelReceiver;
         private var _url:String = null;
 
-        // the file, that of its transform, and all that may be under way: in the end those of the buffers
+        // the download of the file, the download of its transform, and all downloads that may be running, including buffers
         private var _fetch:ModelFetch = null;
         private var _transform:ModelFetch = null;
         private var _fetches:Vector.<ModelFetch> = new Vector.<ModelFetch>();
@@ -61,10 +64,10 @@ package starlogo.models
 
         /**
          * @param name the model's name
-         * @param upAxis the axis that points up, if the file does not say; or a ModelTransform
-         * @param scaling as Model's constructor has it
-         * @param receiver takes the model in
-         * @param newLoader <code>function():URLLoader</code>, called for each file that the model's own asks for
+         * @param upAxis the axis that points up, if the file does not say it; or a ModelTransform
+         * @param scaling as for Model's constructor
+         * @param receiver takes the model
+         * @param newLoader <code>function():URLLoader</code>, called for each file
          */
         public function ModelLoad(name:String, upAxis:Object, scaling:String, receiver:ModelReceiver, newLoader:Function)
         {
@@ -75,13 +78,13 @@ package starlogo.models
             _receiver = receiver;
         }
 
-        /** Whether the file that is needed next is fetched, or cannot be. */
+        /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
             return !_fetches.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
         }
 
-        /** How far along it is, from 0 to 1. */
+        /** The share of the load that is done, from 0 to 1. */
         public function get progress():Number
         {
             if (model != null)
@@ -100,11 +103,11 @@ package starlogo.models
         }
 
         /**
-         * Starts to fetch the file, or what was cooked of it.
+         * Starts to fetch the file, or its cooked file.
          *
-         * @param url where it is
-         * @param usesTransforms whether the transform file beside it is asked for
-         * @param manifest names what was cooked; null if nothing is asked for
+         * @param url the file's address
+         * @param usesTransforms whether the transform file beside it is fetched too
+         * @param manifest lists the cooked files; null for no list
          */
         public function fetch(url:String, usesTransforms:Boolean, manifest:ModelManifest):void
         {
@@ -120,7 +123,7 @@ package starlogo.models
             call(askManifest).begin(tryingCooked).call(useCooked);
         }
 
-        /** Sets the file to read: its bytes, or its text. */
+        /** Sets the file to read, as bytes or as text. The other is null. */
         public function setFile(bytes:ByteArray, text:String):void
         {
             _bytes = bytes;
@@ -128,7 +131,7 @@ package starlogo.models
             begin(unpacking).call(open);
         }
 
-        /** Sets the source that makes the model, in place of a file. */
+        /** Sets the source that makes the model instead of a file. */
         public function setSource(source:ModelSource):void
         {
             _source = source;
@@ -164,7 +167,7 @@ package starlogo.models
             return _cooked;
         }
 
-        // What is not there, damaged or for other arguments is no error.
+        // A cooked file that is missing, damaged or made for other arguments is no error. The source is fetched instead.
         private function useCooked():void
         {
             if (_cooked != null && _cooked.problem == null)
@@ -201,7 +204,7 @@ package starlogo.models
             var problem:String = _fetch == null ? "there is no address to fetch its file from" : _fetch.problem;
             refuseIf(problem != null, name, problem);
             _bytes = _fetch.bytes;
-            // a transform file that is not there, or says nothing, leaves the axis that was asked for
+            // without a transform file, or with one that says nothing, the caller's axis stays
             var bytes:ByteArray = _transform == null ? null : _transform.bytes;
             if (bytes != null)
             {
@@ -250,7 +253,7 @@ package starlogo.models
             return _gltf;
         }
 
-        // The files beside a glTF file that it names.
+        // Fetches the files that a glTF file names.
         private function fetchBuffers():void
         {
             var folder:String = /^[^?#]*\//.test(_url || "") ? _url.match(/^[^?#]*\//)[0] : "";
@@ -259,7 +262,7 @@ package starlogo.models
             {
                 if (_url == null || !FILE.test(_url))
                 {
-                    _gltf.setBuffer(uri, null, "it is beside the file, whose address is not known: load() fetches it");
+                    _gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
                 fetching(folder + uri);
             }

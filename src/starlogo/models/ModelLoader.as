@@ -9,43 +9,42 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
 
-    /** A model is loaded: agents may have its shape. @eventType starlogo.models.ModelEvent.LOADED */
+    /** A model is loaded. From now on agents may have its shape. @eventType starlogo.models.ModelEvent.LOADED */
     [Event(name="modelLoaded", type="starlogo.models.ModelEvent")]
 
     /**
-     * A model can't be loaded: the text names it and says why. The others go on. @eventType
+     * A model can't be loaded. The text names the model and says why. The other models go on loading. @eventType
      * flash.events.ErrorEvent.ERROR
      */
     [Event(name="error", type="flash.events.ErrorEvent")]
 
     /**
-     * Once a frame while there is work: <code>bytesLoaded</code> of <code>bytesTotal</code> hundredths of models are
-     * done, of all since the loader was last idle. @eventType flash.events.ProgressEvent.PROGRESS
+     * Sent every frame while there is work. <code>bytesLoaded</code> is the work done and <code>bytesTotal</code> is all work since the
+     * loader last had none. Both are in hundredths of a model. @eventType flash.events.ProgressEvent.PROGRESS
      */
     [Event(name="progress", type="flash.events.ProgressEvent")]
 
-    /** No model is left to load, whether all were loaded or not. @eventType flash.events.Event.COMPLETE */
+    /** No model is left to load. Each was loaded or has failed. @eventType flash.events.Event.COMPLETE */
     [Event(name="complete", type="flash.events.Event")]
 
     /** All loads were cancelled. @eventType flash.events.Event.CANCEL */
     [Event(name="cancel", type="flash.events.Event")]
 
     /**
-     * Loads models while a game runs: fetches their files, reads them and hands them to a receiver, in steps that leave
-     * the frames their time.
+     * Loads models while a game runs. It fetches their files, reads them and gives them to a receiver, for example a GreatLand. The work is
+     * split into short steps, so the game keeps its frame rate.
      *
-     * <p>Models wait in a queue and are worked on in its order, each as soon as its file is there. Every frame the loader
-     * works for about <code>budget</code> milliseconds. It can't stop within a step: most take less than a millisecond,
-     * the longest for a file of 5,000 vertices a few.</p>
+     * <p>Models wait in a queue. The loader works on them in order, each as soon as its file has arrived. In every frame it works for about
+     * <code>budget</code> milliseconds. It can't stop within a step. Most steps take less than a millisecond; the longest of a file of
+     * 5,000 vertices take a few.</p>
      *
-     * <p>A loader that has work need not be kept: it stays alive until that is done or cancelled.</p>
+     * <p>You need not keep a reference to a loader that has work. It stays alive until the work is done or cancelled.</p>
      *
-     * <p>Where a manifest says that a model was cooked when the game was built, that is fetched in place of its source: see
-     * <code>manifest</code>.</p>
+     * <p>If a manifest lists a cooked file for a model, the loader fetches that file instead of the source: see <code>manifest</code>.</p>
      *
-     * <p>The reader is chosen by content: OBJ, glTF (JSON, with its data inside or beside it, or binary), STL (text or binary), COLLADA, or that in a
-     * zip archive. Only where the content says nothing the name does. Agents may have a shape from when its ModelEvent comes; before that the
-     * collision systems do not know it.</p>
+     * <p>The loader chooses the reader by the file's content: OBJ, glTF (JSON or binary, its data inside or beside it), STL (text or
+     * binary), COLLADA, or COLLADA in a zip archive. The file's name decides only if the content does not tell. Agents may have a shape as
+     * soon as its ModelEvent was sent. Before that, the collision systems do not know the shape.</p>
      *
      * @example
      * <listing version="3.0">
@@ -57,13 +56,13 @@ package starlogo.models
      */
     public class ModelLoader extends EventDispatcher
     {
-        // its listeners are the loaders that have work: static, so that they are not collected with what they are doing
+        // Loaders that have work listen to it. It is static, so such loaders are not garbage-collected.
         private static var sFrames:Shape = new Shape();
 
         /**
-         * Whether <code>load()</code> asks for a transform file beside the model's too, as the StarLogo Nova client has them:
-         * <code>bear.slb</code> beside <code>bear.obj</code>. What is in it, a ModelTransform, stands in place of the up axis; one that is not
-         * there, or says nothing, is no error. It is not asked for where <code>load()</code> gets a ModelTransform.
+         * Whether <code>load()</code> also asks for a transform file beside the model's file, as in the StarLogo Nova client:
+         * <code>bear.slb</code> beside <code>bear.obj</code>. Its ModelTransform replaces the up axis. A missing or empty transform file is
+         * no error. If you pass a ModelTransform to <code>load()</code>, no transform file is fetched.
          */
         public var usesTransforms:Boolean = false;
 
@@ -77,10 +76,10 @@ package starlogo.models
         private var _longestStep:int = 0;
 
         /**
-         * A loader that has nothing to do yet.
+         * Creates a loader without work.
          *
-         * @param receiver takes the models in
-         * @param budget milliseconds of work a frame
+         * @param receiver takes the loaded models
+         * @param budget milliseconds of work per frame; 0 or more
          * @throws ArgumentError if the receiver is null
          * @throws RangeError if the budget is negative or not a number
          */
@@ -101,9 +100,9 @@ package starlogo.models
         }
 
         /**
-         * Milliseconds of work a frame. At 0 it is one step a frame.
+         * Milliseconds of work per frame. If it is 0, the loader does one step per frame.
          *
-         * @throws RangeError if it is set to what is negative or not a number
+         * @throws RangeError if you set it to a negative value or NaN
          */
         public function get budget():Number
         {
@@ -120,11 +119,11 @@ package starlogo.models
         }
 
         /**
-         * Where the list is of what <code>./antw bake</code> or <code>starlogo-bake</code> made of models, "assets/manifest.json", say; null, the
-         * default, for none. It is fetched once. For a file that it names, in its folder or below, <code>load()</code> fetches what was cooked, a
-         * model with all that the receiver would compute, and nothing else. Where that is not there, damaged, or for another up axis,
-         * transform or scaling than asked for, the model's own file is read as without a manifest; a list that can't be fetched or read
-         * names nothing.
+         * The address of the list of cooked files, for example "assets/manifest.json". <code>./antw bake</code> or
+         * <code>starlogo-bake</code> makes it. The default is null: no list. It is fetched once. If it lists a file in its folder or below,
+         * <code>load()</code> fetches only the cooked file: the model with all that the receiver would compute. If the cooked file is
+         * missing, damaged, or made for another up axis, transform or scaling, the model's own file is read instead. A list that can't be
+         * fetched or read counts as empty.
          */
         public function get manifest():String
         {
@@ -136,7 +135,7 @@ package starlogo.models
             _manifest = value == null ? null : new ModelManifest(value);
         }
 
-        /** How many models are not loaded yet. */
+        /** The number of models that are not loaded yet. */
         public function get pendingCount():int
         {
             return _queue.length;
@@ -148,13 +147,13 @@ package starlogo.models
             return _longestFrame;
         }
 
-        /** The longest time that a single step has taken so far, in milliseconds: that of a slow fitter, perhaps. */
+        /** The longest time that a single step has taken so far, in milliseconds. A slow fitter can be the cause. */
         public function get longestStep():int
         {
             return _longestStep;
         }
 
-        /** Whether a model of a name is being loaded: asked for, but not loaded yet. */
+        /** Whether a model of this name is requested but not loaded yet. */
         public function isPending(name:String):Boolean
         {
             return _queue.some(function(pending:ModelLoad, i:int, all:Vector.<ModelLoad>):Boolean
@@ -164,10 +163,10 @@ package starlogo.models
         }
 
         /**
-         * Loads a model from a file. What goes wrong comes as an ErrorEvent.
+         * Loads a model from a file. A failure is sent as an ErrorEvent.
          *
          * @param name what agents call the shape
-         * @param url where the file is: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked
+         * @param url the file's address: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
@@ -180,7 +179,7 @@ package starlogo.models
          * Loads a model from a file's bytes.
          *
          * @param name what agents call the shape
-         * @param bytes the whole file: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked; not to be changed until the model is loaded
+         * @param bytes the whole file: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked; do not change it until the model is loaded
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
@@ -203,10 +202,10 @@ package starlogo.models
         }
 
         /**
-         * Loads a model that a client's own source makes.
+         * Loads a model from your own source.
          *
-         * @param source not begun yet; its steps should take a few milliseconds at most
-         * @throws ArgumentError if it is null
+         * @param source none of its steps is done yet; each step should take a few milliseconds at most
+         * @throws ArgumentError if the source is null
          */
         public function loadFrom(source:ModelSource):void
         {
@@ -218,7 +217,7 @@ package starlogo.models
         }
 
         /**
-         * Forgets the loads of one name, or all. What they have done so far is undone; models that are loaded stay.
+         * Cancels the loads of one name, or all loads. Their work so far is undone. Loaded models stay.
          *
          * @param name the name; null for all
          */
@@ -233,7 +232,7 @@ package starlogo.models
             }
         }
 
-        /** Forgets one load, if it is not over. */
+        /** Cancels one load, if it is not over. */
         internal function drop(load:ModelLoad):void
         {
             if (!remove(load))
@@ -249,7 +248,7 @@ package starlogo.models
             }
         }
 
-        /** Fetches one file. */
+        /** Creates a loader for one file. */
         internal function newURLLoader():URLLoader
         {
             return new URLLoader();
@@ -307,7 +306,7 @@ package starlogo.models
             return null;
         }
 
-        /** Does a step; whatever goes wrong in it ends this load, not the others. */
+        /** Does one step. An error ends this load only. */
         private function work(load:ModelLoad):void
         {
             var hasMore:Boolean = false;
@@ -318,9 +317,9 @@ package starlogo.models
             }
             catch (error:Error)
             {
-                problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be taken in: " + error.message);
+                problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be added: " + error.message);
             }
-            if (!hasMore && remove(load)) // a step may have cancelled its own load
+            if (!hasMore && remove(load)) // the step may have cancelled its own load
             {
                 _doneCount++;
                 var isTold:Boolean = tell(load, problem == null ? load.model : null, problem);
@@ -335,7 +334,7 @@ package starlogo.models
             }
         }
 
-        // Whether there is a function to tell.
+        // Tells the load's callback. Returns whether it has one.
         private static function tell(load:ModelLoad, model:Model, problem:Error):Boolean
         {
             if (load.whenOver != null)
@@ -345,7 +344,7 @@ package starlogo.models
             return load.whenOver != null;
         }
 
-        // Whether it was still there.
+        // Returns whether the load was still in the queue.
         private function remove(load:ModelLoad):Boolean
         {
             var place:int = _queue.indexOf(load);
@@ -361,7 +360,7 @@ package starlogo.models
         {
             if (!_isWorking)
             {
-                return; // a handler has cancelled the rest
+                return; // a handler has cancelled the other loads
             }
             var done:Number = _doneCount;
             for each (var pending:ModelLoad in _queue)

@@ -2,36 +2,34 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
 
-    /** The list of the cooked files of a folder and those below it, fetched when it is first asked for. */
+    /** The list of the cooked files in a folder and below. It is fetched when it is first needed. */
     internal final class ModelManifest
     {
-        /** Where it is. */
+        /** The list's address. */
         public var url:String;
 
         private var _fetch:ModelFetch = null;
         private var _models:Object = null;
 
-        /**
-         * @param url where it is
-         */
+        /** @param url the list's address */
         public function ModelManifest(url:String)
         {
             this.url = url;
         }
 
-        /** Fetches it unless that was begun before. @param newLoader <code>function():URLLoader</code> */
+        /** Fetches the list, if it has not been requested before. @param newLoader <code>function():URLLoader</code> */
         public function fetch(newLoader:Function):void
         {
             _fetch ||= new ModelFetch(url, newLoader());
         }
 
-        /** Whether it is being fetched. */
+        /** Whether the download is running. */
         public function get isUnderWay():Boolean
         {
             return _fetch.isUnderWay;
         }
 
-        /** Where the cooked file of a model's file is; null if it names none. */
+        /** The address of the cooked file for a model's file; null if the list has none. */
         public function addressFor(file:String):String
         {
             var parts:Array = file.match(/^([^?#]*)(.*)$/);
@@ -47,7 +45,7 @@ package starlogo.models
             return cooked is String && cooked != "" ? folder + cooked + parts[2] : null;
         }
 
-        // What is none names nothing.
+        // A file that is no list counts as an empty list.
         private static function read(bytes:ByteArray):Object
         {
             var models:Object = null;

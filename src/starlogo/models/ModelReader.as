@@ -5,7 +5,7 @@ package starlogo.models
     import starlogo.steps.finish;
 
     /**
-     * Reads a model's file; a step takes about a millisecond, and throws a ModelError if the file is wrong. Each format has one.
+     * Reads a model's file. Each format has a subclass. A step takes about a millisecond, and throws a ModelError if the file is wrong.
      *
      * @private
      */
@@ -16,21 +16,21 @@ package starlogo.models
         /** When all is read: x, y, z, ... as placed in the file, turned to z up. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** When all is read: three vertex indices per triangle; none if the file has no surfaces. */
+        /** When all is read: three vertex indices per triangle. Empty if the file has no surfaces. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
         /** The model's name. */
         public var name:String;
 
-        /** Points without a surface. They are the model's vertices if there are no others. */
+        /** Points without a surface. They become the model's vertices if there are no others. */
         protected var loosePoints:Vector.<Number> = new Vector.<Number>();
 
-        /** The axis that points up in the file; null if the file says it. */
+        /** The axis that points up in the file; null if the file says it itself. */
         protected var upAxis:String;
 
         /**
          * @param name the model's name
-         * @param upAxis the axis that points up in the file; null if the file says it
+         * @param upAxis the axis that points up in the file; null if the file says it itself
          */
         public function ModelReader(name:String, upAxis:String = null)
         {
@@ -38,7 +38,7 @@ package starlogo.models
             this.upAxis = upAxis;
         }
 
-        /** Does all steps; what is read, turned and scaled. */
+        /** Does all steps. Returns the shape, turned and scaled. */
         internal final function readShape(scaling:String, transform:ModelTransform):NormalisedShape
         {
             finish(this);
@@ -47,20 +47,23 @@ package starlogo.models
             return shape;
         }
 
-        /** How much is read, from 0 to 1. */
+        /** The share that is read, from 0 to 1. */
         public function get progress():Number
         {
             return 0;
         }
 
-        /** Takes the loose points if there are no vertices. @param expected what the file has to have, for the error if there are none either */
+        /**
+         * Takes the loose points if there are no vertices. Throws if there are no loose points either. @param expected for the error: what
+         * the file must have
+         */
         protected final function takeVertices(expected:String):void
         {
             vertices = vertices.length == 0 ? loosePoints : vertices;
             refuseIf(vertices.length == 0, name, "no vertices: expected " + expected);
         }
 
-        /** The work that turns the vertices to z up. */
+        /** The steps that turn the vertices to z up. */
         protected final function turningUp():Steps
         {
             var turn:AffineTransform = UpAxis.transform(upAxis);

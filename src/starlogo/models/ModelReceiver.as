@@ -2,20 +2,20 @@ package starlogo.models
 {
     import starlogo.steps.Steps;
 
-    /** Receives the models that a ModelLoader has read: fits structures to them, say. */
+    /** Takes the models that a ModelLoader has read. A GreatLand is one: it fits bounding structures to them. */
     public interface ModelReceiver
     {
-        /** Tells that a model of a name is being loaded, until expectNoMore is called for it. */
+        /** Called when a load begins. The model of this name counts as loading until expectNoMore is called for it. */
         function expect(name:String):void;
 
-        /** Tells that one load of a model of a name has ended: the model was received, the load failed, or it was cancelled. */
+        /** Called when a load ends: the model was received, the load failed, or it was cancelled. */
         function expectNoMore(name:String):void;
 
         /**
-         * Begins to receive a model. Nothing of it may be visible to the game before the last step is done: a load may be cancelled between any two
-         * steps.
+         * Begins to receive a model. The game may see nothing of it before the last step is done, because a load may be cancelled between
+         * any two steps.
          *
-         * @return the work that it takes, not begun yet
+         * @return the steps; none of them is done yet
          */
         function receive(model:Model):Steps;
     }

@@ -7,11 +7,12 @@ package starlogo.models
     use namespace engine;
 
     /**
-     * How a model is turned, scaled and moved before it is used: what the StarLogo Nova client's transform files say (<code>bear.slb</code>
-     * beside <code>bear.obj</code>). It stands in place of an up axis: what it turns is taken as it is in the file.
+     * Turns, scales and moves a model before it is used. The transform files of the StarLogo Nova client contain one (<code>bear.slb</code>
+     * beside <code>bear.obj</code>). Pass it instead of an up axis. It applies to the coordinates as they are in the file.
      *
-     * <p>A transform never changes. It turns about x first, then y, then z, axes that stay; by right angles exactly. What of it a model shows
-     * depends on how that is scaled: see <code>Model.FOOTPRINT</code>, <code>VOLUME</code> and <code>AS_GIVEN</code>.</p>
+     * <p>A transform never changes. It turns about the fixed axes x, y and z, in this order. Right angles are exact. The scaling of the
+     * model decides which parts of the transform have an effect: see <code>Model.FOOTPRINT</code>, <code>VOLUME</code> and
+     * <code>AS_GIVEN</code>.</p>
      */
     public final class ModelTransform
     {
@@ -20,12 +21,12 @@ package starlogo.models
         private var _translation:Vector3D;
 
         /**
-         * Copies what it is given.
+         * Copies the three vectors.
          *
          * @param rotation degrees about x, y and z; null for none
-         * @param scale factors along x, y and z, after the rotation; null for 1
-         * @param translation how far along x, y and z, after all else; null for not at all
-         * @throws RangeError if a number is not finite, or a factor 0
+         * @param scale factors along x, y and z, applied after the rotation; null for 1
+         * @param translation distances along x, y and z, applied last; null for none
+         * @throws RangeError if a number is not finite, or a factor is 0
          */
         public function ModelTransform(rotation:Vector3D = null, scale:Vector3D = null, translation:Vector3D = null)
         {
@@ -40,12 +41,13 @@ package starlogo.models
         }
 
         /**
-         * Reads the text of a transform file. Its lines are words between single blanks: <code>rotate x y z</code>,
-         * <code>scale x y z</code>, <code>scale s</code> and <code>translate x y z</code>; of each the last one counts. All else is passed
-         * over, as the client does it: other words, what has fewer words, and <code>invert</code>, which turns nothing but the light. So are
-         * lines without numbers where they should have some, and factors of 0, of which the client makes a model that can't be drawn.
+         * Reads the text of a transform file. The words of a line are separated by single spaces: <code>rotate x y z</code>, <code>scale x
+         * y z</code>, <code>scale s</code> and <code>translate x y z</code>. If a kind of line appears more than once, the last one counts.
+         * All other lines are ignored, as the client does: unknown words, too few words, and <code>invert</code>, which changes only the
+         * light. Lines with a word that should be a number and is none are ignored too. So are factors of 0, because the client can't draw
+         * such a model.
          *
-         * @param text the file's; null is as an empty one
+         * @param text the file's text; null counts as empty
          */
         public static function fromText(text:String):ModelTransform
         {
@@ -74,7 +76,7 @@ package starlogo.models
             return new ModelTransform(turn, factors, move);
         }
 
-        // As parseFloat() reads it: what follows the number does not matter.
+        // Reads a number as parseFloat() does: text after the number is ignored.
         private static function numberIn(word:String):Number
         {
             var found:Array = word == null ? null : /^\s*([-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)/.exec(word);
@@ -93,19 +95,19 @@ package starlogo.models
             return _scale.clone();
         }
 
-        /** How far along x, y and z. */
+        /** Distances along x, y and z. */
         public function get translation():Vector3D
         {
             return _translation.clone();
         }
 
-        /** Whether it does nothing. */
+        /** Whether it changes nothing. */
         public function get isIdentity():Boolean
         {
             return _rotation.lengthSquared == 0 && _translation.lengthSquared == 0 && _scale.x == 1 && _scale.y == 1 && _scale.z == 1;
         }
 
-        /** The text of a transform file that says the same. */
+        /** The text of a transform file with the same meaning. */
         public function toString():String
         {
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";

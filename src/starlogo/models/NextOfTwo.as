@@ -1,8 +1,8 @@
 package starlogo.models
 {
     /**
-     * Where in a text the next of two characters is, for a walk through the text that never goes back: each character is looked for
-     * anew only when the walk has passed it.
+     * Finds the next of two characters in a text, for a loop that only moves forward. It searches for each character again only after the
+     * loop has passed the last place found.
      *
      * @private
      */
@@ -16,8 +16,8 @@ package starlogo.models
 
         /**
          * @param text the text
-         * @param first a character
-         * @param second another one
+         * @param first one character
+         * @param second the other character
          */
         public function NextOfTwo(text:String, first:String, second:String)
         {
@@ -26,7 +26,7 @@ package starlogo.models
             _second = second;
         }
 
-        /** The first place at or after another that has one of the two; the text's length if none has. */
+        /** The first place of either character at or after the given place; the text's length if there is none. */
         public function after(place:int):int
         {
             if (_firstAt < place)

@@ -9,25 +9,25 @@ package starlogo.models
 
     use namespace engine;
 
-    /** What a model is made of: a shape checked, copied, turned and normalised as Model says, in steps. */
+    /** A shape for a model: checked, copied, turned and normalised as Model says, in steps. */
     internal final class NormalisedShape extends StepSequence
     {
-        // below this ratio to z, extents in x and y are rounding errors of whatever placed the vertices
+        // Extents in x and y below this fraction of the z extent are rounding errors of the program that placed the vertices.
         private static const LINE_RATIO:Number = 1e-6;
 
         private static const VERTICES_PER_STEP:int = 4000;
         private static const CORNERS_PER_STEP:int = 20000;
 
-        /** What the model is called. */
+        /** The model's name. */
         public var name:String;
 
         /** When no step is left: x, y, z, ... */
         public var vertices:Vector.<Number>;
 
-        /** When no step is left: three indices each, or null. */
+        /** When no step is left: three indices for each triangle, or null. */
         public var triangles:Vector.<uint> = null;
 
-        /** Where it is in what it was made of, when no step is left. */
+        /** When no step is left: the shape's place and scale in its source. */
         public var frame:SourceFrame = new SourceFrame();
 
         private var _count:int;
@@ -36,25 +36,25 @@ package starlogo.models
         private var _translation:Vector3D;
         private var _bounds:VertexBounds;
 
-        // what place() takes off, what it adds, and what it divides by
+        // place() subtracts _low, adds _half and divides by _divisor
         private var _low:Vector3D = new Vector3D();
         private var _half:Vector3D = new Vector3D();
         private var _divisor:Number = 1;
 
         /**
          * @param name what agents call the shape
-         * @param vertices x, y, z, ..., in any unit; left as it is
-         * @param triangles three indices each, null or empty; left as it is
-         * @param scaling as Model's constructor has it
-         * @param transform turns, scales and moves it; null for not at all
-         * @throws ModelError if there is no name or no vertex, the scaling is none, or a number is missing; what else Model's constructor throws,
-         *     the steps do
+         * @param vertices x, y, z, ..., in any unit; is not changed
+         * @param triangles three indices for each triangle, null or empty; is not changed
+         * @param scaling as for Model's constructor
+         * @param transform turns, scales and moves the shape; null for no change
+         * @throws ModelError if there is no name or no vertex, if the scaling is unknown, or if the last vertex or triangle is incomplete.
+         * The steps throw the other errors of Model's constructor
          */
         public function NormalisedShape(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String,
                 transform:ModelTransform = null)
         {
             this.name = name || "";
-            check(this.name == "" ? "a model needs a name, one that is not empty" : null);
+            check(this.name == "" ? "a model needs a name that is not empty" : null);
             check(vertices == null || vertices.length == 0 ? "no vertices: a model needs at least one" : null);
             check(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
             this.vertices = vertices.slice();
@@ -119,7 +119,7 @@ package starlogo.models
                     cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
         }
 
-        // Also scales; the factor says how much larger that makes the model.
+        // Turns or scales. The factor says how much larger this makes the model.
         private function turnBy(turn:AffineTransform, factor:Number):NormalisedShape
         {
             call(function():void
@@ -161,7 +161,7 @@ package starlogo.models
                     rootOf(extentZ));
         }
 
-        // A volume stands on the ground.
+        // With Model.VOLUME the lowest vertex is put at z = 0.
         private function findTranslation():void
         {
             setPlace(0, 0, frame.scaling == Model.VOLUME ? _bounds.minZ : 0, -_translation.x, -_translation.y, -_translation.z, 1);
@@ -172,13 +172,12 @@ package starlogo.models
             var size:Number = _bounds.maxX - _bounds.minX + _bounds.maxY - _bounds.minY + _bounds.maxZ - _bounds.minZ;
             check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
             _low.setTo(lowX, lowY, lowZ);
-            _half.setTo(0 - halfX, 0 - halfY, 0 - halfZ); // no 0 is negative then
+            _half.setTo(0 - halfX, 0 - halfY, 0 - halfZ); // 0 - 0 is 0, but -0 would be negative
             _divisor = divisor;
             frame.place(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
         }
 
-        // Differences first, division last: that makes the bounds exact, and works for the smallest and largest
-        // numbers.
+        // The differences come first and the division last. So the bounds are exact, and the smallest and largest numbers work.
         private function place(first:int, end:int):void
         {
             var placed:Vector.<Number> = vertices;
@@ -213,7 +212,7 @@ package starlogo.models
             }
         }
 
-        // A mirror image's triangles are turned round, so that they still face outwards.
+        // A mirror image's triangles get the reverse corner order, so that they still face outwards.
         private function turnRound():void
         {
             if (_factors.x * _factors.y * _factors.z < 0)
@@ -222,7 +221,7 @@ package starlogo.models
             }
         }
 
-        // the client's: what has no extent counts as one that has 1
+        // as in the client: an extent of 0 counts as 1
         private static function rootOf(extent:Number):Number
         {
             return extent == 0 ? 1 : cubeRoot(extent);

@@ -6,28 +6,27 @@ package starlogo.models
     /**
      * A model from Wavefront OBJ text.
      *
-     * <p>Read are vertices (<code>v</code>; a weight or colours after the coordinates are passed over) and faces
-     * (<code>f</code>, in each of the forms <code>1</code>, <code>1/2</code>, <code>1//3</code>, <code>1/2/3</code>,
-     * counted from the first vertex or, negative, back from the latest one), in any order; all groups and objects
-     * together make the model. Polygons may be concave. Comments, continued lines, any line ends, tabs, a byte-order
-     * mark and decimal commas are understood. Everything else (texture coordinates, normals, materials, lines,
-     * points, curves, faces of fewer than three corners) has no part in collisions and is passed over.</p>
-     *
-     * <p>Where a file has faces, vertices that no face uses are left out; where it has none, all vertices make a
-     * model without triangles. Cost: linear in the text, and for concave polygons up to quadratic in their
+     * <p>The reader takes vertices (<code>v</code>) and faces (<code>f</code>), in any order. A weight or colours after a vertex's
+     * coordinates are ignored. A face's corner may be written <code>1</code>, <code>1/2</code>, <code>1//3</code> or <code>1/2/3</code>.
+     * Positive indices count from the first vertex, negative ones back from the latest. All groups and objects together make the model.
+     * Polygons may be concave. Comments, continued lines, all line ends, tabs, a byte-order mark and decimal commas are understood.
+     * Everything else is ignored: texture coordinates, normals, materials, lines, points, curves, and faces of fewer than three
      * corners.</p>
+     *
+     * <p>If a file has faces, vertices that no face uses are left out. If it has none, all vertices make a model without triangles. Cost:
+     * linear in the text; for concave polygons up to quadratic in their corners.</p>
      */
     public class ObjModel extends Model
     {
         /**
-         * Reads a model; <code>Model</code> says how it is normalised.
+         * Reads a model. <code>Model</code> says how it is normalised.
          *
          * @param name what agents call the shape, not empty
          * @param source the file's text
-         * @param upAxis the axis that points up in the file, "x", "y" or "z": OBJ files do not say; or a ModelTransform
+         * @param upAxis the axis that points up in the file: "x", "y" or "z", because OBJ files do not say; or a ModelTransform
          * @param scaling as for <code>Model</code>
-         * @throws ModelError if the text is no OBJ file or holds no vertex, a number or an index is wrong, or as for
-         *     <code>Model</code>; it names the line
+         * @throws ModelError if the text is no OBJ file or has no vertex, if a number or an index is wrong, or as for <code>Model</code>.
+         * The message names the line
          */
         public function ObjModel(name:String, source:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
@@ -39,10 +38,10 @@ package starlogo.models
          * Reads a model from a file's bytes: text in UTF-8, or in UTF-16 with a byte-order mark.
          *
          * @param name what agents call the shape, not empty
-         * @param bytes the whole file; its position is left anywhere
-         * @param upAxis the axis that points up in the file, or a ModelTransform
+         * @param bytes the whole file; its position may change
+         * @param upAxis the axis that points up in the file: "x", "y" or "z"; or a ModelTransform
          * @param scaling as for <code>Model</code>
-         * @throws ModelError as the constructor does
+         * @throws ModelError as the constructor
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):ObjModel
         {

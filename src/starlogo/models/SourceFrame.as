@@ -9,47 +9,47 @@ package starlogo.models
     use namespace engine;
 
     /**
-     * Where a model is in what it was made of, and how large: what another renderer's object needs that draws the source as it is. The
-     * source's coordinates are those that <code>Model</code>'s constructor takes, z up; of a file that has another axis up, those after it was
-     * turned, and before a ModelTransform.
+     * A model's place and scale in its source. A renderer needs it to draw the source exactly where the model is. The source's coordinates
+     * are those that <code>Model</code>'s constructor takes, with z up. For a file with another up axis they are the coordinates after the
+     * turn to z up, and before a ModelTransform.
      */
     public final class SourceFrame
     {
         /**
-         * How the model was scaled.
+         * The scaling of the model.
          *
          * @private
          */
         engine var scaling:String = null;
 
         /**
-         * What turned, scaled and moved it.
+         * The transform of the model; null for none.
          *
          * @private
          */
         engine var transform:ModelTransform = null;
 
-        // A matrix, column by column, and x, y and z: a point p of the source is at matrix * (p - (x, y, z)) in the model. And the unit.
+        // A matrix column by column, then x, y and z, then the unit. A point p of the source is at matrix * (p - (x, y, z)) in the model.
         private var _numbers:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-        /** The frame of a model that is its source, unchanged. Frames come from <code>Model.source</code>. */
+        /** The frame of a model that equals its source. Read a model's frame from <code>Model.source</code> instead. */
         public function SourceFrame()
         {
         }
 
-        /** The point of the source that is the model's origin. */
+        /** The source's point that becomes the model's origin. */
         public function get offset():Vector3D
         {
             return new Vector3D(_numbers[9], _numbers[10], _numbers[11]);
         }
 
-        /** The length of the model's unit, in units of the source; of an uneven scale its geometric mean. */
+        /** The length of the model's unit, in units of the source. For an uneven scale it is the geometric mean. */
         public function get unit():Number
         {
             return _numbers[12];
         }
 
-        /** The matrix that takes points of the source to where the model has them. */
+        /** The matrix that takes the source's points to the model. */
         public function get matrix():Matrix3D
         {
             var n:Vector.<Number> = _numbers;
@@ -63,7 +63,7 @@ package starlogo.models
         }
 
         /**
-         * The points of the source that points of the model are, but for rounding.
+         * Takes points of the model back to the source. The result is exact but for rounding.
          *
          * @private
          */
@@ -84,7 +84,7 @@ package starlogo.models
         }
 
         /**
-         * Whether another is the same to the last bit.
+         * Whether the other frame is equal to the last bit.
          *
          * @private
          */
@@ -94,7 +94,7 @@ package starlogo.models
         }
 
         /**
-         * Writes where and how large the model is.
+         * Writes the frame.
          *
          * @private
          */
@@ -107,10 +107,10 @@ package starlogo.models
         }
 
         /**
-         * Reads what writeTo wrote.
+         * Reads a frame that writeTo wrote.
          *
          * @param bytes read from its position on
-         * @param scaling how the model was scaled
+         * @param scaling the scaling of the model
          * @return null if a number is not finite, or the unit is not positive
          *
          * @private
@@ -130,13 +130,14 @@ package starlogo.models
         }
 
         /**
-         * Takes in that a point of the model so far became the origin, and that all was divided by a length.
+         * Adds a translation and a scale: the point (x, y, z) of the model so far becomes the origin, and all lengths are divided by
+         * divisor.
          *
          * @private
          */
         internal function place(x:Number, y:Number, z:Number, divisor:Number):void
         {
-            // the inverse of a turn with factors along the axes that it ends in
+            // a turn's inverse is its transpose; the factors along the new axes are divided out
             for (var row:int = 0; row < 3; row++)
             {
                 var share:Number = (row == 0 ? x : (row == 1 ? y : z)) / squareOf(row);
@@ -150,10 +151,10 @@ package starlogo.models
         }
 
         /**
-         * Takes in a turn about the origin, or factors along the axes. A turn comes first, before any uneven scale.
+         * Adds a turn about the origin, or factors along the axes. A turn comes before any uneven scale.
          *
-         * @param by what turns or scales the model
-         * @param factor how much larger that makes it
+         * @param by turns or scales the model
+         * @param factor how much larger that makes the model
          *
          * @private
          */
@@ -163,13 +164,13 @@ package starlogo.models
             _numbers[12] /= factor;
         }
 
-        // Of a row of the matrix, the square of its length.
+        // The squared length of a row of the matrix.
         private function squareOf(row:int):Number
         {
             return _numbers[row] * _numbers[row] + _numbers[row + 3] * _numbers[row + 3] + _numbers[row + 6] * _numbers[row + 6];
         }
 
-        // A file has the matrix row by row.
+        // The matrix is stored row by row in a file.
         private static function written(i:int):int
         {
             return i < 9 ? i % 3 * 3 + i / 3 : i;

@@ -4,22 +4,22 @@ package starlogo.models
     import starlogo.models.stl.StlReader;
 
     /**
-     * A model from an STL file, as programs for 3D printing write them: binary, or text.
+     * A model from an STL file, the format of 3D printing, as binary or as text.
      *
-     * <p>Which of both a file is, its length decides, and not the word "solid" that some binary ones begin with too. All solids of a file
-     * together make the model. Vertices at equal positions are one, since the format repeats them for each triangle; normals and attributes
-     * are passed over. Cost: linear in the file.</p>
+     * <p>The file's length decides whether it is binary or text, because some binary files begin with the word "solid" too. All solids of a
+     * file together make the model. Vertices at equal positions become one, because the format repeats each vertex for every triangle.
+     * Normals and attributes are ignored. Cost: linear in the file.</p>
      */
     public class StlModel extends Model
     {
         /**
-         * The model comes from <code>fromBytes()</code>; the constructor serves that.
+         * Use <code>fromBytes()</code> instead.
          *
          * @param name what agents call the shape, not empty
-         * @param bytes the whole file; its position and endianness are left anyhow
-         * @param upAxis the axis that points up in the file, "x", "y" or "z", or a ModelTransform
+         * @param bytes the whole file; its position and endianness may change
+         * @param upAxis the axis that points up in the file: "x", "y" or "z"; or a ModelTransform
          * @param scaling as for <code>Model</code>
-         * @throws ModelError as <code>fromBytes()</code> does
+         * @throws ModelError as <code>fromBytes()</code>
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
@@ -33,11 +33,11 @@ package starlogo.models
          * Reads a model from a file's bytes.
          *
          * @param name what agents call the shape, not empty
-         * @param bytes the whole file; its position and endianness are left anyhow
-         * @param upAxis the axis that points up in the file, "x", "y" or "z": STL files do not say; or a ModelTransform
+         * @param bytes the whole file; its position and endianness may change
+         * @param upAxis the axis that points up in the file: "x", "y" or "z", because STL files do not say; or a ModelTransform
          * @param scaling as for <code>Model</code>
-         * @throws ModelError if it is no STL file or has no triangle, is cut off, a number is wrong or not finite, or as for
-         *     <code>Model</code>; it names the line or the triangle
+         * @throws ModelError if the file is no STL file, has no triangle or is cut off, if a number is wrong or not finite, or as for
+         * <code>Model</code>. The message names the line or the triangle
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):StlModel
         {

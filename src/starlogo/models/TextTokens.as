@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /**
-     * Splits text by native functions of the player, where a loop over characters is slow.
+     * Splits text with native functions of the player, because a loop over characters is slow.
      *
      * @private
      */
@@ -9,12 +9,12 @@ package starlogo.models
     {
         private static const LONGEST_WORD:int = 10000;
 
-        /** All is static. */
+        /** Has only static members. */
         public function TextTokens()
         {
         }
 
-        /** The words of a text, divided by any white space; none in a text without words. */
+        /** The words of a text, separated by any white space. Empty for a text without words. */
         public static function of(text:String):Array
         {
             text = replaceAll(text, "\n", " ");
@@ -26,13 +26,13 @@ package starlogo.models
         }
 
         /**
-         * The words between single spaces. Of one that is very long only the beginning is left, which is no number any more: players take
-         * the square of the time over the digits of one.
+         * The words between single spaces. A very long word is cut, and is then no number. Otherwise it could be a number of so many digits
+         * that players, which take quadratic time, would need very long.
          */
         public static function split(text:String):Array
         {
             var words:Array = text.split(" ");
-            // a word that is too long is across one of these places
+            // every word that is too long covers one of these places
             for (var place:int = LONGEST_WORD >> 1; place < text.length; place += LONGEST_WORD >> 1)
             {
                 var end:int = text.indexOf(" ", place);
@@ -82,7 +82,8 @@ package starlogo.models
         }
 
         /**
-         * The number that a word is, or NaN. A decimal comma is understood: programs that leave number formats to the system's language write it.
+         * The number that a word stands for, or NaN. A decimal comma is accepted, because some programs write numbers in the system's
+         * language.
          */
         public static function toNumber(word:String):Number
         {
@@ -91,7 +92,7 @@ package starlogo.models
             return isPlain ? number : Decimal.of(word.replace(",", "."));
         }
 
-        /** A text's beginning, for messages. */
+        /** The beginning of a text, for messages. */
         public static function shorten(text:String):String
         {
             return text.length > 60 ? text.substr(0, 60) + "..." : text;

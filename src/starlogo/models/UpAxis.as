@@ -1,13 +1,13 @@
 package starlogo.models
 {
     /**
-     * The axis that points up in a file: turns what has x or y up to z up.
+     * The axis that points up in a file. Gives the transform that turns x or y up to z up.
      *
      * @private
      */
     public final class UpAxis
     {
-        /** The axes that there are. */
+        /** The names of the axes. */
         public static const X:String = "x";
 
         /** @copy #X */
@@ -16,15 +16,15 @@ package starlogo.models
         /** @copy #X */
         public static const Z:String = "z";
 
-        /** All is static. */
+        /** Has only static members. */
         public function UpAxis()
         {
         }
 
         /**
-         * The name of the axis that an argument of a model asks for.
+         * The name of an up axis.
          *
-         * @param upAxis a name, or a ModelTransform, which takes the file as it is
+         * @param upAxis a name, or a ModelTransform, which stands for "z"
          * @param name the model's name
          * @throws ModelError if it is neither
          */
@@ -40,8 +40,8 @@ package starlogo.models
         }
 
         /**
-         * The turn to z up. With y up, -z of the file becomes y; with x up, -y becomes x and -z becomes y (the right and inward axes of the
-         * COLLADA specification's table for up_axis).
+         * The turn to z up. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA specification's
+         * table for up_axis gives the right and inward axes.)
          */
         public static function transform(axis:String):AffineTransform
         {

@@ -3,7 +3,7 @@ package starlogo.models
     import starlogo.steps.StepSequence;
 
     /**
-     * Leaves out the vertices that no surface uses, and closes the gaps, in steps.
+     * Removes the vertices that no surface uses and closes the gaps, in steps.
      *
      * @private
      */
@@ -20,8 +20,8 @@ package starlogo.models
 
         /**
          * @param vertices x, y, z, ...; changed in place
-         * @param triangles indices of used vertices; changed to where these are then
-         * @param isUsed a number for each vertex, 0 for those to leave out unless a triangle has them; the triangles' are set
+         * @param triangles indices of used vertices; changed to the new indices
+         * @param isUsed a number for each vertex; the steps set it to 1 for all vertices of triangles, and then remove the vertices with 0
          */
         public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
         {

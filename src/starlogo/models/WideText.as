@@ -2,22 +2,25 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
 
-    /** Text of bytes that are not UTF-8, with the same result in every player: Adobe's VM alone cannot read these encodings. */
+    /** Decodes bytes that are not UTF-8, with the same result in every player. Adobe's VM alone cannot read these encodings. */
     internal final class WideText
     {
         private static const CHUNK:int = 4096;
 
-        /** What windows-1252 has at 0x80 to 0x9f, where ISO 8859-1 has control characters; 0 is nothing. */
+        /**
+         * The characters of windows-1252 at 0x80 to 0x9f, where ISO 8859-1 has control characters. A byte that windows-1252 does not define
+         * stands for itself.
+         */
         private static const WINDOWS:Vector.<int> = new <int>[0x20ac, 0x81, 0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030,
                 0x0160, 0x2039, 0x0152, 0x8d, 0x017d, 0x8f, 0x90, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014, 0x02dc, 0x2122,
                 0x0161, 0x203a, 0x0153, 0x9d, 0x017e, 0x0178];
 
-        /** All is static. */
+        /** Has only static members. */
         public function WideText()
         {
         }
 
-        /** UTF-16; an odd last byte is left out. */
+        /** Decodes UTF-16. An odd last byte is ignored. */
         internal static function utf16(bytes:ByteArray, isLowFirst:Boolean):String
         {
             var units:Vector.<int> = new Vector.<int>(bytes.length >> 1, true);
@@ -29,7 +32,7 @@ package starlogo.models
             return textOf(units);
         }
 
-        /** A byte a character: windows-1252, or ISO 8859-1. */
+        /** Decodes one byte per character: windows-1252 or ISO 8859-1. */
         internal static function latin(bytes:ByteArray, isWindows:Boolean):String
         {
             var units:Vector.<int> = new Vector.<int>(bytes.length, true);
@@ -41,7 +44,7 @@ package starlogo.models
             return textOf(units);
         }
 
-        // the player ends a text at its first zero
+        // The player ends a text at its first zero character.
         private static function textOf(units:Vector.<int>):String
         {
             var end:int = units.indexOf(0);

@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /**
-     * What an object has of its own under a name; null if it has nothing there. The name may be any text, as "hasOwnProperty" or "toString".
+     * An object's own value under a name; null if it has none. Names such as "hasOwnProperty" or "toString" are safe.
      *
      * @private
      */

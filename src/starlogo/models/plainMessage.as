@@ -1,8 +1,8 @@
 package starlogo.models
 {
     /**
-     * What a player's error says, without its number and what goes before the address: "Error #2032: Stream Error. URL: bear.obj" is "bear.obj",
-     * and without an address nothing.
+     * A player's error message without its number and without the words before the address. "Error #2032: Stream Error. URL: bear.obj"
+     * becomes "bear.obj"; without an address the result is empty.
      *
      * @private
      */

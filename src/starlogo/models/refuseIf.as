@@ -1,12 +1,13 @@
 package starlogo.models
 {
     /**
-     * Refuses a model's file if something is wrong with it. The message is made in any case: long loops throw their errors themselves.
+     * Throws a ModelError if something in a model's file is wrong. The message is built in any case, so long loops throw their errors
+     * themselves.
      *
-     * @param isWrong whether it is
+     * @param isWrong whether it is wrong
      * @param name the model's name
      * @param problem what is wrong
-     * @param place where, as ModelError has it, or what is there
+     * @param place where in the file: a text, or an object with a toString()
      * @throws ModelError if it is wrong
      *
      * @private

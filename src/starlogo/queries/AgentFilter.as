@@ -4,35 +4,45 @@ package starlogo.queries
     import starlogo.agents.AgentPredicate;
 
     /**
-     * Says which agents count in a question, or in a Collision. What is null says nothing; an agent counts if all that is set lets it.
+     * Chooses the agents that count in a question, or that take part in a Collision. A property that is null excludes no agent. An agent counts
+     * if no property excludes it.
      *
-     * <p>An agent that does not count costs a question no more than these comparisons, and a Collision no test. Everything may be changed between
-     * questions, and between frames.</p>
+     * <p>If an agent is excluded, a question makes no further test of it, and a Collision makes no test of it at all. You may change all
+     * properties between questions and between frames.</p>
      */
     public final class AgentFilter extends AgentPredicate
     {
-        /** Only agents of these breeds; none at all if it is empty. */
+        /** Only agents of these breeds count. If the list is empty, no agent counts. */
         public var breeds:Vector.<String> = null;
 
-        /** No agents of these breeds. */
+        /** Agents of these breeds do not count. */
         public var exceptBreeds:Vector.<String> = null;
 
-        /** None of these agents. */
+        /** These agents do not count. */
         public var except:Vector.<Agent> = null;
 
         /**
-         * <code>function(agent:Agent):Boolean</code>, asked last: of as few agents as the answer needs, the nearest first where the answer is in
-         * the order of distance; by a Collision of all agents that the rest lets count, once a frame. It may ask questions of its own, but not
-         * change what asks it: not by <code>update()</code>, <code>moved()</code>, <code>moveUntilTouch()</code> or <code>slide()</code>.
+         * A function that decides about one agent: <code>function(agent:Agent):Boolean</code>. It returns true if the agent counts. It is called
+         * last, after all other properties.
+         *
+         * <p>A question calls it for as few agents as the answer needs. If the answer is sorted by distance, it begins with the nearest agent. A
+         * Collision calls it once a frame for each agent that the other properties do not exclude.</p>
+         *
+         * <p>The function may ask questions itself. It must not change what the AgentQueries sees. So it must not call <code>update()</code> or
+         * <code>moved()</code>. It must not call <code>moveUntilTouch()</code> or <code>slide()</code> for an agent in the list.</p>
          */
         public var accepts:Function = null;
 
-        /** A filter through which every agent comes. */
+        /** Begins as a filter that excludes no agent. */
         public function AgentFilter()
         {
         }
 
-        /** A filter for some breeds. */
+        /**
+         * A filter that lets only some breeds count.
+         *
+         * @param names the names of the breeds
+         */
         public static function ofBreeds(...names):AgentFilter
         {
             var filter:AgentFilter = new AgentFilter();
@@ -54,7 +64,7 @@ package starlogo.queries
             return (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
         }
 
-        // in less time than indexOf, for few names
+        // faster than indexOf if there are few names
         private static function has(names:Vector.<String>, name:String):Boolean
         {
             var length:int = names.length;

@@ -1,4 +1,4 @@
-// This file is long because it documents all questions; it answers none itself.
+// This file is long because it documents all questions. It answers none itself.
 package starlogo.queries
 {
     import flash.geom.Vector3D;
@@ -12,21 +12,21 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
-     * sizes, tightest fits, trees or triangles.
+     * Answers questions about agents in space: which agents are near, which is the nearest, which touch, what a ray meets, and how far an agent
+     * can go. It sees agents as a collision system does: as spheres of their sizes, tightest fits, trees or triangles.
      *
-     * <p>Agents are those of the last <code>update()</code>, where and how they were then, or at their last <code>moved()</code>; but an agent
-     * that asks is where it is now, and it need not be in the list. It is never in an answer to its own question. Nothing of a Collision or of a
-     * collision system changes by asking.</p>
+     * <p>Call <code>update()</code> once a frame. Questions see the agents of that call, as they were then. <code>moved()</code> reads one agent
+     * again. The agent that asks is always seen where it is now. It need not be in the list, and it is never in its own answer. A question
+     * changes nothing in a Collision or a collision system.</p>
      *
-     * <p>Every list is sorted by distance, those that are equally far by their order in the list of agents, and it is complete, however long. The
-     * distance of two agents is that of their places, <code>(x, y, z)</code>; a border belongs to what it encloses. With <code>out</code> given
-     * nothing is allocated. An agent whose model is loading has a place, and touches nothing.</p>
+     * <p>Every list is complete, and sorted by distance. Agents at the same distance keep the order of the list given to <code>update()</code>.
+     * The distance of two agents is the distance of their places <code>(x, y, z)</code>. An agent exactly on the border of a radius or a cone is
+     * in the answer. If you pass <code>out</code>, nothing is allocated. An agent whose model is loading has a place, but touches nothing.</p>
      *
-     * <p>An agent's breed and what a filter's <code>accepts</code> looks at are of the moment of the question.</p>
+     * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
-     * <p>The cost of an update is a few tenths of a microsecond for each agent; the first question after it makes a tree of the places, or of the
-     * extents. A question takes time in proportion to the logarithm of the number of agents, and to its answer.</p>
+     * <p>An update takes a few tenths of a microsecond per agent. The first question after it builds a tree of the places, or of the extents.
+     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer.</p>
      */
     public class AgentQueries
     {
@@ -38,11 +38,11 @@ package starlogo.queries
         private var _moves:MoveQuestions;
 
         /**
-         * Questions about no agents yet.
+         * Begins without agents. Call <code>update()</code> before you ask.
          *
-         * @param collisionOrSystem a Collision, whose collision system says what agents look like: when it is exchanged, questions follow at the
-         *     next update; or one of the engine's collision systems
-         * @throws ArgumentError if it is neither, or the Collision has a system that is not one of the engine's
+         * @param collisionOrSystem a Collision, or one of the engine's collision systems. The collision system decides how agents are seen. If a
+         *     Collision gets another system, questions use it after the next update
+         * @throws ArgumentError if it is neither, or if the Collision's system is not one of the engine's
          */
         public function AgentQueries(collisionOrSystem:Object)
         {
@@ -55,11 +55,12 @@ package starlogo.queries
         }
 
         /**
-         * The ground that questions are about from the next update on; null for none. Where they were made for a Collision it is that one's, and setting it
-         * changes the Collision's.
+         * The ground that questions see after the next update; null for none. If these questions were made for a Collision, this is the
+         * Collision's ground, and setting it changes the Collision.
          *
-         * <p>The ground touches, blocks rays and stops motions as agents do: answers have its <code>agent</code>, the last of those that are equally
-         * far, and last in lists of what touches. It is never near and never nearest. A filter may leave it out.</p>
+         * <p>The ground touches agents, blocks rays and stops motions as an agent does. Answers have its <code>agent</code>. If it is as far
+         * away as an agent, the agent comes first. In lists of agents that touch, it comes last. Questions about near agents never find it. A
+         * filter can exclude it.</p>
          */
         public function get terrain():Terrain
         {
@@ -72,11 +73,11 @@ package starlogo.queries
         }
 
         /**
-         * Takes the agents that questions are about, as they are now.
+         * Sets the agents that questions are about, and reads each of them as it is now.
          *
-         * @param agents the list; it may change afterwards, without consequence
-         * @throws ArgumentError if the list or an agent is null, an agent is listed twice, or a model is unknown or lacks what the
-         *     collision system needs; or if a Collision's system is not one of the engine's; questions are then about what they were before
+         * @param agents the list. You may change it afterwards; questions do not see the change
+         * @throws ArgumentError if the list or an agent is null, if an agent is listed twice, if a model is unknown or lacks data that the
+         *     collision system needs, or if a Collision's system is not one of the engine's. Questions are then still about the old agents
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function update(agents:Vector.<Agent>):void
@@ -85,11 +86,11 @@ package starlogo.queries
         }
 
         /**
-         * Takes one agent anew, as it is now.
+         * Reads one agent again, as it is now.
          *
-         * @param agent one of the last update's list
-         * @throws ArgumentError if it is null or not in that list, or its model is unknown or lacks what the collision system needs; it is then
-         *     seen as before
+         * @param agent an agent of the last update's list
+         * @throws ArgumentError if it is null or not in that list, or if its model is unknown or lacks data that the collision system needs.
+         *     Questions then see it as before
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function moved(agent:Agent):void
@@ -98,13 +99,13 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that are near an agent.
+         * Lists the agents near an agent.
          *
-         * @param agent in the middle
-         * @param radius the greatest distance, not negative; may be Infinity
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param agent the agent in the middle
+         * @param radius the largest distance in patches, not negative; may be Infinity
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          * @throws ArgumentError if the agent is null
          * @throws RangeError if the radius is negative or not a number
          */
@@ -115,11 +116,11 @@ package starlogo.queries
         }
 
         /**
-         * Counts the agents that are near an agent; parameters and errors as in <code>near()</code>.
+         * Counts the agents near an agent. It throws the errors of <code>near()</code>.
          *
-         * @param agent in the middle
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param agent the agent in the middle
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
@@ -128,11 +129,12 @@ package starlogo.queries
         }
 
         /**
-         * The agent that is nearest to an agent: the first of those that <code>near()</code> lists, found without listing them.
+         * The agent nearest to an agent: the first one in the list of <code>near()</code>. This question takes less time, because it does not
+         * make the list.
          *
-         * @param agent to which
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param agent the agent that asks
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          * @return null if there is none
          */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
@@ -142,14 +144,15 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that are nearest to an agent: the first of those that <code>near()</code> lists, found without listing them all.
+         * Lists the agents nearest to an agent: the first ones in the list of <code>near()</code>. This question takes less time, because it
+         * does not make the whole list.
          *
-         * @param agent to which
-         * @param count how many, at most
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param agent the agent that asks
+         * @param count the largest number of agents in the list
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          * @throws ArgumentError if the agent is null
          * @throws RangeError if count or radius is negative or not a number
          */
@@ -164,13 +167,13 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that are near a point; else as <code>near()</code>.
+         * Lists the agents near a point. It works like <code>near()</code>, but measures distances from the point.
          *
          * @param point in the world, finite
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
@@ -179,11 +182,11 @@ package starlogo.queries
         }
 
         /**
-         * Counts the agents that are near a point; else as <code>near()</code>.
+         * Counts the agents near a point. It works like <code>countNear()</code>, but measures distances from the point.
          *
          * @param point in the world, finite
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
@@ -192,11 +195,11 @@ package starlogo.queries
         }
 
         /**
-         * The agent that is nearest to a point; else as <code>nearest()</code>.
+         * The agent nearest to a point. It works like <code>nearest()</code>, but measures distances from the point.
          *
          * @param point in the world, finite
-         * @param radius the greatest distance
-         * @param filter which agents count; null for all
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
          * @return null if there is none
          */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
@@ -206,15 +209,16 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents in a cone in front of an agent: about the x axis of its rotation, pitch included. Agents at its very place are in
-         * every cone.
+         * Lists the agents in a cone in front of an agent. The cone's axis is the x axis of the agent's rotation, including its pitch. Agents at
+         * the same place as the agent are in every cone.
          *
-         * @param agent at the cone's tip
-         * @param radius the greatest distance
-         * @param degrees the angle of the cone's opening, half of it to either side, not negative; from 360 on the answer is that of near()
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param agent the agent at the cone's tip
+         * @param radius the largest distance in patches
+         * @param degrees the full angle of the cone, not negative: half of it lies on either side of the axis. From 360 on, the answer is the
+         *     same as that of near()
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          * @throws ArgumentError if the agent is null
          * @throws RangeError if the radius or the angle is negative or not a number
          */
@@ -224,13 +228,14 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that touch an agent: those that the collision system's findCollisions pairs it with if all stand where they are.
+         * Lists the agents that touch an agent. The collision system's findCollisions would report the same pairs, for agents that stand where
+         * questions see them.
          *
-         * @param agent which; its shape is of now too
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @param agent the agent that asks. Its shape is read now too
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
@@ -238,11 +243,12 @@ package starlogo.queries
         }
 
         /**
-         * Whether an agent touches any other: whether <code>touching()</code> would list one. It looks no further than to the first.
+         * Whether an agent touches another: whether <code>touching()</code> would list any agent. The search ends at the first one.
          *
-         * @param agent which; its shape is of now too
-         * @param filter which agents count; null for all. <code>accepts</code> is asked of those that it touches, the nearest first
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @param agent the agent that asks. Its shape is read now too
+         * @param filter the agents that count; null for all. <code>accepts</code> is called for the agents that it touches, beginning with the
+         *     nearest
+         * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
@@ -250,15 +256,16 @@ package starlogo.queries
         }
 
         /**
-         * Whether an agent would touch any other at a place, turned and as large as it is: what <code>touchesAny()</code> would answer there. The agent
-         * does not move.
+         * Whether an agent would touch another if it stood at a place, with its present rotation and size. <code>touchesAny()</code> would give
+         * this answer there. The agent does not move.
          *
-         * @param agent which; its shape is of now too
-         * @param x where, in patches
-         * @param y where
-         * @param z where
-         * @param filter which agents count; null for all. <code>accepts</code> is asked of those that it would touch, the nearest first
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @param agent the agent that asks. Its shape is read now too
+         * @param x the place along x, in patches
+         * @param y the place along y, in patches
+         * @param z the place along z, in patches
+         * @param filter the agents that count; null for all. <code>accepts</code> is called for the agents that it would touch, beginning with
+         *     the nearest
+         * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
          * @throws RangeError if the place is not finite
          */
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
@@ -271,13 +278,14 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that overlap a structure or touch it, each as the collision system sees it; in exact mode their triangles decide, and
-         * whether the structure is inside of a closed model. Sorted by the distance of their places from the middle of the structure.
+         * Lists the agents that overlap a structure or touch it, as the collision system sees them. In exact mode the agents' triangles decide,
+         * and a structure inside a closed model overlaps it. The list is sorted by the distance of the agents' places from the middle of the
+         * structure.
          *
          * @param structure a Sphere, Box or Capsule in the world
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          * @throws ArgumentError if the structure is null or of another kind
          * @throws RangeError if it is not finite
          */
@@ -287,23 +295,27 @@ package starlogo.queries
         }
 
         /**
-         * How far two agents are apart, between their surfaces as the collision system sees them: 0 if they touch, and only then.
+         * The distance between the surfaces of two agents, as the collision system sees them. It is 0 if they touch, and only then.
          *
-         * <p>A tree is the nodes at which a test of it ends; in exact mode, where both have triangles, these count. Greater depths never give less,
-         * and exact mode never less than any other but the BinCollider. The first agent is where it is now, the second where and how it was in the
-         * last update, or at its last <code>moved()</code>; if it is not in the list, it is where it is now too. As both are now,
-         * <code>distance(b, a)</code> is the same number.</p>
+         * <p>A tree's surface is the nodes at which a test of the tree ends. In exact mode it is the triangles, if both models have some. A
+         * greater depth never gives a smaller distance. Exact mode never gives a smaller distance than any system but the BinCollider.</p>
          *
-         * <p>Exact but for rounding: 1e-12 of the agents' sizes, and of the coordinates what Numbers leave. It takes a tenth to one microsecond
-         * for structures, some ten for trees at depth 5 and hundreds in exact mode. Allocates nothing.</p>
+         * <p>The first agent is seen where it is now. The second is seen as of the last update, or of its last <code>moved()</code>. If it is
+         * not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b, a)</code> is the same number.</p>
          *
-         * @param a the one
-         * @param b another one
-         * @param pointA takes the point of the first that is nearest to the second, in the world; or null. Of several, one. Where the two touch, a
-         *     point of both: in their overlap, or on the inner one of two of which one is inside of the other
-         * @param pointB takes that of the second; where the two touch, the same point
-         * @return in patches; Infinity while the model of one is loading, and then no point is written
-         * @throws ArgumentError if an agent is null, or both are one, or a model is unknown or lacks what the collision system needs
+         * <p>The distance is exact, except for rounding errors: 1e-12 of the agents' sizes, and the precision of Numbers at the coordinates. It
+         * takes 0.1 to 1 microsecond for structures, about 10 microseconds for trees at depth 5, and hundreds of microseconds in exact mode. It
+         * allocates nothing.</p>
+         *
+         * @param a the first agent
+         * @param b the second agent
+         * @param pointA receives the first agent's point that is nearest to the second, in the world; or null. If several points are equally
+         *     near, it is one of them. If the two touch, it is a point of their overlap. If one agent is inside the other, it is a point of the
+         *     inner one
+         * @param pointB receives the second agent's nearest point; or null. If the two touch, it is the same point
+         * @return in patches. While one of the models is loading, it is Infinity and no point is written
+         * @throws ArgumentError if an agent is null, if both are the same, or if a model is unknown or lacks data that the collision system
+         *     needs
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
@@ -312,14 +324,15 @@ package starlogo.queries
         }
 
         /**
-         * How far a point is from an agent, from its surface as the collision system sees it: 0 if it is inside of the agent or touches it. In
-         * exact mode it is the distance from the nearest triangle.
+         * The distance between a point and an agent's surface, as the collision system sees the agent. It is 0 if the point is inside the agent
+         * or touches it. In exact mode it is the distance to the nearest triangle.
          *
-         * @param agent which; where it is now
+         * @param agent seen where it is now
          * @param point in the world, finite
-         * @param out takes the point of the agent that is nearest; the point itself if that is inside. Or null
-         * @return in patches; Infinity while the agent's model is loading, and then out is as it was
-         * @throws ArgumentError if the agent or the point is null, or the agent's model is unknown or lacks what the collision system needs
+         * @param out receives the agent's point that is nearest to the point; or null. If the point is inside the agent, it is the point itself
+         * @return in patches. While the agent's model is loading, it is Infinity and out is unchanged
+         * @throws ArgumentError if the agent or the point is null, or if the agent's model is unknown or lacks data that the collision system
+         *     needs
          * @throws RangeError if the point is not finite
          */
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
@@ -330,23 +343,28 @@ package starlogo.queries
         }
 
         /**
-         * The first agent that a ray meets, of several that it meets at one distance the first in the list. A ray is a line without thickness; the
-         * surfaces of agents belong to them. An agent that the ray's origin is inside of is met at distance 0: inside of its structure, of a node
-         * of its tree at the depth that is visited, or of its closed surface. Triangles are met from either side, and no ray slips through
-         * where they have an edge or a corner in common.
+         * The first agent that a ray meets. If it meets several at the same distance, it is the first of them in the list. A ray is a line
+         * without thickness. An agent's surface is a part of the agent.
          *
-         * <p>What a system with triangles meets, the others but the BinCollider meet no farther away, and a smaller depth no farther away than a
-         * greater one. The first ray that meets the extents of a model's agent, exact, prepares the model's triangles for rays, unless
-         * GreatLand.prepareExact was set when the model was added: a fifth of a second for 400,000, and 38 bytes for each.</p>
+         * <p>If the ray's origin is inside an agent, the distance is 0. "Inside" means inside its structure, inside a node of its tree at the
+         * depth limit, or, in exact mode, inside its closed surface. The ray meets triangles from either side. No ray slips through a common
+         * edge or corner of triangles.</p>
+         *
+         * <p>If exact mode meets an agent, every other system but the BinCollider meets it too, and no farther away. The same holds for a
+         * smaller depth compared with a greater one.</p>
+         *
+         * <p>In exact mode a model's triangles have to be prepared for rays. This happens when the first ray meets the extents of an agent with
+         * the model, or when the model is added if GreatLand.prepareExact is set. It takes a fifth of a second for 400,000 triangles, and 38
+         * bytes for each.</p>
          *
          * @param origin where the ray begins, in the world
          * @param direction of any length but 0
-         * @param maxDistance how far the ray goes, in patches; what is just as far away is met
-         * @param filter which agents count; null for all. <code>accepts</code> is asked of those that the ray meets, the nearest first, until
-         *     one is accepted
-         * @param hit takes the answer; null for a new one
-         * @return hit; null if the ray meets no agent, and hit is as it was
-         * @throws ArgumentError if origin or direction is null or not finite, or the direction is 0
+         * @param maxDistance how far the ray goes, in patches. An agent at exactly this distance is met
+         * @param filter the agents that count; null for all. <code>accepts</code> is called for the agents that the ray meets, beginning with
+         *     the nearest, until one is accepted
+         * @param hit receives the answer; null for a new RayHit
+         * @return hit, or the new RayHit. It is null if the ray meets no agent, and hit is then unchanged
+         * @throws ArgumentError if origin or direction is null or not finite, or if the direction is 0
          * @throws RangeError if maxDistance is negative or not a number
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
@@ -355,16 +373,16 @@ package starlogo.queries
         }
 
         /**
-         * Lists every agent that a ray meets, where it first meets it; else as <code>cast()</code>.
+         * Lists every agent that a ray meets, with the point where the ray first meets it. The rules of <code>cast()</code> apply.
          *
          * @param origin where the ray begins, in the world
          * @param direction of any length but 0
          * @param maxDistance how far the ray goes, in patches
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one. The hits in it are written anew, and those that it has no use for are taken out, for
-         *     later lists: copy what is to stay
-         * @return out
-         * @throws ArgumentError if origin or direction is null or not finite, or the direction is 0
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list. The hits in it are overwritten, and surplus hits are removed and used again later.
+         *     Copy a hit that you want to keep
+         * @return out, or the new list
+         * @throws ArgumentError if origin or direction is null or not finite, or if the direction is 0
          * @throws RangeError if maxDistance is negative or not a number
          */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
@@ -374,13 +392,13 @@ package starlogo.queries
         }
 
         /**
-         * Whether nothing is between two agents: the line between the middles of their extents meets no other agent. Both are where they are now,
-         * and need not be in the list; of an agent whose model is loading its place is the middle.
+         * Whether no agent is between two agents. It tests the line between the middles of their extents. Both agents are seen where they are
+         * now, and need not be in the list. While an agent's model is loading, its place is used as its middle.
          *
          * @param a one of them
          * @param b the other
-         * @param filter which agents may be in the way; null for all
-         * @throws ArgumentError if one is null, or its model is unknown or lacks what the collision system needs
+         * @param filter the agents that can be in the way; null for all
+         * @throws ArgumentError if one is null, or if its model is unknown or lacks data that the collision system needs
          */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
@@ -388,18 +406,20 @@ package starlogo.queries
         }
 
         /**
-         * The first agent that a structure touches on a straight way; of several that it touches at one time, the first in the list. Nothing moves.
+         * The first agent that a structure touches on a straight way. If it touches several at the same time, it is the first of them in the
+         * list. Nothing moves.
          *
-         * <p>What stops the structure is what would stop an agent of this shape in <code>moveUntilTouch()</code>: what it would go into, not what it
-         * touches at the beginning and leaves or runs along. In exact mode the triangles of the agents decide.</p>
+         * <p>An agent stops the structure if it would stop an agent of this shape in <code>moveUntilTouch()</code>: the structure would go into
+         * it. An agent that it touches at the beginning does not stop it if the way leaves it or runs along it. In exact mode the triangles of
+         * the agents decide.</p>
          *
          * @param structure a Sphere, Box or Capsule in the world, where the way begins
          * @param dx how far along x, in patches
-         * @param dy how far along y
-         * @param dz how far along z
-         * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
-         * @param hit takes the answer; null for a new one
-         * @return hit; null if the way is free, and hit is as it was
+         * @param dy how far along y, in patches
+         * @param dz how far along z, in patches
+         * @param filter the agents that count; null for all. Its <code>accepts</code> is called for agents whose extents are near the way
+         * @param hit receives the answer; null for a new ShapeHit
+         * @return hit, or the new ShapeHit. It is null if the way is free, and hit is then unchanged
          * @throws ArgumentError if the structure is null or of another kind
          * @throws RangeError if the structure or the motion is not finite
          */
@@ -411,16 +431,16 @@ package starlogo.queries
         }
 
         /**
-         * Lists every agent that a structure touches on a straight way, as if the others were not there; sorted by time. Else as
-         * <code>castShape()</code>.
+         * Lists every agent that a structure touches on a straight way, sorted by time. Each is found as if the others were not there. The rules
+         * of <code>castShape()</code> apply.
          *
          * @param structure a Sphere, Box or Capsule in the world, where the way begins
          * @param dx how far along x, in patches
-         * @param dy how far along y
-         * @param dz how far along z
-         * @param filter which agents count; null for all
-         * @param out takes the list, whose hits are written anew: copy what is to stay. Null for a new one
-         * @return out
+         * @param dy how far along y, in patches
+         * @param dz how far along z, in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list. The hits in it are overwritten. Copy a hit that you want to keep
+         * @return out, or the new list
          * @throws ArgumentError as castShape does
          * @throws RangeError as castShape does
          */
@@ -433,17 +453,17 @@ package starlogo.queries
         }
 
         /**
-         * The first agent that an agent would touch on a straight way from where it is: the one that would stop it in <code>moveUntilTouch()</code>, at the
-         * same time. Nothing moves.
+         * The first agent that an agent would touch on a straight way from its present place. In <code>moveUntilTouch()</code> it would be
+         * stopped by the same agent at the same time. Nothing moves.
          *
-         * @param agent what is cast; it is never in the answer
+         * @param agent the agent that is cast. It is never in the answer
          * @param dx how far along x, in patches
-         * @param dy how far along y
-         * @param dz how far along z
-         * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
-         * @param hit takes the answer; null for a new one
-         * @return hit; null if the way is free, or the agent's model is loading, and hit is as it was
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @param dy how far along y, in patches
+         * @param dz how far along z, in patches
+         * @param filter the agents that count; null for all. Its <code>accepts</code> is called for agents whose extents are near the way
+         * @param hit receives the answer; null for a new ShapeHit
+         * @return hit, or the new ShapeHit. It is null if the way is free or the agent's model is loading, and hit is then unchanged
+         * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
          * @throws RangeError if the motion is not finite
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
@@ -453,16 +473,16 @@ package starlogo.queries
         }
 
         /**
-         * Lists every agent that an agent would touch on a straight way, as if the others were not there; sorted by time. Else as
-         * <code>castAgent()</code>.
+         * Lists every agent that an agent would touch on a straight way, sorted by time. Each is found as if the others were not there. The
+         * rules of <code>castAgent()</code> apply.
          *
-         * @param agent what is cast
+         * @param agent the agent that is cast
          * @param dx how far along x, in patches
-         * @param dy how far along y
-         * @param dz how far along z
-         * @param filter which agents count; null for all
-         * @param out takes the list, whose hits are written anew: copy what is to stay. Null for a new one
-         * @return out
+         * @param dy how far along y, in patches
+         * @param dz how far along z, in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list. The hits in it are overwritten. Copy a hit that you want to keep
+         * @return out, or the new list
          * @throws ArgumentError as castAgent does
          * @throws RangeError as castAgent does
          */
@@ -474,24 +494,27 @@ package starlogo.queries
         }
 
         /**
-         * Moves an agent along a straight line until it touches another, and then as <code>moved()</code> does.
+         * Moves an agent along a straight line until it touches another agent. Then it calls <code>moved()</code> for the agent.
          *
-         * <p>A touch that the motion leaves or runs along stops nothing, and an agent that overlaps another, as the game may have placed it, is
-         * free to go where that does not deepen the overlap: not against the normal of their contact. Otherwise it stays where it is. It
-         * ends in the touch, no deeper than 1e-9 of the larger extent. Others are where the last update or <code>moved()</code> saw them.</p>
+         * <p>The agent ends in the touch, no deeper than 1e-9 of the larger extent. An agent that it touches at the beginning does not stop it
+         * if the motion leaves it or runs along it. If the agent overlaps another at the beginning, it can only move where the overlap does not
+         * become deeper: not against the normal of their contact. Otherwise it stays. The other agents are seen as of the last update, or of
+         * their last <code>moved()</code>.</p>
          *
-         * <p>The part is never greater than it would be in exact mode, but in the BinCollider, and where the agent overlaps something at the beginning.</p>
+         * <p>The free part is never greater than it would be in exact mode, except with the BinCollider, or if the agent overlaps another at the
+         * beginning.</p>
          *
-         * @param agent moves; its model may be loading, and touches nothing then
+         * @param agent the agent that moves. While its model is loading it touches nothing
          * @param dx how far along x, in patches
-         * @param dy how far along y
-         * @param dz how far along z
-         * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
-         * @param contact takes how the two touch, its time being the part; only its time, 1, is set where the way is free. Or null
-         * @return the part of the way that is free, from 0 to 1
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
-         * @throws RangeError if the motion is not finite; the agent has not moved then
-         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>, of an agent that is in the list
+         * @param dy how far along y, in patches
+         * @param dz how far along z, in patches
+         * @param filter the agents that count; null for all. Its <code>accepts</code> is called for agents whose extents are near the way
+         * @param contact receives the contact of the two, with the free part as its time; or null. If the way is free, only its time is set, to
+         *     1
+         * @return the free part of the way, from 0 to 1
+         * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
+         * @throws RangeError if the motion is not finite. The agent has then not moved
+         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code> for an agent in the list
          */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
@@ -501,16 +524,17 @@ package starlogo.queries
         }
 
         /**
-         * Moves an agent as <code>moveUntilTouch()</code> does, and where it touches another it goes on along that: with what is left of the
-         * motion, projected on the plane of the contact, or on the line in which two planes meet. All that it has touched in this motion counts, so
-         * that it ends in corners. It ends half a hair from what it touches, if there is room, so that the next motion along it is free.
+         * Moves an agent, and lets it slide along what it touches. It begins like <code>moveUntilTouch()</code>. When the agent touches another,
+         * the rest of the motion is projected on the plane of the contact, or on the line where two such planes meet. All contacts of this
+         * motion count, so the agent stops in a corner. If there is room, it ends half a hair (1e-11 of the larger extent) away from what it
+         * touches, so that the next motion along it is free.
          *
-         * @param agent moves
+         * @param agent the agent that moves
          * @param dx how far along x, in patches
-         * @param dy how far along y
-         * @param dz how far along z
-         * @param filter which agents count; null for all
-         * @return the length of its way, bends included, as a part of the length of the motion, from 0 to 1
+         * @param dy how far along y, in patches
+         * @param dz how far along z, in patches
+         * @param filter the agents that count; null for all
+         * @return the length of the agent's way, including its bends, as a part of the length of the motion, from 0 to 1
          * @throws ArgumentError as moveUntilTouch does
          * @throws RangeError as moveUntilTouch does
          * @throws flash.errors.IllegalOperationError as moveUntilTouch does

@@ -10,17 +10,17 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * A sphere, box or capsule in the world that a question is about, as a guest of a table: so rows touch it as they touch an agent's structure, and in
-     * exact mode their triangles decide.
+     * A sphere, box or capsule in the world that a question is about. It is a guest of a table, so rows touch it as they touch an agent's
+     * structure, and in exact mode their triangles decide.
      *
      * @private
      */
     public final class AskedStructure
     {
-        // Stands for the structure, in its middle.
+        // The agent that stands for the structure, at its middle.
         private var _agent:Agent = new Agent("structure");
 
-        // By kind: with its middle at the origin; the last one's kind.
+        // By kind: the structure as a shape, with its middle at the origin; and the kind of the current one.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>(3, true);
         private var _kind:int = 0;
 
@@ -28,16 +28,16 @@ package starlogo.queries
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _placement:Placement = new Placement();
 
-        /** No structure yet. */
+        /** Begins without a structure. */
         public function AskedStructure()
         {
             _agent.giveIdBack();
         }
 
         /**
-         * Takes a structure.
+         * Sets the structure.
          *
-         * @throws ArgumentError if it is null, or no sphere, box or capsule
+         * @throws ArgumentError if it is null, or not a sphere, box or capsule
          * @throws RangeError if it is not finite
          */
         public function setTo(structure:BoundingStructure):void
@@ -58,21 +58,21 @@ package starlogo.queries
             _placement.z = -_extents[2];
             var shape:ModelShape = _shapes[_kind] ||= newShape();
             shape.setStructure(structure.place(_placement, shape.structure));
-            // not moveTo, because a structure may be farther away than an agent
+            // not with moveTo, because a structure may be farther away than an agent can be
             _agent.placement.x = _extents[0];
             _agent.placement.y = _extents[1];
             _agent.placement.z = _extents[2];
             _agent.revision++;
         }
 
-        /** Makes it the first guest of a table, and returns its row; <code>table.endGuests()</code> has to follow. */
+        /** Makes the structure the first guest of a table, and returns its row. Call <code>table.endGuests()</code> afterwards. */
         public function readInto(table:AgentTable):int
         {
             table.readGuest(0, _agent, _shapes[_kind]);
             return 0;
         }
 
-        /** Throws an ArgumentError if a structure is null, or no sphere, box or capsule. */
+        /** Throws an ArgumentError if a structure is null, or not a sphere, box or capsule. */
         public static function require(structure:BoundingStructure):void
         {
             if (structure == null || structure.kind > BoundingStructure.BOX)

@@ -9,7 +9,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Says which rows are in a cone, whose axis is the x axis of a placement; those at its tip are in it.
+     * Tests whether rows are in a cone. The cone's axis is the x axis of a placement. Rows at the cone's tip are in the cone.
      *
      * @private
      */
@@ -19,23 +19,23 @@ package starlogo.queries
         private var _test:RowTest;
         private var _placement:Placement;
 
-        // Between the axis and the border, in degrees below 180; its sine and cosine.
+        // The angle between the axis and the border, in degrees below 180, with its sine and cosine.
         private var _angle:Number = 0;
         private var _sine:Number = 0;
         private var _cosine:Number = 1;
 
-        /** No cone yet. */
+        /** Begins without a cone. */
         public function Cone()
         {
         }
 
         /**
-         * Takes a cone.
+         * Sets the cone.
          *
-         * @param placement where it is
-         * @param angle between its axis and its border, in degrees below 180
+         * @param placement the place and the rotation of the cone
+         * @param angle the angle between the axis and the border, in degrees below 180
          * @param table has the rows
-         * @param test says which rows of the cone count; null for all
+         * @param test a test that rows must pass too; null for none
          * @return this test
          */
         public function setTo(placement:Placement, angle:Number, table:AgentTable, test:RowTest):RowTest
@@ -70,7 +70,7 @@ package starlogo.queries
             var acrossZ:Number = axisX * toY - axisY * toX;
             var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
             var along:Number = axisX * toX + axisY * toY + axisZ * toZ;
-            // the sine of the angle by which it is beyond the border; that of half a turn is 0 too
+            // the left side is the sine of the angle beyond the border. It is 0 half a turn away too, so the last condition excludes rows there
             return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _angle >= 45);
         }
     }

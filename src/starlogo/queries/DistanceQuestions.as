@@ -15,31 +15,31 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * The question how far two agents are apart, as a collider sees them: 0 where its pairs say that they touch, more everywhere else. The
-     * shapes count as wide as they are for touching (Tolerances.PLACES): by what the rounding of places comes to.
+     * Finds the distance between two agents, as a collider sees them. It is 0 if the collider's own test says that they touch, and greater
+     * otherwise. Shapes are wider by the margin for the rounding of places (Tolerances.PLACES), as they are in tests for touching.
      *
      * @private
      */
     public final class DistanceQuestions
     {
-        /** The distance that was found last, and the closest points, in the world. */
+        /** The last distance, and the closest points in the world. */
         public var closest:ClosestPair = new ClosestPair();
 
         private var _seen:SeenAgents;
         private var _structure:AskedStructure = null;
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function DistanceQuestions(seen:SeenAgents)
         {
             _seen = seen;
         }
 
         /**
-         * Finds how far two agents are apart, as AgentQueries.distance says: <code>closest</code>.
+         * Finds the distance between two agents, and writes it to <code>closest</code>. See AgentQueries.distance.
          *
-         * @param pointA takes the one point; or null
-         * @param pointB takes the other
+         * @param pointA receives the first agent's nearest point; or null
+         * @param pointB receives the second agent's nearest point; or null
          */
         public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):void
         {
@@ -60,7 +60,7 @@ package starlogo.queries
             table.endGuests();
         }
 
-        /** Finds how far an agent is from a point, as AgentQueries.distanceToPoint says: <code>closest</code>. */
+        /** Finds the distance between an agent and a point, and writes it to <code>closest</code>. See AgentQueries.distanceToPoint. */
         public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):void
         {
             var table:AgentTable = _seen.table;
@@ -78,11 +78,11 @@ package starlogo.queries
         }
 
         /**
-         * Finds how far two rows of a table are apart: <code>closest</code>.
+         * Finds the distance between two rows of a table, and writes it to <code>closest</code>.
          *
-         * @param pairs say whether rows touch
-         * @param table has both, with shapes
-         * @param withPoints whether the points are needed too
+         * @param pairs tests whether rows touch
+         * @param table has both rows, with their shapes
+         * @param withPoints whether the closest points are needed too
          */
         public function measure(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
@@ -109,7 +109,7 @@ package starlogo.queries
                 findClosest(table.structureOf(a), table.structureOf(b), closest);
                 var extents:Extents = table.extents;
                 var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
-                // boxes of which only the faces are tested may touch across a gap
+                // boxes that are tested only by their faces may touch across a gap
                 var isNear:Boolean = pairs.structures.boxFacesOnly || closest.distance <= Tolerances.APART * size;
                 closest.settle(isNear && pairs.areTouching(table, a, b));
                 return;

@@ -7,8 +7,8 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * A filter but for <code>accepts</code>, made ready for one question: breeds are compared as numbers, and the agents that are excepted
-     * are marked.
+     * Tests rows by a filter's breeds and exceptions, without calling <code>accepts</code>. For each question it marks the breeds by their
+     * numbers, and the excepted agents by their rows.
      *
      * @private
      */
@@ -17,28 +17,28 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _agents:Vector.<Agent>;
 
-        // By row: the last question that excepted its agent.
+        // By row: the number of the last question that excepted the row's agent.
         private var _excepted:Vector.<int> = new Vector.<int>();
 
-        // By the number of a breed: the last question that marked it, or 0.
+        // By the breed's number: the number of the last question that marked the breed, or 0.
         private var _marks:Vector.<int> = new Vector.<int>();
 
-        // The number of the question, from 1 on; whether it marks the breeds that count, or those that do not.
+        // The number of the question, from 1 on. If a filter has breeds, the marked breeds count. Else the marked breeds do not count.
         private var _question:int = 0;
         private var _marksChosen:Boolean = false;
         private var _excepts:Boolean = false;
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function FilteredRows(seen:SeenAgents)
         {
             _seen = seen;
         }
 
         /**
-         * Makes a filter ready; the one before is not any more.
+         * Prepares this test for a filter, in place of the last one.
          *
          * @param filter not null
-         * @return this test; null if all rows count
+         * @return this test, or null if all rows count
          */
         public function of(filter:AgentFilter):RowTest
         {

@@ -7,42 +7,43 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Collects the rows that a question finds: all, some of the nearest, the nearest alone, or only their number. Then it lists their agents, sorted by
-     * distance, without those that the filter's <code>accepts</code> refuses. <code>accepts</code> is asked when the search is over, so that it may ask
-     * questions of its own.
+     * Collects the rows that a question finds: all rows, some of the nearest, only the nearest one, or only their number. Then it lists the
+     * rows' agents, sorted by distance, without agents that the filter's <code>accepts</code> refuses.
+     *
+     * <p>It calls <code>accepts</code> after the search has ended, so <code>accepts</code> may ask questions itself.</p>
      *
      * @private
      */
     public final class FoundRows
     {
-        /** In place of how many rows are wanted: all. */
+        /** A value of <code>most</code>: all rows are wanted. */
         public static const ALL:int = int.MAX_VALUE;
 
-        /** In place of how many rows are wanted: only their number counts. */
+        /** A value of <code>most</code>: only the number of rows is wanted. */
         public static const NUMBER:int = -1;
 
-        /** The rows. */
+        /** The rows that were found. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** The squared distance of each. */
+        /** The squared distance of each row. */
         public var squares:Vector.<Number> = new Vector.<Number>();
 
-        /** How many there are. */
+        /** The number of rows that were found. */
         public var count:int = 0;
 
-        /** How many are wanted. */
+        /** The number of rows that are wanted, or ALL, or NUMBER. */
         public var most:int = ALL;
 
-        /** The square of the greatest distance at which more are wanted. */
+        /** The square of the largest distance at which rows are still wanted. */
         public var limit:Number = Infinity;
 
-        /** Says which rows count; null for all. */
+        /** Tests whether a row counts; null if all rows count. */
         public var test:RowTest = null;
 
-        /** A row that does not count; or -1. */
+        /** A row that is left out, or -1. */
         public var skipped:int = -1;
 
-        /** By row: where its agent is in the list. Of rows that are equally far, the first in the list comes first. */
+        /** By row: the index of its agent in the list. If two rows have the same distance, the one with the smaller index comes first. */
         public var ranks:Vector.<int>;
 
         private var _seen:SeenAgents;
@@ -50,13 +51,13 @@ package starlogo.queries
         private var _accepts:Function = null;
         private var _order:KeyOrder = new KeyOrder();
 
-        // When so many are there the nearest of them are kept.
+        // When this number of rows is reached, only the nearest of them are kept.
         private var _room:int = ALL;
 
-        // By how many questions are under way: the agents that accepts is asked of.
+        // The agents that accepts is called for, by the number of questions under way, because accepts may ask questions itself.
         private var _asked:Vector.<Vector.<Agent>> = new Vector.<Vector.<Agent>>();
 
-        /** @param seen the agents whose rows these are */
+        /** @param seen the agents that questions are about */
         public function FoundRows(seen:SeenAgents)
         {
             _seen = seen;
@@ -67,10 +68,10 @@ package starlogo.queries
         /**
          * Begins a search.
          *
-         * @param most how many rows are wanted, of the nearest; or ALL, or NUMBER
-         * @param limit the square of the greatest distance
-         * @param skipped a row that does not count; or -1
-         * @param filter says which others count; null for all
+         * @param most how many of the nearest rows are wanted, or ALL, or NUMBER
+         * @param limit the square of the largest distance
+         * @param skipped a row that does not count, or -1
+         * @param filter the agents that count; null for all
          */
         public function begin(most:int, limit:Number, skipped:int, filter:AgentFilter):void
         {
@@ -83,13 +84,13 @@ package starlogo.queries
             _room = most < 1 || most > ALL / 2 ? ALL : 2 * most;
         }
 
-        /** Whether a row counts. */
+        /** Whether a row counts: it passes the filter and is not the skipped row. */
         public function wants(row:int):Boolean
         {
             return row != skipped && (test == null || test.accepts(row));
         }
 
-        /** Takes a row that is not beyond the limit. The limit may become less by that. */
+        /** Adds a row. Its distance must not be beyond the limit. This may lower the limit. */
         public function add(row:int, square:Number):void
         {
             rows[count] = row;
@@ -101,7 +102,7 @@ package starlogo.queries
             }
         }
 
-        /** Puts the rows in the order of their distances. More than are wanted are left out. */
+        /** Sorts the rows by distance. It drops rows beyond the number that is wanted. */
         public function sort():void
         {
             _order.sort(rows, squares, count, ranks);
@@ -113,10 +114,10 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents, sorted, those that are accepted.
+         * Lists the agents that <code>accepts</code> does not refuse, sorted by distance.
          *
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          */
         public function list(out:Vector.<Agent>):Vector.<Agent>
         {
@@ -138,11 +139,12 @@ package starlogo.queries
         }
 
         /**
-         * Asks <code>accepts</code> of the agents, in the order of the rows. It may ask questions that begin new searches with this.
+         * Calls <code>accepts</code> for the agents, in the order of the rows. <code>accepts</code> may ask questions that use this object
+         * again.
          *
-         * @param first how many of the first are not asked
-         * @param most when so many are accepted no more are asked
-         * @return those that are accepted; overwritten by the next call
+         * @param first how many rows to leave out at the beginning
+         * @param most the number of accepted agents after which it stops
+         * @return the accepted agents. The next call overwrites the list
          */
         public function keepAccepted(first:int, most:int):Vector.<Agent>
         {
@@ -164,7 +166,7 @@ package starlogo.queries
             return asked;
         }
 
-        // Leaves the accepted ones.
+        // Keeps only the accepted agents in the list.
         private static function ask(asked:Vector.<Agent>, accepts:Function, most:int):void
         {
             var kept:int = 0;
@@ -190,7 +192,7 @@ package starlogo.queries
             }
         }
 
-        /** Makes a list shorter, one by one: of an array whose length is set to less, V8 gives up the store. */
+        /** Makes a list shorter. It removes one element at a time, because V8 frees an array's memory if its length is set to less. */
         public static function shorten(list:Vector.<Agent>, length:int):void
         {
             while (list.length > length)

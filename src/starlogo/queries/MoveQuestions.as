@@ -12,32 +12,32 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * The questions of how far an agent or a structure can go: those that move the agent there, and the casts, which move nothing.
+     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing.
      *
      * @private
      */
     public final class MoveQuestions
     {
-        /** The motion of the next question: of Numbers that are passed V8 makes objects. */
+        /** The motion of the next question. It is a field because V8 makes an object for each Number that is passed. */
         public var way:Vector3D = new Vector3D();
 
         private var _seen:SeenAgents;
         private var _mover:Mover = null;
 
-        // What is near the way, with a squared distance of 0, and of these the agents that count.
+        // The rows near the way, all with the distance 0; and their agents, without those that accepts refuses.
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
         private var _single:Vector.<Agent> = new <Agent>[null];
 
-        // By how many questions are under way whose filters are being asked: the structure that is cast.
+        // The structure that is cast, by the number of questions that are calling a filter's accepts.
         private var _structures:Vector.<AskedStructure> = new Vector.<AskedStructure>();
 
-        // The hits in the order in which they are found; by row: the number of its hit.
+        // The hits in the order in which they are found; and by row, the number of its hit.
         private var _hits:Vector.<ShapeHit> = new Vector.<ShapeHit>();
         private var _hitOf:Vector.<int> = new Vector.<int>();
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function MoveQuestions(seen:SeenAgents)
         {
             _seen = seen;
@@ -45,11 +45,11 @@ package starlogo.queries
         }
 
         /**
-         * As AgentQueries.moveUntilTouch, or slide, with the motion that was set.
+         * Moves an agent by the motion that was set. See AgentQueries.moveUntilTouch and AgentQueries.slide.
          *
-         * @param contact takes how it touches; or null
-         * @param slides whether it goes on along what it meets
-         * @return how much of the motion was free
+         * @param contact receives the contact; or null
+         * @param slides whether the agent slides along what it meets
+         * @return the free part of the motion
          */
         public function move(agent:Agent, filter:AgentFilter, contact:Contact, slides:Boolean):Number
         {
@@ -85,10 +85,10 @@ package starlogo.queries
         }
 
         /**
-         * As AgentQueries.castShape, or castAgent, along the motion that was set.
+         * Casts along the motion that was set. See AgentQueries.castShape and AgentQueries.castAgent.
          *
-         * @param agent what is cast; does not count if there is a structure
-         * @param structure what is cast; null for the agent
+         * @param agent the agent that is cast, if there is no structure
+         * @param structure the structure that is cast; null to cast the agent
          */
         public function cast(agent:Agent, structure:BoundingStructure, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
@@ -104,7 +104,7 @@ package starlogo.queries
             return hit;
         }
 
-        /** As AgentQueries.castShapeAll, or castAgentAll; parameters as in <code>cast()</code>. */
+        /** See AgentQueries.castShapeAll and AgentQueries.castAgentAll. The parameters are those of <code>cast()</code>. */
         public function castAll(agent:Agent, structure:BoundingStructure, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var row:int = begin(agent, structure, filter, false);
@@ -123,7 +123,7 @@ package starlogo.queries
             return list(out || new Vector.<ShapeHit>());
         }
 
-        // Finds what is near the way, and returns the row of what moves. The guests of the table have to be ended afterwards.
+        // Finds the agents near the way, and returns the row that moves. Call endGuests() of the table afterwards.
         private function begin(agent:Agent, structure:BoundingStructure, filter:AgentFilter, isAnywhere:Boolean):int
         {
             var dx:Number = way.x;
@@ -139,7 +139,7 @@ package starlogo.queries
             }
             var asked:AskedStructure = structure == null ? null : takeStructure(structure);
             findNear(agent, asked, filter, isAnywhere);
-            // the filter may have asked of motions too
+            // the filter may have asked such questions too
             way.setTo(dx, dy, dz);
             if (_mover == null || _mover.pairs !== _seen.pairs)
             {
@@ -164,7 +164,8 @@ package starlogo.queries
             return asked == null ? _seen.rowOfNow(agent) : asked.readInto(_seen.table);
         }
 
-        // The agents that count and whose extents are near the way; where it may go anywhere, near where it may end.
+        // Finds the agents that count and whose extents are near the way. An agent that slides may go anywhere within the length of its way, so
+        // all agents within that distance are found.
         private function findNear(agent:Agent, asked:AskedStructure, filter:AgentFilter, isAnywhere:Boolean):void
         {
             var row:int = readRow(agent, asked);
@@ -193,7 +194,7 @@ package starlogo.queries
             _found.list(_agents);
         }
 
-        // Whether some agents stop a row; none does while its model is loading.
+        // Whether agents stop a row. While a row's model is loading, none does.
         private function isStoppedBy(row:int, agents:Vector.<Agent>):Boolean
         {
             if (_seen.table.shapes[row] == null)
@@ -239,7 +240,7 @@ package starlogo.queries
             return out;
         }
 
-        // How the last row that was moved touches what stopped it.
+        // Writes how the last row that moved touches the agent that stopped it.
         private function write(hit:ShapeHit):void
         {
             var contact:ContactPoint = _mover.contact;

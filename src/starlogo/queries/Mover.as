@@ -11,47 +11,49 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Moves a row of a table among others, until it touches one or along what it touches. A motion is stopped by what it would go into, never by what it
-     * touches, leaves or runs along (NarrowSweep).
+     * Moves a row of a table among others, until it touches one of them, or along the rows that it touches. A row that it would go into stops
+     * it. A row that it only touches, leaves or runs along never stops it (NarrowSweep).
      *
-     * <p>At the beginning the row is lifted out of what it overlaps by no more than rounding in a game makes. Where it overlaps another deeper, the plane
-     * of the contact stands for the other: it must not be crossed, and nothing else of the other counts.</p>
+     * <p>At the beginning the row may overlap others a little, because of rounding in the game. Then it is lifted out of them first. If it
+     * overlaps another row more deeply, the plane of their contact stands for that row. The motion must not cross the plane, and nothing else of
+     * that row counts.</p>
      *
      * @private
      */
     public final class Mover
     {
-        // Overlaps deeper than this part of the larger extent are planes.
+        // If an overlap is deeper than this fraction of the larger extent, the contact's plane stands for the other row.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
-        // So many places are tried for the end in a touch.
+        // The number of places that are tried for an end in which the two touch.
         private static const STEPS_INTO_TOUCH:int = 6;
 
-        // What is met no farther on is met in the same corner; and so far on, the contact's normal is found that an edge does not tell. As a part of the larger extent.
+        // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. If a contact at an edge
+        // does not tell what stops the motion, the contact at this distance behind it is used.
         private static const NEXT:Number = 1e-4;
 
-        // Between two walls lifts may go to and fro: what is left after so many rounds are planes.
+        // Between two walls the row may be lifted to and fro. After this many rounds, the planes of the remaining contacts stand for the walls.
         private static const LIFTING_ROUNDS:int = 6;
 
-        // A motion that was turned so often ends.
+        // A motion ends after this many turns.
         private static const MOST_TURNS:int = 8;
 
-        // No row that does not meet another is so many hairs deep in it.
+        // If a row only touches another, it is never this many hairs deep in it.
         private static const MOST_HAIRS:Number = 20;
 
-        /** Decides what touches. */
+        /** Tests which rows touch. */
         public var pairs:RowPairs;
 
-        /** How far the last row has come, as a part of its motion. */
+        /** The part of its motion that the last row has gone. */
         public var part:Number = 1;
 
-        /** Whether another stopped the last row that did not slide. */
+        /** Whether another row stopped the last row that did not slide. */
         public var hasContact:Boolean = false;
 
-        /** The row of the other. */
+        /** The other row. */
         public var contactRow:int = -1;
 
-        /** Where its agent is then. */
+        /** The place of the row's agent at the end. */
         public var at:Vector3D = new Vector3D();
 
         private var _sweep:NarrowSweep;
@@ -59,20 +61,21 @@ package starlogo.queries
         private var _others:Vector.<int> = new Vector.<int>();
         private var _count:int = 0;
 
-        // Where it was before it was lifted, and how far it was.
+        // The place of the row before it was lifted, and the lift.
         private var _before:Vector3D = new Vector3D();
         private var _lift:Vector3D = new Vector3D();
 
-        // How it meets what it meets first; how far the rest of the motion goes along the normal, which is less than 0; whether it stops there.
+        // The contact with the row that it meets first; and how far the rest of the motion goes along the contact's normal, which is less than
+        // 0.
         private var _contact:ContactPoint = new ContactPoint();
         private var _along:Number = 0;
 
-        // Whether each normal is looked for a little farther on.
+        // Whether each contact's normal is taken a little farther along the way.
         private var _isCareful:Boolean = false;
 
         private var _standing:ContactPoint = new ContactPoint();
 
-        /** @param pairs decide what touches */
+        /** @param pairs tests which rows touch */
         public function Mover(pairs:RowPairs)
         {
             this.pairs = pairs;
@@ -80,13 +83,13 @@ package starlogo.queries
         }
 
         /**
-         * Finds where a row comes to, which is back where it was afterwards.
+         * Computes where a row ends. Afterwards the row is back at its own place.
          *
          * @param table has the row
-         * @param row moves
-         * @param others of the same table, as agents
-         * @param motion how far it is to go
-         * @param slides whether it goes on along what it meets
+         * @param row the row that moves
+         * @param others the agents in its way, which are in the same table
+         * @param motion the whole motion
+         * @param slides whether the row slides along what it meets
          */
         public function move(table:AgentTable, row:int, others:Vector.<Agent>, motion:Vector3D, slides:Boolean):void
         {
@@ -117,7 +120,7 @@ package starlogo.queries
             _sweep.end();
         }
 
-        /** How the row touches the other, where it has a contact; the next move overwrites it. */
+        /** The contact of the row with the other row that stopped it. The next move overwrites it. */
         public function get contact():ContactPoint
         {
             return _contact;
@@ -137,7 +140,7 @@ package starlogo.queries
             }
         }
 
-        // Lifts the row out of what it would have to go into to be where it is. What it cannot be lifted out of becomes a plane.
+        // Lifts the row out of rows that it goes into at its place. If it cannot be lifted out of one, the contact's plane stands for that one.
         private function liftOut():void
         {
             var isFree:Boolean = false;
@@ -177,7 +180,7 @@ package starlogo.queries
             else if (findFirst())
             {
                 var time:Number = _sweep.timeOfTouch(_along, _contact);
-                // without the lift it would have been there before
+                // without the lift the row would have touched earlier
                 _lift.copyFrom(at);
                 _lift.decrementBy(_before);
                 time += _contact.along(_lift) / _along;
@@ -197,8 +200,9 @@ package starlogo.queries
             }
         }
 
-        // Ends in the touch, on the side that the row comes from: what has no thickness does not touch beyond it, and could not come back. Where rounding of
-        // a long way hides the touch, the last hair of it is swept again. If that does not help, the row ends short of it.
+        // Moves the row into the touch, on the side that it comes from. Beyond a row without thickness it would not touch, and could not come
+        // back. On a long way rounding may hide the touch. Then the last hair of the way is swept again. If that finds no touch, the row ends
+        // just before it.
         private function endTouching():void
         {
             if (!stepIntoTouch())
@@ -216,7 +220,8 @@ package starlogo.queries
             }
         }
 
-        // Tries places from half of the gap across which the two touch on. Returns whether they touch.
+        // Tries several places, from half a gap before the contact on. The gap is the distance across which the two still touch. Returns whether
+        // they touch at one of the places.
         private function stepIntoTouch():Boolean
         {
             var gap:Number = _sweep.gapAt(at);
@@ -248,7 +253,7 @@ package starlogo.queries
                     _rest.beginCorner();
                     _isCareful = false;
                 }
-                // a gap of a whole hair would be too wide: the row would not get into a place as wide as it is
+                // The row stops half a hair away. With a whole hair it could not enter a place as wide as itself
                 gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, _contact) + _sweep.hair / 2 / _along, 0));
                 _rest.add(_contact, contactRow);
                 dropNeedless();
@@ -256,7 +261,8 @@ package starlogo.queries
             part = gone < whole ? gone / whole : 1;
         }
 
-        // Whether any motion is left. Where a corner leaves none, its planes are found once more, with care.
+        // Whether any motion is left. If the planes of a corner leave none, they are found again, this time with normals taken a little farther
+        // along the way.
         private function isLeft():Boolean
         {
             var isStuck:Boolean = !_rest.project();
@@ -269,8 +275,8 @@ package starlogo.queries
             return !isStuck;
         }
 
-        // At the edges of tiles a contact's plane may be of a side that the next tile hides. All that a corner has is still there: a plane without which nothing
-        // is met in the corner goes.
+        // Removes planes that are not needed. At the edges of tiles, a contact's plane may belong to a side that the next tile hides. A plane is
+        // removed if the motion meets nothing in this corner without it.
         private function dropNeedless():void
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
@@ -282,13 +288,13 @@ package starlogo.queries
             }
         }
 
-        // Whether what is met first is met in the same corner.
+        // Whether the row that is met first is met in the same corner.
         private function isSoon():Boolean
         {
             return _sweep.time * _rest.length < NEXT * _sweep.extent;
         }
 
-        // Lifts the row half a hair off what it still touches of what it has touched at last, if there is room.
+        // The row may still touch rows that it touched on the last part of its way. It is lifted half a hair off them, if there is room.
         private function leaveTouches():void
         {
             _before.copyFrom(at);
@@ -318,7 +324,7 @@ package starlogo.queries
             }
         }
 
-        // Finds what the rest of the motion meets first.
+        // Finds the row that the rest of the motion meets first. Returns whether there is one.
         private function findFirst():Boolean
         {
             var motion:Vector3D = _rest.motion;
@@ -344,8 +350,8 @@ package starlogo.queries
             return true;
         }
 
-        // A contact whose normal does not point against the motion is of features that do not stop it, and that of two edges may have any normal. What stops the
-        // motion is touched a little later.
+        // If a contact's normal does not point against the motion, this contact does not stop it. And between two edges a contact can have any
+        // normal. So this looks a little farther along the way for the contact that stops the motion.
         private function turnAgainst(later:Number):void
         {
             var motion:Vector3D = _rest.motion;

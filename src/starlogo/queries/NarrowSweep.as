@@ -15,47 +15,51 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * What a row of a table would go into as it moves: what it only touches, leaves or runs along is not met.
+     * Finds the rows that a moving row of a table would go into. A row that it only touches, leaves or runs along does not stop it.
      *
-     * <p>Two rows meet if they touch in both of two trials: with the moving row a hair smaller than it is, about the middle of its extents, and with the
-     * other a hair smaller. One alone is not enough: a sheet is too thin to lose a hair of its thickness, and the inner faces of a U come nearer to the
-     * post that it is round.</p>
+     * <p>Two rows meet if they touch in both of two trials. In the first trial the moving row is a hair smaller than it is, about the middle of
+     * its extents. In the second trial the other row is a hair smaller. A hair is 2e-11 of the larger extent, plus rounding errors.</p>
+     *
+     * <p>One trial is not enough. A sheet is too thin to lose a hair of its thickness. And if a U becomes smaller, its inner faces come nearer
+     * to a post between them.</p>
      *
      * @private
      */
     public final class NarrowSweep
     {
-        // A hair, as a part of the larger extent; besides, of what places and motions are rounded by, how many times as much.
+        // HAIR is the width of a hair, as a part of the larger extent. The rounding errors of places and motions, times the other two factors,
+        // are added to it.
         private static const HAIR:Number = 0.02 * Tolerances.SEPARATION;
         private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
         private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
 
-        // A row loses a hair of its least extent, or of the largest divided by this: so its corners lose no more than that many hairs, and half of it at most.
+        // In a trial the smallest half-extent of the smaller row loses a hair, and the others lose in proportion. For a slim row a tenth of its
+        // largest half-extent loses the hair. So no half-extent loses more than ten hairs. A row loses at most half of its size.
         private static const SLIMMEST:Number = 10;
         private static const MOST_SHARE:Number = 0.5;
 
-        // A time after the end of a motion.
+        // A time after the end of the motion.
         private static const AFTER:Number = 1 + 1e-15;
 
-        /** The larger extent of the last pair that was asked about. */
+        /** The larger extent of the last pair that was tested. */
         public var extent:Number = 0;
 
-        /** How wide a hair is between the two. */
+        /** The width of a hair for the last pair that was tested, in patches. */
         public var hair:Number = 0;
 
-        /** When it meets the first that was found, as a part of the motion; after 1 if none was. */
+        /** When the row meets the first row that was found, as a part of the motion. If none was found, it is greater than 1. */
         public var time:Number = 0;
 
-        /** How it does. */
+        /** The contact at that time. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** When the row, as large as it is, touches the last that was asked about. */
+        /** When the row in its whole size touches the last row that was tested. */
         public var wholeTime:Number = 0;
 
-        /** What it has touched, met or not: the first of these rows. */
+        /** The rows that it has touched on the way, whether it met them or not. The list may be longer than <code>touchedCount</code>. */
         public var touched:Vector.<int> = new Vector.<int>();
 
-        /** How many these are. */
+        /** The number of rows that it has touched. */
         public var touchedCount:int = 0;
 
         private var _pairs:RowPairs;
@@ -65,32 +69,33 @@ package starlogo.queries
         private var _moving:MovedRow = new MovedRow();
         private var _standing:MovedRow = new MovedRow();
 
-        // How much of a hair is because of rounding.
+        // The part of a hair that stands for rounding errors.
         private var _rounding:Number = 0;
 
-        // Of the row of the pair that was smaller when the two met: where its middle was, and the share that it lacked, less than 0 if it was the one that moves.
+        // The smaller row of the two when they met: its middle, and the part of its size that was taken off. The part is negative if it is the
+        // moving row.
         private var _middleX:Number = 0;
         private var _middleY:Number = 0;
         private var _middleZ:Number = 0;
         private var _loss:Number = 0;
 
-        // The motion, and where the row is after it.
+        // The motion, and the row's place at its end.
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
 
-        // When the row, as large as it is, touches what was found.
+        // When the row in its whole size touches the row that was found.
         private var _foundWhole:Number = 0;
         private var _tried:ContactPoint = new ContactPoint();
         private var _triedOther:ContactPoint = new ContactPoint();
 
-        /** @param pairs decide what touches */
+        /** @param pairs decides which rows touch */
         public function NarrowSweep(pairs:RowPairs)
         {
             _pairs = pairs;
             _separation = new Separation(pairs);
         }
 
-        /** Takes a row that moves; <code>end()</code> has to follow. */
+        /** Begins with the row that moves. Call <code>end()</code> at the end. */
         public function begin(table:AgentTable, row:int, motion:Vector3D):void
         {
             _table = table;
@@ -101,14 +106,14 @@ package starlogo.queries
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
 
-        /** Puts the row back as it was. */
+        /** Puts the row back to its own place, in its whole size. */
         public function end():void
         {
             _moving.giveBack();
             _table = null;
         }
 
-        /** Whether the row touches another at a place. */
+        /** Whether the row touches another when it stands at a place. */
         public function touchesAt(other:int, at:Vector3D):Boolean
         {
             measure(other);
@@ -116,7 +121,7 @@ package starlogo.queries
             return isNear(other, RelativeMotion.NONE) && _pairs.areTouching(_table, _row, other);
         }
 
-        /** Whether the row would have to go into another to be at a place. */
+        /** Whether the row goes into another when it stands at a place. */
         public function meetsAt(other:int, at:Vector3D):Boolean
         {
             if (!touchesAt(other, at))
@@ -130,7 +135,7 @@ package starlogo.queries
             return isMeeting && _pairs.areTouching(_table, _row, other);
         }
 
-        /** How the row, which touches another at a place, touches it. */
+        /** Finds the contact of the row at a place with another row that it touches there. */
         public function findContact(other:int, at:Vector3D, out:ContactPoint):void
         {
             measure(other);
@@ -140,7 +145,7 @@ package starlogo.queries
             _separation.find(_table, _row, other, RelativeMotion.NONE, out);
         }
 
-        /** Sets the motion that is asked about from now on; nothing has been found or touched on it. */
+        /** Sets the motion for the next tests. It forgets what was found and touched before. */
         public function aim(at:Vector3D, motion:Vector3D):void
         {
             _end.copyFrom(at);
@@ -150,7 +155,7 @@ package starlogo.queries
             touchedCount = 0;
         }
 
-        /** Finds when the row, as large as it is, first touches another: <code>wholeTime</code>. */
+        /** Finds when the row in its whole size first touches another, and writes it to <code>wholeTime</code>. */
         public function findWhole(other:int):void
         {
             measure(other);
@@ -163,13 +168,16 @@ package starlogo.queries
             }
         }
 
-        /** Half of the gap across which the last two that were asked about still touch at a place, unless they are spheres or points. */
+        /** Half of the gap across which the last two tested rows still touch, at a place. It does not apply to spheres and points. */
         public function gapAt(at:Vector3D):Number
         {
             return Tolerances.SURFACES / 4 * extent + Tolerances.PLACES / 2 * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
         }
 
-        /** Whether the row meets another, and earlier than what was found before: then this is found, <code>time</code> and <code>contact</code>. */
+        /**
+         * Tests whether the row meets another earlier than the row that was found before. If so, it writes <code>time</code> and
+         * <code>contact</code>.
+         */
         public function find(other:int):Boolean
         {
             findWhole(other);
@@ -207,7 +215,7 @@ package starlogo.queries
                 _middleZ = extents.z[other];
                 if (_table.forms[other] == ModelShape.GROUND)
                 {
-                    // it loses as much everywhere
+                    // the ground loses the same everywhere
                     _middleX = contact.x - extents.halfX[other] * contact.normalX;
                     _middleY = contact.y - extents.halfX[other] * contact.normalY;
                     _middleZ = contact.z - extents.halfX[other] * contact.normalZ;
@@ -226,8 +234,9 @@ package starlogo.queries
         }
 
         /**
-         * Finds when the row, as large as it is, first touches what <code>find()</code> has found. Where it touches that at the beginning already, as
-         * a floor that has a wall, the time is that at which it would be as deep as the smaller row is not.
+         * Finds when the row in its whole size first touches the row that <code>find()</code> has found. The two may touch from the beginning,
+         * for example if one agent is the floor under the row and also the wall in its way. Then the result is the time of the smaller row, made
+         * earlier by the width that this row has lost at the contact.
          *
          * @param along how far the motion goes along the contact's normal, less than 0
          * @param touch has that normal
@@ -240,14 +249,14 @@ package starlogo.queries
             return Math.min(time, _foundWhole > time + earlier / 2 ? _foundWhole : time + earlier);
         }
 
-        /** Finds the larger extent of the row and another, and how wide a hair is between them. */
+        /** Finds the larger extent of the row and another, and the width of a hair between them. */
         public function measure(other:int):void
         {
             extent = 2 * Math.max(_table.extents.largestHalf(other), _moving.largestHalf);
             hair = HAIR * extent + _rounding;
         }
 
-        // Whether the extents of the row, all along a motion that ends where it is, come as near to those of another as a hair.
+        // Whether the extents of the row come within a hair of another's, anywhere on a motion that ends at the row's place in the table.
         private function isNear(other:int, motion:RelativeMotion):Boolean
         {
             if (_table.forms[other] == ModelShape.GROUND)

@@ -1,8 +1,10 @@
 package starlogo.queries
 {
     /**
-     * Finds the rows of a tree of places that are near a place, the nearest nodes first. Distances are compared as squares, in the order of arithmetic
-     * (x x + y y) + z z, in which that to a box is never more than that to a place in it, to the last bit.
+     * Finds the rows of a tree of places that are near a place. It visits the nearest nodes first.
+     *
+     * <p>It compares squared distances, always computed as (x x + y y) + z z. In this order rounding never makes the distance to a box larger
+     * than the distance to a place in the box.</p>
      *
      * @private
      */
@@ -11,29 +13,29 @@ package starlogo.queries
         private var _tree:RowTree;
         private var _found:FoundRows;
 
-        // Whether rows are only counted, and all of them: then nodes are counted as a whole.
+        // Whether all rows are wanted, but only their number. Then a node that is inside the limit is counted as a whole.
         private var _countsNodes:Boolean = false;
         private var _x:Number = 0;
         private var _y:Number = 0;
         private var _z:Number = 0;
 
-        // Nodes that are to be visited yet, and their squared distances.
+        // The nodes that wait for a visit, and their squared distances.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
-        /** No search yet. */
+        /** Begins without a search. */
         public function NearSearch()
         {
         }
 
         /**
-         * Finds rows.
+         * Finds the rows near a place.
          *
-         * @param tree of places
-         * @param x the place that they are near to
-         * @param y the place that they are near to
-         * @param z the place that they are near to
-         * @param found says which are wanted, and takes them, in no order
+         * @param tree a tree of places
+         * @param x the place
+         * @param y the place
+         * @param z the place
+         * @param found says which rows are wanted, and collects them unsorted
          */
         public function find(tree:RowTree, x:Number, y:Number, z:Number, found:FoundRows):void
         {
@@ -66,7 +68,7 @@ package starlogo.queries
             }
         }
 
-        // Has the first nodes wait; returns how many.
+        // Puts the first nodes on the waiting list. Returns how many nodes wait.
         private function begin():int
         {
             if (_tree.count == 0)
@@ -81,7 +83,7 @@ package starlogo.queries
             {
                 return beginBeside(_tree.leafOf(_found.skipped));
             }
-            // counted below
+            // the skipped row is counted below
             if (_tree.squareTo(_found.skipped, _x, _y, _z) <= _found.limit)
             {
                 _found.count--;
@@ -89,7 +91,8 @@ package starlogo.queries
             return measure(1, 0);
         }
 
-        // Has a leaf be the next, which is likely to have the nearest, and after it all that is beside the way there from the root.
+        // Makes a leaf the next node, because it probably has the nearest rows. After it come the nodes beside the path from the root to the
+        // leaf.
         private function beginBeside(leaf:int):int
         {
             var up:int = 0;
@@ -108,7 +111,7 @@ package starlogo.queries
             return waiting + 1;
         }
 
-        // Has a node and its sibling wait, the nearer to be the next; returns how many nodes wait.
+        // Puts a node and its sibling on the waiting list, with the nearer one to be visited next. Returns how many nodes wait.
         private function open(node:int, first:int):int
         {
             var second:int = measure(node, first);
@@ -127,8 +130,8 @@ package starlogo.queries
             return waiting;
         }
 
-        // Has a node wait whose box is no farther than the limit, with its squared distance. One of which all rows count is counted at once. Returns
-        // how many nodes wait.
+        // Puts a node on the waiting list if its box is within the limit. If only the number is wanted and the whole box is within the limit,
+        // the node is counted at once. Returns how many nodes wait.
         private function measure(node:int, waiting:int):int
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
@@ -187,7 +190,8 @@ package starlogo.queries
             return waiting + 1;
         }
 
-        // Looks at the rows of a leaf. What is only kept or counted is so here, because a call for each row costs as much as the row.
+        // Tests the rows of a leaf. Rows that are only kept or counted are handled here, because a call for each row would take as long as the
+        // test.
         private function visit(start:int, end:int, found:FoundRows):void
         {
             var xs:Vector.<Number> = _tree.x;

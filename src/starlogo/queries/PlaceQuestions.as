@@ -7,13 +7,13 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * The questions about where agents are: which are near a place, and which are the nearest.
+     * Answers questions about the agents' places: which agents are near a place, and which are the nearest.
      *
      * @private
      */
     public final class PlaceQuestions
     {
-        // How many times as many agents are looked for if too few of the nearest are accepted.
+        // If too few of the nearest agents are accepted, the next search looks for this many times as many.
         private static const MORE:int = 4;
 
         private var _seen:SeenAgents;
@@ -22,7 +22,7 @@ package starlogo.queries
         private var _cone:Cone = new Cone();
         private var _nearest:Vector.<Agent> = new Vector.<Agent>();
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function PlaceQuestions(seen:SeenAgents)
         {
             _seen = seen;
@@ -30,17 +30,17 @@ package starlogo.queries
         }
 
         /**
-         * Lists the agents that are near a place.
+         * Lists the agents near a place.
          *
-         * @param asker is not in the list; or null
+         * @param asker the agent that asks, which is left out; or null
          * @param x the place
          * @param y the place
          * @param z the place
-         * @param radius the greatest distance
-         * @param most how many of the nearest are wanted; or FoundRows.ALL
-         * @param filter which agents count; null for all
-         * @param out takes the list; null for a new one
-         * @return out
+         * @param radius the largest distance
+         * @param most how many of the nearest agents are wanted, or FoundRows.ALL
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
          */
         public function list(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
@@ -52,7 +52,7 @@ package starlogo.queries
             return _found.list(out);
         }
 
-        /** Counts the agents that are near a place; parameters as in list. */
+        /** Counts the agents near a place. The parameters are those of <code>list()</code>. */
         public function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
             var asks:Boolean = filter != null && filter.accepts != null;
@@ -65,7 +65,7 @@ package starlogo.queries
             return _found.keepAccepted(0, FoundRows.ALL).length;
         }
 
-        /** The agent that is nearest to a place, or null; parameters as in list. */
+        /** The agent nearest to a place, or null. The parameters are those of <code>list()</code>. */
         public function nearest(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):Agent
         {
             if (filter != null && filter.accepts != null)
@@ -77,7 +77,7 @@ package starlogo.queries
             return _found.count > 0 ? _seen.table.agents[_found.rows[0]] : null;
         }
 
-        /** As AgentQueries.inCone. */
+        /** See AgentQueries.inCone. */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             if (!(degrees >= 0))
@@ -109,7 +109,7 @@ package starlogo.queries
             _found.begin(most, radius * radius, asker == null ? -1 : _seen.rowOf(asker), filter);
         }
 
-        // Asks of some of the nearest, then of those that come after them. The filter may ask questions of its own.
+        // Calls accepts for some of the nearest agents, then for the next nearest, until enough are accepted. accepts may ask questions itself.
         private function listAccepted(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             var kept:int = 0;

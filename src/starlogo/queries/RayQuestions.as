@@ -9,7 +9,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * The questions about what a ray meets.
+     * Answers which agents a ray meets.
      *
      * @private
      */
@@ -19,15 +19,16 @@ package starlogo.queries
         private var _search:WaySearch = new WaySearch();
         private var _rays:RowRays = new RowRays();
 
-        // A second row that does not count; or -1.
+        // A second row that does not count, or -1.
         private var _skippedToo:int = -1;
 
-        // What the ray meets, with the distances themselves; the hits in the order in which they are found; by row: the number of its hit.
+        // The rows that the ray meets, with their distances, not squared; the hits in the order in which they are found; and by row, the number
+        // of its hit.
         private var _found:FoundRows;
         private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
         private var _hitOf:Vector.<int> = new Vector.<int>();
 
-        // By how many questions are under way: the hits of which accepts is asked. Hits that lists have no use for at present.
+        // The hits for which accepts is called, by the number of questions under way; and hits that no list needs at present.
         private var _asked:Vector.<Vector.<RayHit>> = new Vector.<Vector.<RayHit>>();
         private var _spare:Vector.<RayHit> = new Vector.<RayHit>();
         private var _spareCount:int = 0;
@@ -36,14 +37,14 @@ package starlogo.queries
         private var _middle:Vector3D = new Vector3D();
         private var _towards:Vector3D = new Vector3D();
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function RayQuestions(seen:SeenAgents)
         {
             _seen = seen;
             _found = new FoundRows(seen);
         }
 
-        /** As AgentQueries.cast. */
+        /** See AgentQueries.cast. */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
         {
             begin(origin, direction, maxDistance, filter);
@@ -65,7 +66,7 @@ package starlogo.queries
             return first < 0 ? null : hit;
         }
 
-        /** As AgentQueries.castAll. */
+        /** See AgentQueries.castAll. */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>):Vector.<RayHit>
         {
             begin(origin, direction, maxDistance, filter);
@@ -78,14 +79,15 @@ package starlogo.queries
             return hits;
         }
 
-        /** As AgentQueries.canSee. */
+        /** See AgentQueries.canSee. */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter):Boolean
         {
             findMiddle(a, _middle);
             findMiddle(b, _towards);
             if (a.number > b.number)
             {
-                // a ray that grazes something may be rounded in another way from the other side: it is always the same one
+                // the ray always starts at the same agent of the two, because rounding may let a ray that grazes something pass in one direction
+                // only
                 findMiddle(b, _middle);
                 findMiddle(a, _towards);
             }
@@ -93,7 +95,7 @@ package starlogo.queries
             var distance:Number = Math.sqrt(_towards.x * _towards.x + _towards.y * _towards.y + _towards.z * _towards.z);
             if (distance == 0)
             {
-                // whatever is there
+                // any direction will do
                 _towards.z = 1;
             }
             begin(_middle, _towards, distance, filter);
@@ -108,7 +110,7 @@ package starlogo.queries
             return next() < 0;
         }
 
-        // Where the middle of an agent's extents is now; its place while its model is loading.
+        // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
             var row:int = _seen.rowOfNow(agent);
@@ -147,7 +149,7 @@ package starlogo.queries
             return row;
         }
 
-        // Lists every hit, but for accepts.
+        // Lists every hit, without calling accepts.
         private function list(out:Vector.<RayHit>):void
         {
             _hitOf.length = Math.max(_hitOf.length, _seen.ranks.length);
@@ -170,7 +172,7 @@ package starlogo.queries
             }
         }
 
-        // How the ray meets a row, which it met last.
+        // Writes how the ray meets a row. It must be the row that it met last.
         private function write(row:int, hit:RayHit):void
         {
             var ray:Ray = _rays.ray;
@@ -182,7 +184,8 @@ package starlogo.queries
             hit.normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
         }
 
-        // Gives a list so many hits; those that it has no use for are kept for others. One by one, as in FoundRows.shorten.
+        // Makes a list have this many hits. Surplus hits are kept for other lists. It removes them one at a time, for the reason that
+        // FoundRows.shorten gives.
         private function setLength(hits:Vector.<RayHit>, length:int):void
         {
             while (hits.length > length)
@@ -214,7 +217,7 @@ package starlogo.queries
             return new RayHit();
         }
 
-        // Asks accepts of the hits, the nearest first, until one is accepted: copies that one.
+        // Calls accepts for the hits, beginning with the nearest, until one is accepted. Copies that hit.
         private function findAccepted(hit:RayHit):RayHit
         {
             while (_seen.asking >= _asked.length)
@@ -233,7 +236,8 @@ package starlogo.queries
             return isAccepted ? hit : null;
         }
 
-        // Puts those hits first, of the list that was made last, that accepts says yes to, until these are so many; returns how many.
+        // Calls accepts for the hits of the list that was made last, until enough are accepted. Moves the accepted hits to the front, and
+        // returns their number.
         private function keepAccepted(hits:Vector.<RayHit>, most:int):int
         {
             var accepted:Vector.<Agent> = _found.keepAccepted(0, most);

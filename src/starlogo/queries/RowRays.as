@@ -16,21 +16,22 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a row of a table, as a collider sees it.
+     * Finds the point where a ray first meets a row of a table, as a collider sees the row.
      *
-     * <p>The ray is brought into the space of the row's model, once: whatever represents the model is there as it was fitted, around the triangles, and
-     * what is computed rounds with the size of the model, not with its place. For that the point of the line that is nearest to the row's place is found
-     * first, and the same for every system: what the triangles of a model are hit at, its structures are hit at before. A ray is a line without
-     * thickness: the margin by which shapes at a place are enlarged (Tolerances.PLACES) is not added.</p>
+     * <p>It first moves the ray into the space of the row's model. There the structure, the tree and the triangles are as they were fitted, and
+     * rounding errors depend on the model's size, not on its place. The ray is given there by the point of its line that is nearest to the row's
+     * place. This is the same for all systems. So if a ray meets a model's triangles, it meets the structures around them not later.</p>
+     *
+     * <p>A ray is a line without thickness. So the margin by which shapes are widened for touching (Tolerances.PLACES) is not added.</p>
      *
      * @private
      */
     public final class RowRays
     {
-        /** How far from the ray's origin the last row that was met is first met, in patches; 0 from inside. */
+        /** The distance from the ray's origin to the last row that it met, in patches. It is 0 if the origin is inside. */
         public var distance:Number = 0;
 
-        /** The normal there: of length 1, against the ray. */
+        /** The normal at that point: a unit vector, against the ray. */
         public var normalX:Number = 0;
 
         /** @copy #normalX */
@@ -39,13 +40,16 @@ package starlogo.queries
         /** @copy #normalX */
         public var normalZ:Number = 0;
 
-        /** The number of the triangle that it meets there, as the model counts them; -1 if no triangle decides, or from inside. */
+        /**
+         * The number of the triangle that the ray meets, as the model counts them. It is -1 if no triangle decides, or if the ray's origin is
+         * inside.
+         */
         public var triangle:int = -1;
 
-        /** How far the ray goes, in patches; what is just as far counts. May be made smaller between rows. */
+        /** How far the ray goes, in patches. A row at exactly this distance is met. You may make it smaller between rows. */
         public var limit:Number = Infinity;
 
-        /** Where the ray begins, in the world, and its direction. */
+        /** The ray's origin and direction, in the world. */
         public var ray:Ray = new Ray();
 
         private var _table:AgentTable;
@@ -56,16 +60,16 @@ package starlogo.queries
         private var _ground:GroundRay = new GroundRay();
         private var _placement:Placement = new Placement();
 
-        /** No ray yet. */
+        /** Begins without a ray. */
         public function RowRays()
         {
         }
 
         /**
-         * Begins with the rows of a table; ray and limit are set.
+         * Begins with the rows of a table. Set ray and limit first.
          *
          * @param table has the rows
-         * @param trees say how deep those that are trees are visited
+         * @param trees knows how deep trees are visited
          * @throws RangeError if the limit is negative or not a number
          */
         public function begin(table:AgentTable, trees:TreePairs):void
@@ -78,7 +82,7 @@ package starlogo.queries
             _trees = trees;
         }
 
-        /** Whether the ray meets a row within the limit: then distance and normal are set. */
+        /** Whether the ray meets a row within the limit. If it does, distance and normal are set. */
         public function meets(row:int):Boolean
         {
             var shape:ModelShape = _table.shapes[row];
@@ -107,7 +111,7 @@ package starlogo.queries
             found.bringInto(placement, line);
             var start:Number = -ahead / size;
             found.from = start;
-            // what is too far by rounding alone is left out below
+            // this limit is too large by rounding errors; rows beyond the exact limit are left out below
             found.to = (limit - ahead + Tolerances.ROUNDING * (limit + Math.abs(ahead))) / size;
             found.faceBack();
             if (!found.isFinite || !meetsShape(row, shape, found))

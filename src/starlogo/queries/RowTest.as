@@ -3,7 +3,8 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
 
     /**
-     * Says which rows count in a search. A class rather than an interface because calls through an interface cost half as much again.
+     * Tests whether a row counts in a search. It is a class and not an interface because calls through an interface take half as much time
+     * again.
      *
      * @private
      */

@@ -4,39 +4,39 @@ package starlogo.queries
     import starlogo.geometry.Tolerances;
 
     /**
-     * A balanced tree of boxes around rows of a table, so that those near a place, in a box or on a ray are found without looking at all (Bentley,
-     * "Multidimensional Binary Search Trees", 1975, with boxes around what is on either side). A place is a box without size.
+     * A balanced tree of boxes around rows of a table. It finds the rows near a place, in a box or on a ray without a test of every row
+     * (Bentley, "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
      *
-     * <p>The nodes are numbered as in a heap: 1 is the root, the children of node i are 2 i and 2 i + 1. All leaves are on one level, and
-     * those on each level have equal parts of the rows, so that nothing but the boxes has to be kept. The rows in the order of the leaves stand in
-     * slots.</p>
+     * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one
+     * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
+     * in the order of the leaves.</p>
      *
      * @private
      */
     public final class RowTree
     {
-        /** The numbers of a box: the least x, y, z, then the greatest. */
+        /** How many numbers a box takes: its least x, y, z, then its greatest x, y, z. */
         public static const PER_BOX:int = 6;
 
-        /** Rows in a leaf, at most. */
+        /** The most rows that a leaf can have. */
         private static const LEAF_SIZE:int = 24;
 
-        // After so many moves for each row the boxes have grown too much.
+        // The tree becomes stale after this many moves per row, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
 
-        /** Whether it has to be made anew before the next search. */
+        /** Whether the tree must be built again before the next search. */
         public var isStale:Boolean = true;
 
-        /** How many rows there are. */
+        /** The number of rows. */
         public var count:int = 0;
 
-        /** A row that is not in the tree and near all that is: the ground. Or -1. */
+        /** The row of the ground, which is not in the tree because it is near all rows; or -1. */
         public var beyond:int = -1;
 
-        /** The number of the first leaf; there are as many leaves. */
+        /** The node number of the first leaf. The number of leaves is the same. */
         public var firstLeaf:int = 1;
 
-        /** By leaf, the first being 0: the slot where its rows begin; behind the last one, where they end. */
+        /** By leaf, from 0 on: the slot where the leaf's rows begin. One more entry is the end of the last leaf. */
         public var starts:Vector.<int> = new Vector.<int>();
 
         /** By slot: the row. */
@@ -51,10 +51,10 @@ package starlogo.queries
         /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
-        /** By slot: the box of the row, wider by more than rounding comes to. Not for places. */
+        /** By slot: the row's box, with a margin larger than its rounding errors. Not used for places. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** By node: a box around those of its rows. */
+        /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
         private var _moves:int = 0;
@@ -62,26 +62,26 @@ package starlogo.queries
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
 
-        // By row, given: the middle of its box; and half the lengths, null for places.
+        // The columns given to build(), by row: the middle of the row's box, and half of its lengths, or null for places.
         private var _x:Vector.<Number>;
         private var _y:Vector.<Number>;
         private var _z:Vector.<Number>;
         private var _sizes:Extents;
 
-        /** An empty tree. */
+        /** Begins as an empty tree. */
         public function RowTree()
         {
         }
 
         /**
-         * Makes the tree anew. The columns stay in use: <code>move()</code> reads them.
+         * Builds the tree again. It keeps the columns, because <code>move()</code> reads them later.
          *
-         * @param rows those that count
-         * @param count how many of them
+         * @param rows the rows that the tree has
+         * @param count how many of them count
          * @param x by row: the middle of its box
          * @param y by row: the middle of its box
          * @param z by row: the middle of its box
-         * @param sizes has half the lengths of the boxes; null if the rows are places
+         * @param sizes half of the boxes' lengths; null if the rows are places
          */
         public function build(rows:Vector.<int>, count:int, x:Vector.<Number>, y:Vector.<Number>, z:Vector.<Number>, sizes:Extents = null):void
         {
@@ -114,13 +114,13 @@ package starlogo.queries
             boundAll();
         }
 
-        /** The leaf that has a row. */
+        /** The node number of the leaf that has a row. */
         public function leafOf(row:int):int
         {
             return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
         }
 
-        /** The squared distance of a row's middle from a place. */
+        /** The squared distance between a row's middle and a place. */
         public function squareTo(row:int, x:Number, y:Number, z:Number):Number
         {
             var slot:int = _slots[row];
@@ -130,7 +130,7 @@ package starlogo.queries
             return toX * toX + toY * toY + toZ * toZ;
         }
 
-        /** How many rows are below a node. */
+        /** The number of rows in a node. */
         public function countIn(node:int):int
         {
             var last:int = node;
@@ -142,7 +142,10 @@ package starlogo.queries
             return starts[last + 1 - firstLeaf] - starts[node - firstLeaf];
         }
 
-        /** Reads the box of one row anew, if the tree is not stale: the boxes about it grow, so that the tree is right, if not as good as one made anew. */
+        /**
+         * Reads the box of one row again, unless the tree is stale. The boxes around the row grow. So searches stay correct, but take more time
+         * than in a tree that was built again.
+         */
         public function move(row:int):void
         {
             _moves++;
@@ -157,7 +160,7 @@ package starlogo.queries
             z[slot] = _z[row];
             boundRow(slot);
             var node:int = leafOf(row);
-            // a box that has not grown is in boxes that do not grow either
+            // if a box does not grow, the boxes around it do not grow either
             while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
                 node >>= 1;
@@ -182,7 +185,8 @@ package starlogo.queries
             }
         }
 
-        // Has each node divide its rows in two along the longest side of its part of space, which is written where its box will be.
+        // Divides the rows of each node in two halves, along the longest side of the node's part of space. That part is stored for a while where
+        // the node's box will be written.
         private function divideAll():void
         {
             boundMiddles(PER_BOX, 0, count);
@@ -209,7 +213,7 @@ package starlogo.queries
             }
         }
 
-        // Makes a node's box that around the middles in some slots.
+        // Makes a node's box enclose the middles in some slots.
         private function boundMiddles(box:int, first:int, end:int):void
         {
             for (var axis:int = 0; axis < 3; axis++)
@@ -246,7 +250,8 @@ package starlogo.queries
             return alongY >= alongZ ? 1 : 2;
         }
 
-        // Moves rows so that none before the middle has a greater key than it, and none after it a smaller one (Hoare, "Find", 1961).
+        // Sorts rows partly: the keys before the middle are not greater than the middle's key, the keys after it not smaller (Hoare, "Find",
+        // 1961).
         private function select(keys:Vector.<Number>, first:int, last:int, middle:int):void
         {
             while (first < last)
@@ -372,14 +377,14 @@ package starlogo.queries
             rowBoxes[int(box + 5)] = z[slot] + reachZ;
         }
 
-        /** By how much a box has to be wider, because what is at a place is rounded: its middle, and half its lengths. */
+        /** The margin by which a box is widened. It is larger than the rounding errors of the box's middle and lengths. */
         public static function slackOf(x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):Number
         {
             return Tolerances.EXTENTS * (halfX + halfY + halfZ)
                 + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         }
 
-        // Makes a node's box contain another; returns whether it has grown.
+        // Makes a node's box contain another box. Returns whether it has grown.
         private function widen(box:int, others:Vector.<Number>, other:int):Boolean
         {
             var boxes:Vector.<Number> = nodeBoxes;

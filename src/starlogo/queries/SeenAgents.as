@@ -18,23 +18,23 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * What questions see of the agents of a list, as a collision system sees them: a table of their own, with trees of the places and of the
-     * extents, which are made when a question first needs them.
+     * Keeps the agents of a list as a collision system sees them, for questions: in a table of its own, with a tree of their places and a tree
+     * of their extents. Each tree is built when a question first needs it.
      *
      * @private
      */
     public final class SeenAgents
     {
-        /** The agents; read-only for questions. */
+        /** The agents. Questions only read them. */
         public var table:AgentTable;
 
-        /** Decide which rows touch: the collision system's own, with its settings. */
+        /** Tests which rows touch. It belongs to the collision system and has its settings. */
         public var pairs:RowPairs;
 
-        /** By row: the place of its agent in the list. */
+        /** By row: the index of its agent in the list. */
         public var ranks:Vector.<int> = new Vector.<int>();
 
-        /** Counts questions under way whose filters are being asked: the list may not change. */
+        /** The number of questions under way that are calling a filter's accepts. Meanwhile the list must not change. */
         public var asking:int = 0;
 
         private var _source:Object;
@@ -43,12 +43,12 @@ package starlogo.queries
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
 
-        // The list that ranks are of.
+        // The number of the list for which ranks was made.
         private var _listNumber:int = -1;
 
         /**
          * @param source a Collision, or one of the engine's colliders
-         * @throws ArgumentError if it is neither, or a Collision of another system
+         * @throws ArgumentError if it is neither, or if the Collision's system is not one of the engine's
          */
         public function SeenAgents(source:Object)
         {
@@ -59,7 +59,7 @@ package starlogo.queries
             _system = collider;
         }
 
-        /** As AgentQueries.terrain. */
+        /** See AgentQueries.terrain. */
         public function get terrain():Terrain
         {
             return _source is Collision ? Collision(_source).terrain : _terrain;
@@ -74,7 +74,7 @@ package starlogo.queries
             _terrain = value;
         }
 
-        /** As AgentQueries.update. */
+        /** See AgentQueries.update. */
         public function update(agents:Vector.<Agent>):void
         {
             if (agents == null)
@@ -102,7 +102,7 @@ package starlogo.queries
             _extents.beyond = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
         }
 
-        /** As AgentQueries.moved. */
+        /** See AgentQueries.moved. */
         public function moved(agent:Agent):void
         {
             requireQuiet("moved");
@@ -116,7 +116,7 @@ package starlogo.queries
             _extents.move(row);
         }
 
-        /** Refuses a change of what questions see while a filter's <code>accepts</code> is being asked. */
+        /** Throws an error if a filter's <code>accepts</code> is being called, because what questions see must not change then. */
         public function requireQuiet(what:String):void
         {
             if (asking > 0)
@@ -125,7 +125,7 @@ package starlogo.queries
             }
         }
 
-        /** Refuses a motion of an agent of the list while a filter's <code>accepts</code> is being asked. */
+        /** Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
         public function requireMovable(agent:Agent, what:String):void
         {
             if (agent != null && table.rowOf(agent) >= 0)
@@ -148,7 +148,7 @@ package starlogo.queries
             return agent.placement;
         }
 
-        /** Brings the tree of the places up to date. */
+        /** Returns the tree of the places, and builds it first if it is stale. */
         public function findPlaces():RowTree
         {
             if (_places.isStale)
@@ -158,7 +158,7 @@ package starlogo.queries
             return _places;
         }
 
-        /** Brings the tree of the extents up to date; where a model is loading they mean nothing. */
+        /** Returns the tree of the extents, and builds it first if it is stale. While a model is loading, its extents mean nothing. */
         public function findExtents():RowTree
         {
             if (_extents.isStale)
@@ -169,7 +169,7 @@ package starlogo.queries
             return _extents;
         }
 
-        /** Begins a search among the extents with those of a row. */
+        /** Begins a search for rows whose extents are near the extents of one row. */
         public function beginWay(search:WaySearch, row:int):void
         {
             var tree:RowTree = findExtents();
@@ -177,17 +177,17 @@ package starlogo.queries
             search.begin(tree, of.x[row], of.y[row], of.z[row], of.halfX[row], of.halfY[row], of.halfZ[row]);
             if (table.forms[row] == ModelShape.GROUND)
             {
-                // it is near all
+                // the ground is near all rows
                 search.widen(4 * Agent.LARGEST_COORDINATE);
             }
         }
 
         /**
-         * A row of an agent as it is now: its own if that is so, else a guest's. Its shape is null while its model is loading.
-         * <code>table.endGuests()</code> has to follow.
+         * A row with an agent as it is now: its own row if that is still right, and else a guest's row. The row's shape is null while the
+         * agent's model is loading. Call <code>table.endGuests()</code> afterwards.
          *
          * @param guest the row for a guest, 0 or 1
-         * @throws ArgumentError if its model is unknown, or what is needed of it was not loaded
+         * @throws ArgumentError if the agent's model is unknown or lacks data that is needed
          */
         public function rowOfNow(asker:Agent, guest:int = 0):int
         {
@@ -218,7 +218,7 @@ package starlogo.queries
             var collider:Collider = Collider.behind(system);
             if (collider == null)
             {
-                throw new ArgumentError("questions need a Collision or one of the engine's collision systems, which say what agents look like, not "
+                throw new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
                         + textOf(system, "a Collision or a Collider"));
             }
             return collider;

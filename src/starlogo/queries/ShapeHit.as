@@ -3,22 +3,22 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
 
-    /** Where a structure, or an agent, that is cast along a way touches an agent. */
+    /** The place where a structure or an agent that is cast along a way touches an agent. <code>AgentQueries.castShape()</code> returns it. */
     public final class ShapeHit
     {
-        /** The agent that it touches. */
+        /** The agent that is touched. */
         public var agent:Agent = null;
 
-        /** The part of the way that is free, from 0 to 1; 0 if it touches the agent at the beginning and the way goes into it. */
+        /** The free part of the way, from 0 to 1. It is 0 if the two touch at the beginning and the way goes into the agent. */
         public var time:Number = 0;
 
-        /** A point where the two touch then, in the world. */
+        /** A point where the two touch at that time, in the world. */
         public var point:Vector3D = new Vector3D();
 
-        /** Of length 1, from the agent to what is cast, in the world. */
+        /** The direction from the agent to the structure or agent that is cast, in the world: a unit vector. */
         public var normal:Vector3D = new Vector3D();
 
-        /** For AgentQueries to write into. */
+        /** An empty hit. Pass it to <code>AgentQueries.castShape()</code>, which fills it. */
         public function ShapeHit()
         {
         }

@@ -5,51 +5,51 @@ package starlogo.queries
     import starlogo.intersection.contact.ContactPoint;
 
     /**
-     * What is left of a motion, the planes of what it has met, and its projection on them (Fauerby, "Improved collision detection and response", 2003, with all
-     * planes kept).
+     * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the rest on these planes (Fauerby, "Improved
+     * collision detection and response", 2003, but it keeps all planes).
      *
      * @private
      */
     public final class SlidePlanes
     {
-        // The sine of the angle up to which a motion runs along a plane; the share of a motion that is none; the cosine from which on
-        // two planes are one.
+        // LEVEL: up to an angle with this sine, a motion runs along a plane. STUCK: a motion shorter than this fraction of the whole counts as
+        // none. SAME: above this cosine of the angle between them, two planes are the same.
         private static const LEVEL:Number = 1e-12;
         private static const STUCK:Number = 1e-10;
         private static const SAME:Number = 1 - 1e-14;
 
-        /** What is left of the motion. */
+        /** The rest of the motion. */
         public var motion:Vector3D = new Vector3D();
 
-        /** How long that is: a field, because V8 makes objects of Numbers that are returned. */
+        /** The length of the rest. It is a field because V8 makes an object for each Number that is returned. */
         public var length:Number = 0;
 
-        /** How many planes there are. */
+        /** The number of planes. */
         public var count:int = 0;
 
-        /** The first that was met in the corner that the motion is in. */
+        /** The index of the first plane of the current corner. */
         public var corner:int = 0;
 
-        /** Whose the plane is that <code>findCrossed()</code> has found. */
+        /** The row whose plane <code>findCrossed()</code> has found. */
         public var crossedRow:int = -1;
 
         private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        // By plane: the row whose it is.
+        // By plane: the row that it belongs to.
         private var _rows:Vector.<int> = new Vector.<int>();
 
-        // What was left when the corner began; a projection that is tried; the plane that does not count for it.
+        // The rest of the motion when the corner began; a projection that is tried; and the plane that does not count for it.
         private var _whole:Vector3D = new Vector3D();
         private var _wholeLength:Number = 0;
         private var _tried:Vector3D = new Vector3D();
         private var _without:int = -1;
 
-        /** No motion. */
+        /** Begins without a motion. */
         public function SlidePlanes()
         {
         }
 
-        /** Begins a motion without planes. */
+        /** Begins a motion, without planes. */
         public function begin(whole:Vector3D):void
         {
             motion.copyFrom(whole);
@@ -58,7 +58,9 @@ package starlogo.queries
             beginCorner();
         }
 
-        /** Begins a corner: the planes that are added from now on are of it, and what is left of the motion now is projected on them. */
+        /**
+         * Begins a corner. All planes that are added from now on belong to it. <code>project()</code> then projects the motion that is left now.
+         */
         public function beginCorner():void
         {
             corner = count;
@@ -66,7 +68,7 @@ package starlogo.queries
             _wholeLength = length;
         }
 
-        /** Moves a place by the first part of what is left, from 0 to 1, which is left no more. Returns how far that is. */
+        /** Moves a place by a part of the rest, from 0 to 1, and takes this part off the rest. Returns the length of the part. */
         public function advance(place:Vector3D, part:Number):Number
         {
             var gone:Number = part * length;
@@ -80,7 +82,10 @@ package starlogo.queries
             return gone;
         }
 
-        /** Adds the plane of a contact with a row, which must not be crossed against its normal. It takes the place of one that is the same but for rounding. */
+        /**
+         * Adds the plane of a contact with a row. The motion must not cross it against its normal. If a plane with the same normal, except for
+         * rounding, is there already, it is replaced.
+         */
         public function add(contact:ContactPoint, row:int):void
         {
             var same:int = 0;
@@ -97,7 +102,7 @@ package starlogo.queries
             count = Math.max(count, same + 1);
         }
 
-        /** Takes a plane away. */
+        /** Removes a plane. */
         public function remove(at:int):void
         {
             count--;
@@ -123,10 +128,11 @@ package starlogo.queries
         }
 
         /**
-         * Projects the motion, as it was when the corner began, on the planes that it crosses: the nearest that crosses none.
+         * Projects the motion on the planes that it crosses. It takes the motion as it was when the corner began, and finds the nearest motion
+         * that crosses no plane.
          *
-         * @param without a plane that does not count; -1 for none
-         * @return whether there is any left
+         * @param without the index of a plane that does not count; -1 for none
+         * @return whether any motion is left
          */
         public function project(without:int = -1):Boolean
         {
@@ -154,7 +160,7 @@ package starlogo.queries
             return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
         }
 
-        // The lines in which one plane meets those after it.
+        // Tries the lines where one plane meets the planes after it.
         private function tryCreases(first:int):void
         {
             var a:ContactPoint = _planes[first];
@@ -171,7 +177,7 @@ package starlogo.queries
             }
         }
 
-        // Takes a projection if it crosses no plane and is longer than the best so far.
+        // Takes a projection if it crosses no plane and is longer than the best one so far.
         private function tryMotion():void
         {
             var long:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);

@@ -12,7 +12,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * The questions about which agents touch an agent or a structure.
+     * Answers which agents touch an agent or a structure.
      *
      * @private
      */
@@ -25,28 +25,28 @@ package starlogo.queries
         private var _moved:MovedRow = new MovedRow();
         private var _place:Vector3D = new Vector3D();
 
-        /** @param seen the agents that are asked about */
+        /** @param seen the agents that questions are about */
         public function TouchQuestions(seen:SeenAgents)
         {
             _seen = seen;
             _found = new FoundRows(seen);
         }
 
-        /** As AgentQueries.touching. */
+        /** See AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             findTouching(agent, filter, FoundRows.ALL);
             return _found.list(out);
         }
 
-        /** As AgentQueries.touchesAny. */
+        /** See AgentQueries.touchesAny. */
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
             findTouching(agent, filter, mostFor(filter));
             return isAnyAccepted(filter);
         }
 
-        /** As AgentQueries.overlapsAgent. */
+        /** See AgentQueries.overlapsAgent. */
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
             var table:AgentTable = _seen.table;
@@ -63,7 +63,7 @@ package starlogo.queries
             return isAnyAccepted(filter);
         }
 
-        /** As AgentQueries.overlapping. */
+        /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             var table:AgentTable = _seen.table;
@@ -94,7 +94,7 @@ package starlogo.queries
             return row;
         }
 
-        // How many have to be found to know whether there is one: accepts is asked of all.
+        // How many rows must be found to know whether there is one. If accepts has to be called, all must be found.
         private static function mostFor(filter:AgentFilter):int
         {
             return filter == null || filter.accepts == null ? 1 : FoundRows.ALL;
@@ -110,7 +110,7 @@ package starlogo.queries
             return _found.keepAccepted(0, 1).length > 0;
         }
 
-        // Takes the rows that count and touch a row, with their distances from a place.
+        // Collects the rows that count and touch a row. Each gets its distance from a place.
         private function collectNear(row:int, x:Number, y:Number, z:Number):void
         {
             var table:AgentTable = _seen.table;
@@ -123,7 +123,7 @@ package starlogo.queries
                     var toX:Number = table.x[other] - x;
                     var toY:Number = table.y[other] - y;
                     var toZ:Number = table.z[other] - z;
-                    // the ground, which has no place, comes last
+                    // the ground has no place, so it comes last
                     found.add(other, other == RowList.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }
             }

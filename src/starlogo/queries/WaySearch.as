@@ -1,28 +1,28 @@
 package starlogo.queries
 {
     /**
-     * Finds the rows of a tree whose boxes are met by a box on a straight way, one after the other: nearly the nearest first, by leaves. A ray is the way of
-     * a box without size; a box that stands has a way without length.
+     * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time, roughly the nearest first. A ray is a moving box
+     * without size. A box that stands still has a motion without length.
      *
      * @private
      */
     public final class WaySearch
     {
-        /** How much of the way counts, as a multiple of it; may be made less during the search. */
+        /** Which part of the way counts, as a multiple of it. You may make it smaller during the search. */
         public var limit:Number = 1;
 
         private var _tree:RowTree;
 
-        // The row that every box meets, until it was given; or -1.
+        // The row of the ground, which every box meets, until it was returned; or -1.
         private var _beyond:int = -1;
         private var _moves:Boolean = false;
 
-        // By axis, where the box moves: the box where the way begins, and the way.
+        // By axis, if the box moves: the box at the beginning of the way, and the way.
         private var _least:Vector.<Number> = new Vector.<Number>(3, true);
         private var _greatest:Vector.<Number> = new Vector.<Number>(3, true);
         private var _along:Vector.<Number> = new Vector.<Number>(3, true);
 
-        // The box around all of the way.
+        // The box around the whole way.
         private var _minX:Number = 0;
         private var _minY:Number = 0;
         private var _minZ:Number = 0;
@@ -30,34 +30,34 @@ package starlogo.queries
         private var _maxY:Number = 0;
         private var _maxZ:Number = 0;
 
-        // Nodes that are to be visited yet, and where on the way they are met.
+        // The nodes that wait for a visit, and where on the way the box meets them.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
 
-        // Where on the way the last box is met.
+        // Where on the way the box meets the box that was tested last.
         private var _entry:Number = 0;
 
-        // Slots of the leaf under way whose boxes overlap the box around the way; the next one; how many there are.
+        // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
         private var _slots:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
         private var _end:int = 0;
 
-        /** No search yet. */
+        /** Begins without a search. */
         public function WaySearch()
         {
         }
 
         /**
-         * Begins with a box that stands; <code>widen()</code> or <code>moveAlong()</code> may follow.
+         * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
          *
          * @param tree has the rows
-         * @param x its middle
-         * @param y its middle
-         * @param z its middle
-         * @param halfX half its length along x
-         * @param halfY half its length along y
-         * @param halfZ half its length along z
+         * @param x the box's middle
+         * @param y the box's middle
+         * @param z the box's middle
+         * @param halfX half of its length along x
+         * @param halfY half of its length along y
+         * @param halfZ half of its length along z
          */
         public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
         {
@@ -78,7 +78,7 @@ package starlogo.queries
             _waiting = tree.count > 0 ? 1 : 0;
         }
 
-        /** Makes the box, which stands, larger on all sides. */
+        /** Makes the box larger on all sides. The box must stand still. */
         public function widen(by:Number):void
         {
             _minX -= by;
@@ -90,12 +90,12 @@ package starlogo.queries
         }
 
         /**
-         * Has the box move.
+         * Lets the box move.
          *
          * @param dx the way along x
          * @param dy the way along y
          * @param dz the way along z
-         * @param limit how much of it counts, as a multiple of it
+         * @param limit which part of the way counts, as a multiple of it
          */
         public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
         {
@@ -118,7 +118,7 @@ package starlogo.queries
             _maxZ = dz > 0 ? _maxZ + limit * dz : _maxZ;
         }
 
-        /** The next row; -1 if there is none any more. */
+        /** The next row, or -1 if there are no more. */
         public function next():int
         {
             while (true)
@@ -147,7 +147,7 @@ package starlogo.queries
             return -1;
         }
 
-        // Reads the rows of a leaf, or has the children of a node wait.
+        // Finds the rows of a leaf, or puts the children of a node on the waiting list.
         private function visit(node:int):void
         {
             var leaf:int = node - _tree.firstLeaf;
@@ -165,7 +165,8 @@ package starlogo.queries
             }
         }
 
-        // Finds those of some boxes that overlap the box around the way: writes their numbers behind the first of a list, and returns how many that has then.
+        // Finds the boxes that overlap the box around the way. It appends their numbers to the first entries of a list, and returns the new
+        // number of entries.
         private function findOverlapping(boxes:Vector.<Number>, first:int, end:int, out:Vector.<int>, count:int):int
         {
             var minX:Number = _minX;
@@ -207,7 +208,7 @@ package starlogo.queries
             return count;
         }
 
-        // Keeps those of the two nodes that wait last which the box meets on its way. The nearer is the next.
+        // Of the last two nodes on the waiting list, it keeps only nodes that the box meets on its way. The nearer one will be visited next.
         private function keepOnWay(first:int):void
         {
             var kept:int = first;
@@ -233,7 +234,8 @@ package starlogo.queries
             }
         }
 
-        // Whether the box meets another within the limit; _entry says where (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986).
+        // Whether the box meets another within the limit. Writes the place on the way to _entry (the method of slabs: Kay and Kajiya, "Ray
+        // Tracing Complex Scenes", 1986).
         private function isOnWay(boxes:Vector.<Number>, box:int):Boolean
         {
             var enters:Number = 0;
@@ -243,7 +245,7 @@ package starlogo.queries
                 var along:Number = _along[axis];
                 if (along == 0)
                 {
-                    // the box around the way is as wide there as the box
+                    // along this axis the box around the way is the box itself, which was tested before
                     continue;
                 }
                 var near:Number = (boxes[int(box + axis)] - _greatest[axis]) / along;

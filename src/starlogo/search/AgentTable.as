@@ -9,11 +9,11 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * What a collider sees of its agents: a row for each agent listed, in columns of numbers, because with thousands of agents memory
-     * is what takes time. RowList says which agent has which row.
+     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. RowList says which agent
+     * has which row. It has columns because with thousands of agents reading memory takes most of the time.
      *
-     * <p>A row is as of the last search, however the agent has changed since: where the agent was, how it was turned, and what its shape was.
-     * docs/state.md tells what voids it. The rows of guests are those of agents as they are now that a question is about.</p>
+     * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
+     * lists the changes that make a part of a row void. The rows of guests are for agents that a question has to see as they are now.</p>
      *
      * @private
      */
@@ -22,14 +22,14 @@ package starlogo.search
         // The rows of the agents, in the order of the list.
         engine var rows:Vector.<int>;
 
-        // By row: where the agent was in the search before.
+        // By row: the agent's place in the search before the last one.
         internal var lastX:Vector.<Number> = new Vector.<Number>();
         internal var lastY:Vector.<Number> = new Vector.<Number>();
         internal var lastZ:Vector.<Number> = new Vector.<Number>();
 
         private var _lastRevisions:Vector.<int> = new Vector.<int>();
 
-        // By row: where the agent is that is being read, and the agent's revision then. They count once all agents are known to be right.
+        // By row: the place that is being read, and the agent's revision. They take effect only after the whole list has turned out to be valid.
         private var _nextX:Vector.<Number> = new Vector.<Number>();
         private var _nextY:Vector.<Number> = new Vector.<Number>();
         private var _nextZ:Vector.<Number> = new Vector.<Number>();
@@ -38,12 +38,12 @@ package starlogo.search
         private var _list:RowList;
         private var _bins:Bins;
 
-        // The list after which the rows of all others were freed.
+        // The number of the list after which rows were last freed.
         private var _freedList:int = 0;
 
         /**
          * @param shapes has the shape of each model
-         * @param bins find the levels of extents; null if levels are not needed
+         * @param bins has the levels of extents; null if no levels are needed
          */
         public function AgentTable(shapes:ModelShapes, bins:Bins)
         {
@@ -55,35 +55,35 @@ package starlogo.search
             makeRows();
         }
 
-        /** How many agents are listed; none after a list that was refused. */
+        /** The number of agents in the list; 0 after a list that was refused. */
         public function get count():int
         {
             return _list.count;
         }
 
-        /** As RowList.number. */
+        /** See RowList.number. */
         public function get listNumber():int
         {
             return _list.number;
         }
 
-        /** As RowList.isOf. */
+        /** See RowList.isOf. */
         public function isListed(list:Vector.<Agent>):Boolean
         {
             return _list.isOf(list);
         }
 
-        /** As RowList.rowOf. */
+        /** See RowList.rowOf. */
         public function rowOf(agent:Agent):int
         {
             return agents[RowList.GROUND] === agent ? RowList.GROUND : _list.rowOf(agent);
         }
 
         /**
-         * Makes the rows those of a list of agents, where they are now, with the shape of each.
+         * Reads a list of agents, with the place and the shape that each of them has now.
          *
-         * @throws ArgumentError if an agent is null or listed twice, its model is unknown, or what is needed of it was not loaded; positions
-         *     and motions are then still those of the last search
+         * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. The positions and
+         *     motions of the last search are then unchanged
          */
         public function read(list:Vector.<Agent>):void
         {
@@ -105,7 +105,7 @@ package starlogo.search
         }
 
         /**
-         * Throws what <code>read</code> would throw, and changes nothing, so that a list can be refused before anything is lost.
+         * Throws the errors that <code>read()</code> would throw, and changes nothing. So a list can be refused before anything is lost.
          *
          * @throws ArgumentError as read does
          */
@@ -113,7 +113,7 @@ package starlogo.search
         {
             if (_list.isOf(list))
             {
-                // read() finds new shapes before it changes a row
+                // read() finds all new shapes before it changes a row
                 return;
             }
             forgetReplaced();
@@ -129,9 +129,9 @@ package starlogo.search
         }
 
         /**
-         * Makes one row as its agent is now; the others stay as they are.
+         * Reads the agent of one row as it is now. The other rows stay as they are.
          *
-         * @throws ArgumentError if its model is unknown, or what is needed of it was not loaded; the row is then as it was
+         * @throws ArgumentError if its model is unknown or lacks data that is needed. The row is then unchanged
          */
         public function readRow(row:int):void
         {
@@ -152,16 +152,17 @@ package starlogo.search
         }
 
         /**
-         * Makes the row of a guest that of an agent as it is now, beside the row that the agent may have. <code>endGuests()</code> has to follow.
+         * Reads an agent as it is now into the row of a guest. The agent's own row, if it has one, does not change. Call
+         * <code>endGuests()</code> afterwards.
          *
-         * @param guest the row, 0 or 1; its shape is null while the agent's model is loading
-         * @param shape the shape; null for that of the agent's model
+         * @param guest the row, 0 or 1. Its shape is null while the agent's model is loading
+         * @param shape the shape; null for the shape of the agent's model
          * @throws ArgumentError as readRow does
          */
         public function readGuest(guest:int, agent:Agent, shape:ModelShape = null):void
         {
             agents[guest] = agent;
-            // a question that threw may have left a shape
+            // a question that threw an error may have left a shape
             shapes[guest] = null;
             extentsRevisions[guest] = STALE;
             if (shape != null)
@@ -171,7 +172,7 @@ package starlogo.search
             readRow(guest);
         }
 
-        /** Makes the row of the ground that of an agent that stands for one; null for none. To be called before the list is read. */
+        /** Reads the agent that stands for the ground into the ground's row; null if there is no ground. Call this before the list is read. */
         public function readGround(agent:Agent):void
         {
             if (agents[RowList.GROUND] !== agent)
@@ -186,7 +187,7 @@ package starlogo.search
             }
         }
 
-        /** Lets go of the guests. */
+        /** Empties the rows of the guests. */
         public function endGuests():void
         {
             agents[0] = agents[1] = null;
@@ -194,10 +195,10 @@ package starlogo.search
         }
 
         /**
-         * Writes where the last search saw its agents: of each whether it has a motion from there, and the position.
+         * Writes the place of each agent in the last search, and whether its motion begins there.
          *
-         * @param keepsMotions false: none has
-         * @return of each row, the index of its agent in the list
+         * @param keepsMotions false to write that no agent has a motion
+         * @return by row: the index of its agent in the list
          */
         public function writePositions(bytes:ByteArray, keepsMotions:Boolean):Vector.<int>
         {
@@ -215,10 +216,10 @@ package starlogo.search
         }
 
         /**
-         * Reads a list of agents as if the last search had seen them where bytes say.
+         * Reads a list of agents as if the last search had seen them at the places that writePositions has written.
          *
-         * @param bytes what writePositions has written, of as many agents
-         * @throws ArgumentError as <code>read()</code>
+         * @param bytes written for the same number of agents
+         * @throws ArgumentError as <code>read()</code> does
          */
         public function restorePositions(list:Vector.<Agent>, bytes:ByteArray):void
         {
@@ -232,7 +233,7 @@ package starlogo.search
                 var seenZ:Number = bytes.readDouble();
                 if (x[row] != seenX || y[row] != seenY || z[row] != seenZ)
                 {
-                    // it has moved since: in one step more, if the game has put it there by a jump
+                    // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
                     agents[row].revision++;
                     x[row] = seenX;
                     y[row] = seenY;
@@ -244,13 +245,13 @@ package starlogo.search
             }
         }
 
-        /** Whether an agent has moved from where the search before saw it to where it is: it was in that search, and has not jumped. */
+        /** Whether the agent of a row has a motion between the last two searches: it was in both of them, and has not jumped. */
         public function hasMotion(row:int):Boolean
         {
             return agents[row].jumpRevision <= _lastRevisions[row];
         }
 
-        // What was read counts from now on. The oldest columns take what is read next.
+        // Lets the numbers that were read take effect. The oldest columns are used for the next reading.
         private function takePositions():void
         {
             var spare:Vector.<Number> = lastX;
@@ -271,7 +272,8 @@ package starlogo.search
             _nextRevisions = spareRevisions;
         }
 
-        // Reads where agents are, and notes which have changed in more than their positions: false if the rows are not theirs.
+        // Reads the places of the agents, and lists the rows with changes in more than the place. Returns false if the rows do not belong to the
+        // agents.
         private function readPositions(list:Vector.<Agent>):Boolean
         {
             var listed:Vector.<Agent> = agents;
@@ -344,7 +346,7 @@ package starlogo.search
         {
             if (_bins != null && shapes[row] != null && _bins.levels.fit(extents, row))
             {
-                // it needs a finer level once it comes back: so its extents are computed in every search until then
+                // the row needs a finer level when its agent comes back, so every search computes its extents until then
                 extentsRevisions[row] = STALE;
             }
         }

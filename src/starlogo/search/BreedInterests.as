@@ -8,49 +8,58 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The pairs of breeds whose collisions are of interest. The order within a pair does not matter. Its breeds have numbers of their own, so
-     * that a frame looks pairs up in a small table.
+     * The pairs of breeds whose collisions a collision system should find. It skips all other pairs of breeds. The order within a pair does not
+     * matter.
+     *
+     * <p>Each breed that is named gets a number, so that the search can look up a pair in a small table.</p>
      */
     public final class BreedInterests
     {
-        /** Stands for any breed, where a breed's name is wanted. An agent whose own breed has this name is of a breed like any other. */
+        /**
+         * Matches every breed. Pass it in place of a breed's name. If an agent's own breed is called "*", that breed is still an ordinary one.
+         */
         public static const ANY_BREED:String = "*";
 
-        /** @private Whether a pair of breeds is of interest, at the number of one breed times breedCount plus the number of the other. */
+        /**
+         * @private Whether a pair of breeds is of interest. The index is the number of one breed times breedCount, plus the number of the other.
+         */
         engine var areOfInterest:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** @private Whether every pair of the breeds that have numbers is of interest. */
+        /** @private Whether all pairs of the breeds that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
         /**
-         * @private For the <code>breedNumber</code> of an agent, the number of its breed here; -1 for a breed that is in no pair. It may lack new
-         * breeds: see <code>follow()</code>.
+         * @private By an agent's <code>breedNumber</code>: the number of its breed in this object, or -1 if the breed is in no pair. Breeds that
+         * appeared after the last <code>follow()</code> are missing.
          */
         engine var numbers:Vector.<int> = new Vector.<int>();
 
-        // The breeds that were named, by their numbers in Breeds.
+        // The named breeds, as numbers of the class Breeds.
         private var _named:Vector.<int> = new Vector.<int>();
         private var _hasAny:Boolean = false;
 
         // breed, otherBreed, breed, otherBreed, ...
         private var _added:Vector.<String> = new Vector.<String>();
 
-        // By row of the table that was read last: the number of its breed.
+        // By row of the table that was read last: the number of its breed, or -1.
         private var _ofRows:Vector.<int> = new Vector.<int>();
 
-        /** No pairs yet. */
+        /** Begins without pairs. */
         public function BreedInterests()
         {
         }
 
-        /** How many breeds are told apart: those that were named, and all others as one if any breed counts. */
+        /**
+         * The number of breeds that are told apart. Each breed in a pair counts. If a pair has ANY_BREED, all other breeds together count as one
+         * more.
+         */
         public function get breedCount():int
         {
             return _hasAny ? _named.length + 1 : _named.length;
         }
 
         /**
-         * Adds a pair of breeds; a pair that is already there stays.
+         * Adds a pair of breeds. A pair that is already there is not added again.
          *
          * @param breed a breed's name, or ANY_BREED
          * @param otherBreed a breed's name, which may be the same, or ANY_BREED
@@ -65,7 +74,7 @@ package starlogo.search
             areOfInterest = new Vector.<Boolean>(breedCount * breedCount);
             for (var i:int = 0; i < areOfInterest.length; i++)
             {
-                // in Ruffle an element that was not set is null
+                // Ruffle leaves an element null until it is set
                 areOfInterest[i] = false;
             }
             for (i = 0; i < _added.length; i += 2)
@@ -79,7 +88,7 @@ package starlogo.search
             }
         }
 
-        /** A breed's number, from 0 on; -1 for a breed that is in no pair. */
+        /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
         public function indexOf(breed:String):int
         {
             var number:int = Breeds.numberOf(breed);
@@ -87,14 +96,14 @@ package starlogo.search
             return numbers[number];
         }
 
-        /** Whether a pair of breeds is of interest, given by their numbers; false if one is -1. */
+        /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
         public function includes(index:int, otherIndex:int):Boolean
         {
             var count:int = breedCount;
             return index >= 0 && index < count && otherIndex >= 0 && otherIndex < count && areOfInterest[index * count + otherIndex];
         }
 
-        /** @private Gives the breeds that were new since the last call their numbers. */
+        /** @private Gives numbers to the breeds that appeared after the last call. */
         engine function follow():void
         {
             for (var number:int = numbers.length; number < Breeds.count; number++)
@@ -105,9 +114,9 @@ package starlogo.search
         }
 
         /**
-         * Reads the breeds of a table's agents, if they matter.
+         * Reads the breed of each agent in a table. It reads nothing if all pairs of all breeds are of interest.
          *
-         * @return how many of the agents have a breed that is in no pair
+         * @return the number of agents whose breed is in no pair; 0 if nothing was read
          */
         internal function read(table:AgentTable):int
         {
@@ -139,18 +148,18 @@ package starlogo.search
             return outsiders;
         }
 
-        /** Whether the breed of a row that was read is in a pair. */
+        /** Whether the breed of a row is in a pair. The row must have been read. */
         internal function hasBreedOf(row:int):Boolean
         {
             return _ofRows[row] >= 0;
         }
 
         /**
-         * Moves those candidates of a member to the beginning whose breeds are of interest together with its own.
+         * Keeps a member's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
          * @param others the slots of the candidates
-         * @param count how many they are
-         * @return how many these are
+         * @param count the number of candidates
+         * @return the number of candidates that it keeps
          */
         internal function keepOfInterest(bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
@@ -170,13 +179,13 @@ package starlogo.search
             return kept;
         }
 
-        /** @private Whether a number is of a breed of agents, not of the ground or the edges of the world. */
+        /** @private Tells whether a number belongs to a breed of agents, not to the ground or the edges of the world. */
         engine function isOfAgents(index:int):Boolean
         {
             return index < 0 || index == _named.length || !Breeds.isReserved(_named[index]);
         }
 
-        // The numbers of the breeds that a name matches: all of agents for ANY_BREED.
+        // The numbers of the breeds that a name matches. ANY_BREED matches all breeds of agents.
         private function numbersOf(breed:String):Vector.<int>
         {
             if (breed != ANY_BREED)

@@ -12,10 +12,11 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * What all colliders do: keeps a table of the agents, has the bins find the pairs of its rows that are near each other (thesis §3.7), and
-     * RowPairs decide which of them touch; standing or, where an agent sweeps, as they moved since the last search.
+     * Finds the pairs of agents that touch: the search that all colliders share. It reads the agents into a table. The bins find the pairs of
+     * rows that are near each other (thesis §3.7). RowPairs tests which of them touch. Agents that sweep are tested along their motions since
+     * the last search.
      *
-     * <p>In questions about two agents these are guests of the table. They change nothing that a search keeps.</p>
+     * <p>A question about two agents reads them as guests of the table, so it does not change anything that a search keeps.</p>
      *
      * @private
      */
@@ -31,14 +32,15 @@ package starlogo.search
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
 
-        // The rows of the bins' members: all rows, or those whose breeds are of interest, with the indices of their agents in the list.
+        // The rows that the bins get, called members: all rows, or only rows of breeds of interest. For the latter, _indices has the index of
+        // each member's agent in the list.
         private var _memberRows:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _indices:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds of interest, or null for all; what takes the pairs, as indices or, if it is not null, as agents;
-        // where an agent sweeps, their times.
+        // The search under way. _interests is null if all pairs count. Found pairs go to _out as indices, or to _outAgents as agents if it is
+        // not null. If an agent sweeps, _times has the time of each pair.
         private var _interests:BreedInterests;
         private var _out:FoundPairs;
         private var _outAgents:Vector.<Agent>;
@@ -48,7 +50,7 @@ package starlogo.search
 
         /**
          * @param choice finds the shapes of agents
-         * @param pairs decide which of them touch
+         * @param pairs tests which of them touch
          */
         public function CollisionSearch(choice:ShapeChoice, pairs:RowPairs)
         {
@@ -58,7 +60,7 @@ package starlogo.search
             _motions = new Motions(pairs);
         }
 
-        /** Whether two agents touch where they are now, as CollisionSystem says. */
+        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             readGuests(a, b);
@@ -69,15 +71,15 @@ package starlogo.search
         }
 
         /**
-         * Finds the pairs that touch and whose breeds are of interest.
+         * Finds the pairs of agents that touch and whose breeds are of interest.
          *
          * @param agents the list
          * @param interests the pairs of breeds; null for all
-         * @param takePart which agents do, by their indices in the list; null for all
-         * @param out takes the pairs; of each, the agent that is first in the list comes first
-         * @param counts takes what the search did
-         * @param outAgents takes the pairs as agents; then the indices are not to be used. Null for indices
-         * @param ground stands for the ground; the index of its pairs is that after the last agent. Null if there is none
+         * @param takePart by index in the list: whether the agent takes part; null for all
+         * @param out receives the pairs. In each pair the agent that comes first in the list is first
+         * @param counts receives the counts of the search
+         * @param outAgents receives the pairs as agents, and the indices in <code>out</code> are then meaningless; null for indices
+         * @param ground the agent that stands for the ground; null if there is none. Its index in the pairs is the number of agents
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
@@ -119,13 +121,13 @@ package starlogo.search
             report(agents.length, out.count, counts);
         }
 
-        /** How fast the two agents came together that findContact was asked about, in patches a frame. */
+        /** The speed at which the two agents of the last findContact came together, in patches a frame. */
         public function get approachSpeed():Number
         {
             return _motions.approachSpeed;
         }
 
-        /** As AgentTable.restorePositions. */
+        /** See AgentTable.restorePositions. */
         public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
         {
             table.restorePositions(agents, bytes);
@@ -133,11 +135,12 @@ package starlogo.search
         }
 
         /**
-         * How two agents touch: where the last search saw them, or where they are now if it has not seen both.
+         * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
+         * not see both.
          *
-         * @param out takes it, the normal pointing to the first
-         * @return when, as the two moved
-         * @throws ArgumentError if a model is unknown, or still loading
+         * @param out receives the contact. Its normal points from b to a
+         * @return the time of the contact in their motions, from 0 to 1
+         * @throws ArgumentError if a model is unknown or still loading
          */
         public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
         {
@@ -197,7 +200,7 @@ package starlogo.search
             _out.count += count;
         }
 
-        // The pairs of a member and others.
+        // Writes the pairs of a member and its candidates, as the numbers of members.
         private function putIndices(slot:int, others:Vector.<int>, count:int):void
         {
             var pairs:Vector.<int> = _out.indices;
@@ -235,7 +238,7 @@ package starlogo.search
             }
         }
 
-        // Mostly all agents take part.
+        // In most searches all agents take part, and the table's own list of rows is used.
         private function chooseMembers(interests:BreedInterests, takePart:Vector.<Boolean>):void
         {
             _memberRows = table.rows;
@@ -259,7 +262,7 @@ package starlogo.search
             }
         }
 
-        // As keepTouching, with the times: pairs of which one sweeps are tested as they moved, others where they are.
+        // Like keepTouching, and writes the times. A pair is tested along its motions if one of its agents sweeps, and else where the two are.
         private function keepTouchingMotions(slot:int, others:Vector.<int>, count:int):int
         {
             var row:int = _bins.rowAt[slot];
@@ -269,7 +272,7 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var otherRow:int = _bins.rowAt[other];
-                // the time is of the motion of the agent that is first in the list
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = member < _bins.memberAt[other];
                 var time:Number = isFirst ? impactTime(row, otherRow) : impactTime(otherRow, row);
                 if (time != RelativeMotion.NEVER)
@@ -293,12 +296,12 @@ package starlogo.search
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
-        // The members that touch the ground and whose breeds are of interest together with it.
+        // Finds the members that touch the ground and whose breeds are of interest together with the ground's breed.
         private function findGround(interests:BreedInterests, index:int):void
         {
             var agents:Vector.<Agent> = table.agents;
             var ground:int = interests.indexOf(agents[RowList.GROUND].breed);
-            // what writeIndices() makes of it
+            // writeIndices() replaces the ground's number by the same number
             _indices.length = Math.max(_indices.length, index + 1);
             _indices[index] = index;
             for (var i:int = 0; i < _memberCount && ground >= 0; i++)
@@ -331,7 +334,7 @@ package starlogo.search
             return _motions.foundTime;
         }
 
-        // From the numbers of members to the indices of their agents in the list.
+        // Replaces the numbers of members by the indices of their agents in the list.
         private function writeIndices(out:FoundPairs):void
         {
             for (var i:int = 0; i < 2 * out.count; i++)

@@ -3,27 +3,27 @@ package starlogo.search
     import starlogo.agents.Agent;
 
     /**
-     * The pairs of a frame, as the indices of their agents in the list that was searched.
+     * The pairs of agents that a search has found. Each agent is given by its index in the list that was searched.
      *
      * @private
      */
     public final class FoundPairs
     {
-        /** How many pairs there are. */
+        /** The number of pairs. */
         public var count:int = 0;
 
-        /** The indices: a0, b0, a1, b1, ... Indices after the last pair are left from other searches. */
+        /** The indices: a0, b0, a1, b1, ... The list may be longer: numbers after the last pair are left over from earlier searches. */
         public var indices:Vector.<int> = new Vector.<int>();
 
-        // By the ids of the agents of a list.
+        // The index of each agent in a list, by the agent's id.
         private var _byId:IdTable = new IdTable();
 
-        /** No pairs. */
+        /** Begins without pairs. */
         public function FoundPairs()
         {
         }
 
-        /** Takes pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
+        /** Reads pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
         public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):void
         {
             _byId.clear();
@@ -46,7 +46,7 @@ package starlogo.search
             }
         }
 
-        /** Writes the pairs as agents of the list. */
+        /** Writes the pairs as agents: a0, b0, a1, b1, ... */
         public function write(list:Vector.<Agent>, out:Vector.<Agent>):void
         {
             for (var i:int = 0; i < 2 * count; i++)

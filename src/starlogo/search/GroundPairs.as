@@ -15,7 +15,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Answers for two rows of which one is the ground, in either order: whether they touch, when, and how.
+     * Tests two rows of which one is the ground, in either order: whether they touch, when they touch, and how.
      *
      * @private
      */
@@ -26,13 +26,13 @@ package starlogo.search
         private var _placement:Placement = new Placement();
         private var _turned:RelativeMotion = new RelativeMotion();
 
-        /** @param pairs say how deep trees are visited */
+        /** @param pairs knows how deep trees are visited */
         public function GroundPairs(pairs:RowPairs)
         {
             _pairs = pairs;
         }
 
-        /** As RowPairs.areTouching. */
+        /** See RowPairs.areTouching. */
         public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var isTurned:Boolean = table.forms[a] == ModelShape.GROUND;
@@ -46,7 +46,7 @@ package starlogo.search
             return _pair.areOverlapping();
         }
 
-        /** As RowPairs.findTime. */
+        /** See RowPairs.findTime. */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             var own:RelativeMotion = begin(table, a, b, motion);
@@ -54,7 +54,7 @@ package starlogo.search
             motion.time = own.time;
         }
 
-        /** As RowPairs.findContact. */
+        /** See RowPairs.findContact. */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             var own:RelativeMotion = begin(table, a, b, motion);
@@ -65,7 +65,7 @@ package starlogo.search
             }
         }
 
-        /** As RowPairs.findImpact. */
+        /** See RowPairs.findImpact. */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             var own:RelativeMotion = begin(table, a, b, motion);
@@ -77,7 +77,7 @@ package starlogo.search
             }
         }
 
-        /** As RowPairs.findOuterContact. */
+        /** See RowPairs.findOuterContact. */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
             var own:RelativeMotion = begin(table, a, b, RelativeMotion.NONE);
@@ -88,14 +88,14 @@ package starlogo.search
             }
         }
 
-        /** As TreePairs.findClosest, of a row and the ground. */
+        /** See TreePairs.findClosest. One of the two rows is the ground. */
         public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
         {
             setTo(table, a, b);
             _pair.findClosest(areTouching, out);
         }
 
-        // The middle of a structure's extents is in the structure; a sphere reaches down from there.
+        // The middle of a structure's extents is inside the structure. A sphere reaches down from its middle.
         private function isMiddleUnder(table:AgentTable, row:int, ground:int):Boolean
         {
             var extents:Extents = table.extents;
@@ -129,7 +129,7 @@ package starlogo.search
             var shape:ModelShape = table.shapes[row];
             var terrain:Terrain = TerrainAgent(table.agents[ground]).terrain;
             var trees:TreePairs = _pairs.trees;
-            // a ground that is narrowed is smaller in its table
+            // if the ground is made narrower, its size in the table is smaller
             _pair.inset = (1 - table.sizes[ground]) * terrain.cellWidth / 2;
             _pair.setTo(terrain, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
                     trees != null && trees.exact);

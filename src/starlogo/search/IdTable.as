@@ -1,8 +1,8 @@
 package starlogo.search
 {
     /**
-     * A number for each of many agents, by their ids. Open addressing: an id that is not in its own slot is in the first free one behind it.
-     * It grows, and does not shrink.
+     * A hash table that stores a number for each agent, by the agent's id. It uses open addressing: if an id's own slot is taken, the id is
+     * stored in the next free slot. The table grows, and never shrinks.
      *
      * @private
      */
@@ -10,18 +10,18 @@ package starlogo.search
     {
         private static const FEWEST:int = 16;
 
-        // 0 is a free slot: no id is 0.
+        // 0 marks a free slot, because no id is 0.
         private var _ids:Vector.<int> = new Vector.<int>(FEWEST);
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
 
-        /** An empty table. */
+        /** Begins empty. */
         public function IdTable()
         {
         }
 
         /**
-         * The value of an id; -1 if it has none.
+         * The value of an id, or -1 if it has none.
          *
          * @param id positive
          */
@@ -32,10 +32,10 @@ package starlogo.search
         }
 
         /**
-         * Gives an id a value, instead of the one that it has.
+         * Sets the value of an id, and overwrites the value that it had.
          *
          * @param id positive
-         * @param value any but -1
+         * @param value any number but -1
          */
         public function set (id:int, value:int):void
         {
@@ -52,7 +52,7 @@ package starlogo.search
             _values[slot] = value;
         }
 
-        /** Takes an id out, if it is there. */
+        /** Removes an id, if it is in the table. */
         public function remove(id:int):void
         {
             var ids:Vector.<int> = _ids;
@@ -63,7 +63,7 @@ package starlogo.search
                 return;
             }
             _count--;
-            // those after it move up, except for those that would come before their own slot
+            // The ids behind the gap move up into it. An id stays if it would come to stand before its own slot
             for (var slot:int = (gap + 1) & mask; ids[slot] != 0; slot = (slot + 1) & mask)
             {
                 var other:int = ids[slot];
@@ -78,7 +78,7 @@ package starlogo.search
             ids[gap] = 0;
         }
 
-        /** Takes all out; in time in proportion to the most that the table has ever held. */
+        /** Removes all ids. The time grows with the largest number of ids that the table has ever held. */
         public function clear():void
         {
             var ids:Vector.<int> = _ids;
@@ -90,7 +90,8 @@ package starlogo.search
             _count = 0;
         }
 
-        // Where an id is, or the free slot where it belongs. Ids that follow one another have slots of their own.
+        // The slot of an id, or the free slot where it belongs. The hash gives consecutive ids different slots, as long as the table is large
+        // enough.
         private function slotOf(id:int):int
         {
             var ids:Vector.<int> = _ids;

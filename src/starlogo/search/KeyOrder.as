@@ -1,8 +1,10 @@
 package starlogo.search
 {
     /**
-     * Puts things into the order of their keys; those with equal keys into the order of their ranks, or, where there are no ranks, they stay in the order
-     * in which they were (merge sort, from runs that are sorted by insertion).
+     * Sorts things by keys, smallest first. Things with equal keys are sorted by their ranks. If there are no ranks, things with equal keys keep
+     * their order.
+     *
+     * <p>It is a merge sort. It begins with short runs, which it sorts by insertion.</p>
      *
      * @private
      */
@@ -13,22 +15,22 @@ package starlogo.search
         private var _otherThings:Vector.<int> = new Vector.<int>();
         private var _otherKeys:Vector.<Number> = new Vector.<Number>();
 
-        // The numbers of pairs, and the pairs as they were.
+        // The numbers of the pairs, and a copy of the pairs before the sort.
         private var _numbers:Vector.<int> = new Vector.<int>();
         private var _before:Vector.<int> = new Vector.<int>();
 
-        /** Nothing ordered yet. */
+        /** Begins with nothing to sort. */
         public function KeyOrder()
         {
         }
 
         /**
-         * Orders some things.
+         * Sorts things.
          *
-         * @param things their numbers
-         * @param keys the key of each; they are ordered with the things
-         * @param count how many
-         * @param ranks by number of the thing: its rank; or null
+         * @param things the number of each thing
+         * @param keys the key of each thing; sorted together with the things
+         * @param count how many things to sort
+         * @param ranks the rank of each thing, by the thing's number; null if there are no ranks
          */
         public function sort(things:Vector.<int>, keys:Vector.<Number>, count:int, ranks:Vector.<int> = null):void
         {
@@ -70,11 +72,11 @@ package starlogo.search
         }
 
         /**
-         * Orders pairs. Those with equal keys stay in their order.
+         * Sorts pairs. Pairs with equal keys keep their order.
          *
-         * @param pairs two numbers each
-         * @param keys the key of each pair; they are ordered with the pairs
-         * @param count how many pairs
+         * @param pairs two numbers for each pair
+         * @param keys the key of each pair; sorted together with the pairs
+         * @param count how many pairs to sort
          */
         public function sortPairs(pairs:Vector.<int>, keys:Vector.<Number>, count:int):void
         {

@@ -6,51 +6,54 @@ package starlogo.search
 
     use namespace engine;
 
-    /**
-     * The shape that represents a model in a Collider, in the model's space: one object for all agents that have the model. A ShapeChoice sets it.
-     */
+    /** The shape that a Collider uses for a model, in the model's space. All agents with the model share it. A ShapeChoice sets it. */
     public final class ModelShape
     {
-        /** @private The form of a hierarchy: a bit of its own. The other forms are the kinds of BoundingStructure. */
+        /**
+         * @private The form of a hierarchy. It is a bit of its own, besides the forms of structures: BoundingStructure.SPHERE, CAPSULE and BOX.
+         */
         engine static const TREE:int = 4;
 
-        /** @private The form of the ground: a bit of its own too. */
+        /** @private The form of the ground. It is a bit of its own too. */
         engine static const GROUND:int = 8;
 
         /** The model's name. */
         public var model:String;
 
-        /** The number that ShapeChoice.kindOf() has given. */
+        /** The number that ShapeChoice.kindOf() has returned. */
         public var kind:int;
 
-        /** @private The revision of what the GreatLand knows of the model. */
+        /** @private The revision of the model in the GreatLand. */
         internal var revision:int;
 
-        /** @private Whether there has been another revision since. */
+        /** @private Whether the model has a newer revision, so that this shape is void. */
         internal var isVoid:Boolean = false;
 
-        /** @private BoundingStructure.SPHERE, CAPSULE, BOX, or TREE or GROUND. */
+        /** @private BoundingStructure.SPHERE, CAPSULE or BOX, or TREE, or GROUND. */
         engine var form:int = -1;
 
-        // The structure that decides, or the one around the tree; the tree.
+        // The structure, or the structure around the hierarchy; and the hierarchy, or null.
         engine var structure:BoundingStructure = null;
         engine var hierarchy:SolidHierarchy = null;
 
-        // Whether the shape stands upright and faces the x axis, however its agent is turned.
+        // Whether the shape stays upright and faces along the x axis, however its agent is turned.
         engine var isUpright:Boolean = false;
 
-        /** @private Whether triangles decide about the structure in exact mode: it is no model's, but one that a question is about. */
+        /**
+         * @private Whether triangles decide about the structure in exact mode. This is so for the structure of a question, which belongs to no
+         * model.
+         */
         engine var meetsTriangles:Boolean = false;
 
-        /** @private What is tried before the structure, a little wider; or null. */
+        /** @private The slightly wider structures that are tested first; null if there are none. */
         internal var outer:OuterStructures = null;
 
         /**
          * For colliders only.
          *
          * @param model the model's name
-         * @param kind the number that ShapeChoice.kindOf() has given
-         * @param revision of what the GreatLand knows of the model
+         * @param kind the number that ShapeChoice.kindOf() has returned
+         * @param revision the revision of the model in the GreatLand
          */
         public function ModelShape(model:String, kind:int, revision:int)
         {
@@ -60,9 +63,9 @@ package starlogo.search
         }
 
         /**
-         * Represents the model by a structure.
+         * Uses a structure as the model's shape.
          *
-         * @param structure a Sphere, Capsule or Box in the model's space; not to be changed afterwards
+         * @param structure a Sphere, Capsule or Box in the model's space. Do not change it afterwards
          */
         public function setStructure(structure:BoundingStructure):void
         {
@@ -70,7 +73,7 @@ package starlogo.search
             form = structure.kind;
         }
 
-        /** @private Represents the ground: its structure is one cell, the scale of what happens there. */
+        /** @private Makes this the shape of the ground. Its structure is one cell, which gives the scale for tolerances. */
         engine function setGround(cell:BoundingStructure):void
         {
             structure = cell;
@@ -78,7 +81,7 @@ package starlogo.search
             form = GROUND;
         }
 
-        /** @private Represents the model by its hierarchy. */
+        /** @private Uses the model's hierarchy as its shape. */
         engine function setTree(hierarchy:SolidHierarchy):void
         {
             this.hierarchy = hierarchy;

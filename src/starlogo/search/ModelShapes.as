@@ -11,25 +11,24 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The shapes of a collider's models.
+     * Finds the shapes of the models that a collider's agents have, and keeps each shape for all agents with the model.
      *
      * @private
      */
     public final class ModelShapes
     {
-        /** The forms of all shapes so far: the bit of each is set. */
+        /** The forms of all shapes so far: one bit is set for each form. */
         public var forms:int = 0;
 
         private var _choice:ShapeChoice;
         private var _greatLand:GreatLand;
         private var _revision:int = -1;
 
-        // Those that are asked for often are near the beginning. A table would need keys, made of model and kind for every look.
+        // The shapes that are needed often move to the front. A hash table would be slower, because each lookup would have to make a key of
+        // model and kind.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        /**
-         * @param choice finds the shapes
-         */
+        /** @param choice chooses the shapes */
         public function ModelShapes(choice:ShapeChoice)
         {
             _choice = choice;
@@ -40,7 +39,7 @@ package starlogo.search
          * The shape of an agent's model.
          *
          * @return null while the model is loading
-         * @throws ArgumentError if the model is unknown, or what is needed of it was not loaded
+         * @throws ArgumentError if the model is unknown or lacks data that is needed
          */
         public function shapeOf(agent:Agent):ModelShape
         {
@@ -82,7 +81,7 @@ package starlogo.search
             return shape;
         }
 
-        /** Forgets the shapes of models that were replaced or removed; returns whether there were any. */
+        /** Forgets the shapes of models that were replaced or removed. Returns whether there were any. */
         public function forgetReplaced():Boolean
         {
             if (_greatLand == null || _greatLand.revision == _revision)

@@ -10,42 +10,40 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * How the agents of a table have moved between the last two searches, for searches in which an agent sweeps: the motion of each row with its
-     * extents; when two rows touch as they move, and how.
+     * Finds the motions of a table's rows between the last two searches, and when and how two moving rows touch. The motions are found only if
+     * an agent sweeps.
      */
     internal final class Motions
     {
-        // By row: the motion, 0 where there is none; whether the agent sweeps, and has a motion; the extents of the motion, its ends included.
+        // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion.
         internal var x:Vector.<Number> = new Vector.<Number>();
         internal var y:Vector.<Number> = new Vector.<Number>();
         internal var z:Vector.<Number> = new Vector.<Number>();
         internal var isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
         internal var extents:Extents = new Extents();
 
-        // How far the first of the last pair whose contact was found moved against the normal.
+        // How far the first row moved against the normal, in the last pair whose contact was found.
         internal var approachSpeed:Number = 0;
 
         private var _pairs:RowPairs;
 
-        // Of the first of a pair relative to the second.
+        // The motion of the first row of a pair, relative to the second.
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // When the extents of a pair begin and cease to overlap in the directions that were looked at so far.
+        // The times at which the extents of a pair begin and end to overlap, in the directions tested so far.
         private var _enters:Number;
         private var _leaves:Number;
 
         private var _separation:Separation;
 
-        /**
-         * @param pairs decide which rows touch
-         */
+        /** @param pairs tests which rows touch */
         public function Motions(pairs:RowPairs)
         {
             _pairs = pairs;
             _separation = new Separation(pairs);
         }
 
-        /** Whether any agent of a list sweeps. */
+        /** Whether any agent in a list sweeps. */
         public static function isOneSweeping(agents:Vector.<Agent>):Boolean
         {
             for (var i:int = agents.length - 1; i >= 0; i--)
@@ -92,9 +90,9 @@ package starlogo.search
         }
 
         /**
-         * Finds when two rows of which one sweeps touch for the first time: the motion's time.
+         * Finds the time at which two rows first touch, and writes it to <code>foundTime</code>. At least one of the two sweeps.
          *
-         * @param bins know how far apart the extents of rows that touch may be; null to test all exactly
+         * @param bins knows how far apart the extents of touching rows may be; null to make the exact test for all pairs
          */
         public function findTime(table:AgentTable, bins:Bins, a:int, b:int):void
         {
@@ -122,24 +120,24 @@ package starlogo.search
             }
         }
 
-        /** When the rows touch that findTime was asked about, from 0 to 1, or RelativeMotion.NEVER. */
+        /** The time that findTime found, from 0 to 1, or RelativeMotion.NEVER. */
         public function get foundTime():Number
         {
             return _motion.time;
         }
 
         /**
-         * Finds how two rows touch.
+         * Finds the contact of two rows.
          *
          * @param isSwept whether the motions are those of the table
-         * @param out takes it, the normal pointing from b to a
-         * @return when, as the agents move; 1 where neither sweeps
+         * @param out receives the contact. Its normal points from b to a
+         * @return the time of the contact in their motions; 1 if neither row sweeps
          */
         public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
         {
             if (table.forms[a] == ModelShape.GROUND)
             {
-                // the other one is moved
+                // the second row is the one that moves
                 var ofOther:Number = findContact(table, b, a, isSwept, out);
                 out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
                 return ofOther;
@@ -162,7 +160,7 @@ package starlogo.search
             approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
             if (isPassing)
             {
-                // from where b is now to where it was
+                // the motion was relative to b at its present place, so the point is moved back to where b was at that time
                 out.x -= (1 - time) * x[b];
                 out.y -= (1 - time) * y[b];
                 out.z -= (1 - time) * z[b];
@@ -177,12 +175,13 @@ package starlogo.search
                 x.length = y.length = z.length = isSweeping.length = length;
                 extents.grow(length);
             }
-            // the ground stands
+            // the ground does not move
             x[RowList.GROUND] = y[RowList.GROUND] = z[RowList.GROUND] = 0;
             isSweeping[RowList.GROUND] = false;
         }
 
-        // Whether the extents of two rows, which now are where they are at the end of the motion, never overlap in all directions at once.
+        // Whether the extents of two rows never overlap in all directions at the same time. The two rows stand where they are at the end of the
+        // motion.
         private function passEachOther(standing:Extents, a:int, b:int, slack:Number):Boolean
         {
             _enters = 0;
@@ -192,7 +191,8 @@ package starlogo.search
                 || isGap(standing.z[b] - standing.z[a], _motion.z, standing.halfZ[a] + standing.halfZ[b] + slack);
         }
 
-        // One direction: where b is from a at the end, and how far it has come down.
+        // Tests one direction. It gets b's position relative to a at the end of the motion, the motion, and the distance at which the two
+        // overlap.
         private function isGap(at:Number, speed:Number, reach:Number):Boolean
         {
             at += speed;

@@ -7,37 +7,38 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Takes a row of a table elsewhere for a while, as large as it is or smaller, so that questions can be asked about it there.
+     * Moves a row of a table to another place for a while, and can make it smaller. So tests can be made with the row at that place. The agent
+     * itself does not move.
      *
      * @private
      */
     public final class MovedRow
     {
-        /** Half the row's largest extent. */
+        /** Half of the row's largest extent. */
         public var largestHalf:Number = 0;
 
-        /** Half its least extent. */
+        /** Half of the row's smallest extent. */
         public var leastHalf:Number = 0;
 
         private var _table:AgentTable;
         private var _row:int;
 
-        // The row as it was taken.
+        // The row as it was before.
         private var _revision:int;
         private var _home:Vector3D = new Vector3D();
         private var _sizing:Vector.<Number> = new Vector.<Number>(8, true);
         private var _isCopied:Boolean = false;
 
-        // Where it is, and how much smaller.
+        // Where the row is now, and which part of its size is taken off.
         private var _at:Vector3D = new Vector3D();
         private var _share:Number = 0;
 
-        /** No row. */
+        /** Begins without a row. */
         public function MovedRow()
         {
         }
 
-        /** Takes a row; <code>giveBack()</code> has to follow. */
+        /** Begins with a row. Call <code>giveBack()</code> at the end. */
         public function take(table:AgentTable, row:int):void
         {
             _table = table;
@@ -52,9 +53,9 @@ package starlogo.search
         }
 
         /**
-         * Puts the row where its agent would be at a place, smaller about the middle of its extents.
+         * Puts the row to the place where its agent would be, and makes it smaller about the middle of its extents.
          *
-         * @param share of its size that is taken off, from 0 to 1
+         * @param share the part of its size that is taken off, from 0 to 1
          */
         public function put(place:Vector3D, share:Number):void
         {
@@ -70,13 +71,17 @@ package starlogo.search
             _table.displace(_row);
         }
 
-        /** Puts the row back where it was, but smaller. */
+        /**
+         * Puts the row back to its own place, but smaller.
+         *
+         * @param share the part of its size that is taken off, from 0 to 1
+         */
         public function narrow(share:Number):void
         {
             put(_home, share);
         }
 
-        /** Puts the row back as it was. */
+        /** Puts the row back to its own place, with its whole size. */
         public function giveBack():void
         {
             shrink(0);
@@ -87,7 +92,7 @@ package starlogo.search
             _table = null;
         }
 
-        // Mostly a row stays as large as it is, and its size is not copied.
+        // The size is copied only when it changes for the first time, because most rows keep their size.
         private function shrink(share:Number):void
         {
             if (share == _share)

@@ -9,7 +9,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * A sphere and a capsule around a structure, which are tried first (thesis §7.5).
+     * A sphere and a capsule around a structure. A collider tests them first, because their tests are cheaper (thesis §7.5).
      *
      * @private
      */
@@ -18,7 +18,7 @@ package starlogo.search
         internal var sphere:Sphere;
         internal var capsule:Capsule;
 
-        /** Around a model: copies of its own, a little wider. */
+        /** For a model: copies the two, and makes the copies slightly wider. */
         public function OuterStructures(sphere:Sphere, capsule:Capsule)
         {
             this.sphere = sphere.clone() as Sphere;
@@ -27,7 +27,7 @@ package starlogo.search
             this.capsule.radius *= Tolerances.OUTER;
         }
 
-        /** Sets them to those of a model, placed where an agent is and wider by a margin. */
+        /** Sets both to a model's sphere and capsule, placed where an agent is and wider by a margin. */
         public function place(model:OuterStructures, placement:Placement, margin:Number):void
         {
             model.sphere.place(placement, sphere);

@@ -7,7 +7,7 @@ package starlogo.search
 
     use namespace engine;
 
-    /** Where the point of a contact is in the overlap of two rows. */
+    /** Puts the point of a contact into the middle of the overlap of two rows. */
     internal final class OverlapMiddle
     {
         /** Has only static members. */
@@ -16,11 +16,12 @@ package starlogo.search
         }
 
         /**
-         * Where a row reaches less far along the normal than the depth, as one that is inside of a larger one does, has the point in the middle of it.
+         * Moves a contact's point along its normal, into the middle of the overlap. This is needed if a row is shorter along the normal than the
+         * contact is deep. For example, the row may be inside the other one.
          *
-         * @param a the first row of the contact, wherever it is
-         * @param b the second
-         * @param out the contact, its point half of the depth from where the second ends along the normal
+         * @param a the first row of the contact
+         * @param b the second row
+         * @param out the contact. Its point is half of the depth away from the second row's end, along the normal
          */
         public static function setAlong(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
@@ -37,7 +38,7 @@ package starlogo.search
             }
         }
 
-        /** Puts a contact's point into the extents of a row, where it is not. */
+        /** Moves a contact's point into the extents of a row, if it is outside. */
         public static function keepWithin(extents:Extents, row:int, out:ContactPoint):void
         {
             out.x = Math.max(Math.min(out.x, extents.x[row] + extents.halfX[row]), extents.x[row] - extents.halfX[row]);
@@ -45,7 +46,7 @@ package starlogo.search
             out.z = Math.max(Math.min(out.z, extents.z[row] + extents.halfZ[row]), extents.z[row] - extents.halfZ[row]);
         }
 
-        // How far across a row is along a normal, or its extents are.
+        // The length of a row along a normal. For rows other than spheres it is the length of their extents.
         private static function across(table:AgentTable, row:int, out:ContactPoint):Number
         {
             var extents:Extents = table.extents;

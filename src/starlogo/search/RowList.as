@@ -7,13 +7,13 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Says which row of a table each agent of a list has. An agent keeps its row while it is listed; a row that is free is used again.
+     * Gives each agent of a list a row of a table. An agent keeps its row while it is listed. Free rows are used again.
      *
      * @private
      */
     public final class RowList
     {
-        /** The first rows are of no list: two are for guests, one for the ground, one for the edges of the world. */
+        /** The first rows belong to no list: two are for guests, one for the ground, one for the edges of the world. */
         public static const GUESTS:int = 4;
 
         /** The row of the ground. */
@@ -22,50 +22,50 @@ package starlogo.search
         /** The rows of the agents, in the order of the list. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** How many agents are listed; none after a list that was refused. */
+        /** The number of agents in the list; 0 after a list that was refused. */
         public var count:int = 0;
 
-        /** Counts the changes of the list: while it stays, the rows are of the same agents. */
+        /** A number that grows with each change of the list. While it stays the same, the rows belong to the same agents. */
         public var number:int = 0;
 
         /** By row: the agent, or null. */
         public var agents:Vector.<Agent> = new <Agent>[null, null, null, null];
 
-        /** The rows that the last read has added, and how many they are. */
+        /** The rows that the last read has added; the list may be longer than <code>addedCount</code>. */
         public var added:Vector.<int> = new Vector.<int>();
 
-        /** @copy #added */
+        /** The number of rows that the last read has added. */
         public var addedCount:int = 0;
 
-        /** The rows that are free, and how many they are. */
+        /** The free rows; the list may be longer than <code>freeCount</code>. */
         public var free:Vector.<int> = new Vector.<int>();
 
-        /** @copy #free */
+        /** The number of free rows. */
         public var freeCount:int = 0;
 
-        // By row: the number of the last list that had the agent.
+        // By row: the number of the last list in which the agent was.
         private var _lists:Vector.<int> = new <int>[0, 0, 0, 0];
 
         private var _rowsById:IdTable = new IdTable();
 
-        // Rows below it are in use, or free.
+        // All rows below it are in use or free.
         private var _end:int = GUESTS;
 
-        // Of a list that is checked: the agents' indices in it.
+        // The indices of the agents in a list that is being checked.
         private var _checked:IdTable = new IdTable();
 
-        /** No agents. */
+        /** Begins with no agents. */
         public function RowList()
         {
         }
 
-        /** The row of an agent that is listed, or -1. */
+        /** The row of an agent; -1 if it is not listed. */
         public function rowOf(agent:Agent):int
         {
             return _rowsById.valueOf(agent.number);
         }
 
-        /** Whether the rows are those of a list, in its order. */
+        /** Whether the rows belong to the agents of a list, in its order. */
         public function isOf(list:Vector.<Agent>):Boolean
         {
             var i:int = 0;
@@ -80,10 +80,10 @@ package starlogo.search
         }
 
         /**
-         * Makes the rows those of a list. Mostly agents have the rows that they had. Rows of agents that are no longer listed stay theirs until
-         * <code>freeOthers()</code>.
+         * Gives the agents of a list their rows. An agent that was in the last list keeps its row. An agent that is no longer in the list keeps
+         * its row until <code>freeOthers()</code>.
          *
-         * @throws ArgumentError as check; then no row is added
+         * @throws ArgumentError as check does; no row is then added
          */
         public function read(list:Vector.<Agent>):void
         {
@@ -97,7 +97,7 @@ package starlogo.search
                 var row:int = i < known ? rows[i] : -1;
                 if (row < 0 || agents[row] !== agent)
                 {
-                    // in JavaScript it may be anything
+                    // JavaScript callers may pass an object of any class
                     if (!(agent is Agent) || Breeds.isReserved(agent.breedNumber))
                     {
                         refuse(isNoAgent(i, agent));
@@ -119,7 +119,7 @@ package starlogo.search
         }
 
         /**
-         * Throws what <code>read()</code> would throw, and changes nothing.
+         * Throws the errors that <code>read()</code> would throw, and changes nothing.
          *
          * @throws ArgumentError if an agent is null or listed twice
          */
@@ -142,7 +142,7 @@ package starlogo.search
             }
         }
 
-        /** Frees the rows of agents that are not in the list that was read last: they come last in <code>free</code>. */
+        /** Frees the rows of all agents that are not in the last list. They stand at the end of <code>free</code>. */
         public function freeOthers():void
         {
             for (var row:int = GUESTS; row < _end; row++)
@@ -175,7 +175,7 @@ package starlogo.search
             else
             {
                 _end++;
-                // by an eighth more: a vector that grows by one at a time is copied again and again
+                // grows by an eighth, because a vector that grows by one element is copied each time
                 if (_end > agents.length)
                 {
                     agents.length = _lists.length = _end + (_end >> 3);

@@ -16,24 +16,25 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Answers for two rows of a table by their forms: whether they touch, when, and how. Each collider has one, with its settings.
+     * Tests two rows of a table by their forms: whether they touch, when they touch, and how. Each collider has one such object, with its
+     * settings.
      *
-     * <p>Spheres are as wide as their extents and need no structure in the world.</p>
+     * <p>A sphere has the same width as its extents, so it needs no structure in the world.</p>
      *
      * @private
      */
     public final class RowPairs
     {
-        /** How many pairs were tested along their motions since <code>resetCounts()</code>. */
+        /** The number of pairs that were tested along their motions since <code>resetCounts()</code>. */
         public var sweptPairs:int = 0;
 
-        /** Answers for pairs of structures that are not both spheres; counts the tests of those too. */
+        /** Tests pairs of structures that are not both spheres. It counts the tests of two spheres as well. */
         public var structures:StructurePairs = new StructurePairs();
 
-        /** Answers for pairs of which at least one is a tree; null if the choice of shapes has no trees. */
+        /** Tests pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairs = null;
 
-        /** Answers for pairs of which one is the ground. */
+        /** Tests pairs of which one is the ground. */
         public var ground:GroundPairs;
 
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
@@ -42,7 +43,7 @@ package starlogo.search
         private var _displacement:RelativeMotion = new RelativeMotion();
 
         /**
-         * With the settings that colliders begin with.
+         * Begins with the settings that a new collider has.
          *
          * @param choice gives the rows their shapes
          */
@@ -53,11 +54,12 @@ package starlogo.search
         }
 
         /**
-         * Moves those candidates of a member that touch it to the beginning. All rows are spheres.
+         * Keeps the candidates that touch a member, and moves them to the beginning of the list. All rows must be spheres.
          *
-         * @param slot of the member
-         * @param others the first of them are the slots of the candidates, whose circles on the ground overlap its own
-         * @return how many it touches
+         * @param slot the member's slot
+         * @param others the slots of the candidates, whose circles on the ground overlap the member's circle
+         * @param count the number of candidates
+         * @return the number of candidates that it keeps
          */
         public function keepTouchingSpheres(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
@@ -82,7 +84,7 @@ package starlogo.search
                 var squared:Number = x * x + y * y + z * z;
                 if (squared > reach * reach)
                 {
-                    // farther apart than rounding comes to, or to be tested exactly
+                    // if the gap is not larger than rounding errors, the exact test decides
                     reach += slack;
                     if (squared > reach * reach)
                     {
@@ -100,11 +102,12 @@ package starlogo.search
         }
 
         /**
-         * Moves those candidates of a member that touch it to the beginning.
+         * Keeps the candidates that touch a member, and moves them to the beginning of the list.
          *
-         * @param slot of the member
-         * @param others the first of them are the slots of the candidates, whose circles on the ground overlap its own
-         * @return how many it touches
+         * @param slot the member's slot
+         * @param others the slots of the candidates, whose circles on the ground overlap the member's circle
+         * @param count the number of candidates
+         * @return the number of candidates that it keeps
          */
         public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
@@ -133,7 +136,7 @@ package starlogo.search
             }
             for (var i:int = 0; i < count; i++)
             {
-                // boxes are their own extents but for the heights
+                // two boxes need no test of their extents, except for the heights
                 var other:int = others[i];
                 var otherRow:int = rowAt[other];
                 var distance:Number = zs[otherRow] - atZ;
@@ -161,7 +164,7 @@ package starlogo.search
                 }
                 else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
                 {
-                    // their circles on the ground are as wide as they are
+                    // a sphere and its circle on the ground have the same radius
                     sphereTests++;
                     var x:Number = bins.x[other] - bins.x[slot];
                     var y:Number = bins.y[other] - bins.y[slot];
@@ -200,9 +203,11 @@ package starlogo.search
         }
 
         /**
-         * Finds when two rows touch for the first time as one moves: the first moment at which <code>areTouching()</code> would say so.
+         * Finds the time at which two rows first touch, while the first one moves. It is the first moment at which <code>areTouching()</code>
+         * would be true.
          *
-         * @param motion of the first, which ends where it is now, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param motion the motion of the first row relative to the second. It ends where the first row is now. It receives the time, from 0 to
+         *     1, or RelativeMotion.NEVER
          */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
@@ -225,10 +230,10 @@ package starlogo.search
         }
 
         /**
-         * How two rows touch.
+         * Finds the contact of two rows.
          *
-         * @param motion as in findTime, with the time when they do first
-         * @param out takes it, the normal pointing from b to a, with b where it is now
+         * @param motion as in findTime, with the time of the first touch
+         * @param out receives the contact. Its normal points from b to a, and b is where it is now
          */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -254,10 +259,10 @@ package starlogo.search
         }
 
         /**
-         * When and how two rows touch for the first time that do not touch at the beginning.
+         * Finds the time and the contact of the first touch of two rows. They must not touch at the beginning of the motion.
          *
-         * @param motion as in findTime; but what rounding hides at its end may be left out
-         * @param out takes how, as in findContact; null if only the time is wanted
+         * @param motion as in findTime. But a touch that rounding errors hide at its end may be missing
+         * @param out receives the contact, as in findContact; null if only the time is needed
          */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -279,9 +284,9 @@ package starlogo.search
         }
 
         /**
-         * How the structures around two rows overlap, where they are.
+         * Finds the contact of the structures around two rows, where they are.
          *
-         * @param out takes it, the normal pointing from b to a
+         * @param out receives the contact. Its normal points from b to a
          */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
@@ -300,15 +305,15 @@ package starlogo.search
         }
 
         /**
-         * Whether the contact of two rows is exact: moved by its depth they just touch. Otherwise it is that of parts of the two, and others may
-         * still overlap.
+         * Whether the contact of two rows is exact: if the first row moves by its depth, the two just touch. Other contacts belong to parts of
+         * the two rows, and other parts may still overlap.
          */
         public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
             return (table.forms[a] | table.forms[b]) < ModelShape.TREE && (areSpheres(table, a, b) || structures.hasExactContact(table, a, b));
         }
 
-        /** Begins to count the tests of a search. */
+        /** Sets all counts to 0. */
         public function resetCounts():void
         {
             sweptPairs = 0;
@@ -319,7 +324,7 @@ package starlogo.search
             }
         }
 
-        /** Writes how many tests were made since <code>resetCounts()</code>. */
+        /** Writes the numbers of tests since <code>resetCounts()</code>. */
         public function writeCounts(out:SearchCounts):void
         {
             out.sweptPairs = sweptPairs;
@@ -330,15 +335,15 @@ package starlogo.search
             }
         }
 
-        /** Whether two rows are spheres. */
+        /** Whether two rows are both spheres. */
         public static function areSpheres(table:AgentTable, a:int, b:int):Boolean
         {
             return (table.forms[a] | table.forms[b]) == BoundingStructure.SPHERE;
         }
 
         /**
-         * Whether the second of two rows is taken for the first: the ground comes last, a tree before a structure, and of two trees or structures that of the agent
-         * with the lower number. So rounding is the same in either order.
+         * Whether tests take the second of two rows first, so that rounding errors are the same in either order. A tree comes before a
+         * structure. Of two trees or two structures, the agent with the lower number comes first.
          */
         public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
@@ -354,7 +359,10 @@ package starlogo.search
             return table.agents[a].number > table.agents[b].number;
         }
 
-        /** Whether the extents of two rows overlap, or nearly so; the heights first, because the circles on the ground do. */
+        /**
+         * Whether the extents of two rows overlap, or nearly do. The heights are compared first, because the bins have already compared the
+         * circles on the ground.
+         */
         public static function areNear(extents:Extents, bins:Bins, a:int, b:int):Boolean
         {
             var slack:Number = bins.slack;
@@ -375,7 +383,7 @@ package starlogo.search
             return distance <= reach && distance >= -reach;
         }
 
-        /** Whether at least one of two rows is a tree, and none the ground. */
+        /** Whether at least one of two rows is a tree, and neither is the ground. */
         public static function isOneTree(table:AgentTable, a:int, b:int):Boolean
         {
             return ((table.forms[a] | table.forms[b]) & (ModelShape.TREE | ModelShape.GROUND)) == ModelShape.TREE;
@@ -410,7 +418,7 @@ package starlogo.search
             _points.x = extents.x[a] - extents.x[b] + motion.startX;
             _points.y = extents.y[a] - extents.y[b] + motion.startY;
             _points.z = extents.z[a] - extents.z[b] + motion.startZ;
-            // the motion's own rounding too
+            // the motion's own rounding errors are added too
             _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b))
                 + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _points.findEntry(motion);

@@ -1,24 +1,24 @@
 package starlogo.search
 {
-    /** What a search for collisions did. CollisionStatistics has these counts, and more. */
+    /** The counts of one search for collisions: agents, pairs and tests. CollisionStatistics has these counts and more. */
     public class SearchCounts
     {
-        /** Agents in the list. */
+        /** The number of agents in the list. */
         public var agents:int;
 
-        /** Agents of breeds without handlers, and those that a Collision's filter excludes, which were skipped. */
+        /** Agents that were skipped, because their breeds have no handlers or because the Collision's filter excludes them. */
         public var agentsSkipped:int;
 
-        /** Agents whose models are still loading: they collide with nothing yet. */
+        /** Agents whose models are still loading. They collide with nothing. */
         public var agentsLoading:int;
 
-        /** Entries of agents in the thesis's bins: an agent that reaches into four of them counts four times. */
+        /** Entries in the thesis's bins. An agent that reaches into four bins has four entries. */
         public var binEntries:int;
 
         /** Pairs of agents whose circles on the ground overlap. */
         public var candidatePairs:int;
 
-        /** Pairs in which an agent sweeps, and which came near each other: each was tested along its motion. */
+        /** Pairs that were tested along their motion: an agent of the pair sweeps, and the two came near each other. */
         public var sweptPairs:int;
 
         /** Sphere-sphere tests. */
@@ -42,7 +42,10 @@ package starlogo.search
         /** Pairs of agents of which at least one was tested by its hierarchy. */
         public var hierarchyTests:int;
 
-        /** Pairs of nodes that these visited: nodes of both hierarchies, or a node of the one and the other's structure (§6.3.3). */
+        /**
+         * Pairs of nodes that the hierarchies' tests visited. A pair is two nodes of two hierarchies, or a node and the other agent's structure
+         * (thesis §6.3.3).
+         */
         public var nodeVisits:int;
 
         /** Triangle-triangle tests. */
@@ -51,12 +54,12 @@ package starlogo.search
         /** Pairs of agents that collide. */
         public var collisions:int;
 
-        /** All zero. */
+        /** Begins with all counts 0. */
         public function SearchCounts()
         {
         }
 
-        /** Intersection tests of all kinds of structures, without those of the nodes of hierarchies. */
+        /** All tests between two structures. Tests of the nodes of hierarchies are not included. */
         public function get tests():int
         {
             return sphereSphereTests + sphereCapsuleTests + sphereBoxTests + capsuleCapsuleTests + capsuleBoxTests + boxBoxTests;

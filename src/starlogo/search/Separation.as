@@ -10,41 +10,45 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Makes the depth of a contact separate: how far the first of two rows has to be moved along the normal until nothing of it touches the
-     * second any more, however many parts of the two overlap.
+     * Finds a normal and a depth for a contact that separate its two rows. If the first row moves along the normal by the depth, no part of it
+     * touches the second row any more.
      *
-     * <p>Along a direction, places farther and farther out are tried until the two are apart; the sweep back from there touches where they part.
-     * Where that is, the surfaces have a normal, and along it the way out is shorter than before, of convex bodies always (as the plane through the
-     * point is crossed at the cosine of the angle). So the direction is improved until that ends. It begins with the normal of the contact that is
-     * given, and with that axis of the world along which the extents overlap least, so that the depth is never more than that.</p>
+     * <p>For a given direction, it tries places farther and farther away until the two rows are apart. Then it sweeps back to the place where
+     * they part. The surfaces have a normal at that place. Along this normal the way out is usually shorter. For convex bodies it always is,
+     * because it is at most the depth times the cosine of the angle between the two directions. So it tries that normal next. It improves a
+     * direction twice at most.</p>
+     *
+     * <p>If a contact is shallow, it keeps its normal. For other contacts the first directions are the given normal and the shortest way out of
+     * the structures around both rows. So their depth is never more than the overlap of these structures.</p>
      *
      * @private
      */
     public final class Separation
     {
-        // Contacts less deep than this share of the larger extent keep their normal; the way out is looked for in steps from it on.
+        // A contact is shallow if its depth is less than this fraction of the larger extent. The search for a way out also begins with steps of
+        // this length.
         private static const SHALLOW:Number = 1 / 256;
 
-        // How often a normal is improved, and by how much a depth has to be less for it to count.
+        // How often a normal is improved at most. Another direction counts as better if its depth is less than GAIN times the old depth.
         private static const IMPROVEMENTS:int = 2;
         private static const GAIN:Number = 0.95;
 
-        // Two normals whose sum is shorter have no direction between them.
+        // If the sum of two normals is shorter than this, they are nearly opposite, and no direction is between them.
         private static const NEARLY_OPPOSITE:Number = 0.1;
 
-        // How narrow the interval is that the way out ends in before it is swept, as a share of the larger extent.
+        // The interval in which the two part is halved until it is shorter than this fraction of the larger extent. Then it is swept.
         private static const NARROW:Number = 1 / 16;
 
-        // The extent of two points at the origin, so that all steps are longer than 0.
+        // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
-        // Halvings, of which 53 leave nothing of a Number.
+        // The most halvings. After 53 a Number has no more bits to halve.
         private static const MOST_STEPS:int = 60;
 
         private var _pairs:RowPairs;
         private var _moved:MovedRow = new MovedRow();
 
-        // The pair under way, where its first row is when they touch, and their larger extent.
+        // The pair under way, the place of its first row when they touch, and the larger extent of the two.
         private var _table:AgentTable;
         private var _a:int;
         private var _b:int;
@@ -54,7 +58,8 @@ package starlogo.search
         private var _extent:Number = 0;
         private var _place:Vector3D = new Vector3D();
 
-        // The direction that is tried; how far along it they touch, how far they do not, and where in between they part.
+        // The direction that is tried; a distance along it at which the two touch, a distance at which they do not, and the distance at which
+        // they part.
         private var _alongX:Number = 0;
         private var _alongY:Number = 0;
         private var _alongZ:Number = 0;
@@ -62,33 +67,32 @@ package starlogo.search
         private var _free:Number = 0;
         private var _exit:Number = 0;
 
-        // Whether leaves decide in place of triangles.
+        // Whether the leaves are tested instead of the triangles.
         private var _byLeaves:Boolean = false;
 
-        // How far along it the first is put: a field, because V8 makes objects of Numbers that are passed.
+        // How far the first row is moved along the direction. This is a field because V8 makes an object for each Number that is passed.
         private var _distance:Number = 0;
 
-        // The sweep back, and the contact in which it ends.
+        // The sweep back, and the contact at its end.
         private var _back:RelativeMotion = new RelativeMotion();
         private var _left:ContactPoint = new ContactPoint();
 
-        // The contact that was given; how the two part along the best normal so far.
+        // The given contact, and the contact at the end of the best way so far.
         private var _start:ContactPoint = new ContactPoint();
         private var _parting:ContactPoint = new ContactPoint();
 
-        /**
-         * @param pairs decide which rows touch, and when
-         */
+        /** @param pairs tests which rows touch, and when */
         public function Separation(pairs:RowPairs)
         {
             _pairs = pairs;
         }
 
         /**
-         * Makes a contact's normal and depth separate.
+         * Changes a contact's normal and depth so that they separate the two rows.
          *
-         * @param motion of the first row, which ends where it is in the table, relative to the second, with the time when they touch
-         * @param out the contact of two parts that touch then
+         * @param motion the motion of the first row relative to the second, with the time at which they touch. It ends where the first row is in
+         *     the table
+         * @param out the contact of two parts that touch at that time
          */
         public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -99,7 +103,7 @@ package starlogo.search
             }
             begin(table, a, b, motion);
             _distance = 0;
-            // only those that come may have been stopped just before they touch
+            // only a row that moves may have been stopped just before the touch
             if (!isComing(motion) || touch())
             {
                 findLeast(motion, out);
@@ -132,12 +136,13 @@ package starlogo.search
             _y = table.y[a] + (motion.startY + time * motion.y);
             _z = table.z[a] + (motion.startZ + time * motion.z);
             var half:Number = Math.max(table.extents.largestHalf(b), _moved.largestHalf);
-            // two points have none: then it is how far apart they may be and still touch
+            // two points have no extent. Then it is the gap across which they still touch
             var rounding:Number = table.marginOf(a) + table.marginOf(b);
             _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
         }
 
-        // Rounding has them just not touching: there is no depth, and the motion's direction is the normal unless the two touch along theirs.
+        // Handles two rows that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
+        // two touch if the row moves a little against the given normal.
         private function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;
@@ -149,13 +154,13 @@ package starlogo.search
             }
         }
 
-        // Whether there was no touch before the time.
+        // Whether the first row moves, and touches the second only after the motion's beginning.
         private static function isComing(motion:RelativeMotion):Boolean
         {
             return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
         }
 
-        // Leaves find a direction first, where triangles decide: they are quick.
+        // Finds the shortest way out that it can. If triangles decide, the leaves find a direction first, because their tests are fast.
         private function findLeast(motion:RelativeMotion, out:ContactPoint):void
         {
             var isDeep:Boolean = isDeepAlong(out);
@@ -186,7 +191,7 @@ package starlogo.search
             }
             if (isDeep)
             {
-                // the middle between where they part and where the same of the first row is
+                // the middle between the place where they part and the matching place on the first row
                 out.x = _left.x - out.depth / 2 * out.normalX;
                 out.y = _left.y - out.depth / 2 * out.normalY;
                 out.z = _left.z - out.depth / 2 * out.normalZ;
@@ -197,8 +202,8 @@ package starlogo.search
             out.depth = _exit;
         }
 
-        // Where the two touch two sides of a corner that are hardly deep, the way out is between both: takes the normal between a contact's and that of what
-        // still touches a short way along the direction. Returns whether there is one.
+        // The two may touch both sides of a corner, and neither of them deeply. Then the way out is between the sides. This finds a second
+        // contact a short way along the direction. It writes to _left the normal half way between the two normals. Returns whether there is one.
         private function findCorner(contact:ContactPoint):Boolean
         {
             RelativeMotion.NONE.time = 0;
@@ -208,7 +213,7 @@ package starlogo.search
             return _left.length > NEARLY_OPPOSITE;
         }
 
-        // Whether the two still touch a short way along a contact's normal.
+        // Whether the two still touch after a short way along a contact's normal.
         private function isDeepAlong(contact:ContactPoint):Boolean
         {
             point(contact);
@@ -248,7 +253,7 @@ package starlogo.search
             }
         }
 
-        // Takes the normal of the surfaces where the two part along the contact's, if that is a shorter way out. Returns whether it is.
+        // Tries the normal of the surfaces at the end of the way. Takes it if the way out along it is shorter. Returns whether it is.
         private function improve(out:ContactPoint):Boolean
         {
             var cosine:Number = _left.normalX * out.normalX + _left.normalY * out.normalY + _left.normalZ * out.normalZ;
@@ -261,7 +266,7 @@ package starlogo.search
             return tryUpToFree(out);
         }
 
-        // Takes the direction if the two do not touch at the free distance along it. Returns whether it is.
+        // Takes the direction if the two do not touch at the free distance along it. Returns whether it takes it.
         private function tryUpToFree(out:ContactPoint):Boolean
         {
             if (touchesFree())
@@ -273,7 +278,7 @@ package starlogo.search
             return true;
         }
 
-        // Goes out along the direction, beyond the free distance, which is a guess, until the two do not touch.
+        // Increases the free distance until the two do not touch there. At first it is only a guess.
         private function goOut():void
         {
             var step:Number = SHALLOW * _extent;
@@ -287,7 +292,8 @@ package starlogo.search
             }
         }
 
-        // Finds where the two part between where they touch and where they do not, and takes that for the contact's depth.
+        // Finds the place where the two part: it is between a place where they touch and a place where they do not. Its distance becomes the
+        // contact's depth.
         private function sweepBack(out:ContactPoint):void
         {
             while (_free - _touching > NARROW * _extent)
@@ -327,7 +333,7 @@ package starlogo.search
             }
         }
 
-        // Makes sure that the two are apart a little beyond the exit, and touch a little before it, in spite of rounding.
+        // Makes sure, in spite of rounding, that the two do not touch a little beyond the exit, and touch a little before it.
         private function makeSure():void
         {
             var slack:Number = Tolerances.SEPARATION / 4 * _extent;
@@ -373,7 +379,7 @@ package starlogo.search
             return touch();
         }
 
-        // Whether the two touch when the first has been moved along the direction by the distance.
+        // Whether the two touch if the first one is moved along the direction by the distance.
         private function touch():Boolean
         {
             displace();

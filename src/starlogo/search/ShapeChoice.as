@@ -8,21 +8,22 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Says which shape represents an agent in a Collider. Abstract; a game that wants other shapes than the engine's four colliders have extends it.
+     * Lets a game choose the shape of each agent's model for a Collider. Extend this abstract class if none of the engine's four colliders has
+     * the shapes that your game wants.
      *
-     * <p>All else comes with the Collider: bins, sweeping, contacts, questions, snapshots and statistics.</p>
+     * <p>The Collider adds everything else: bins, sweeping, contacts, questions, snapshots and statistics.</p>
      */
     public class ShapeChoice
     {
-        /** Has the models; null if none are needed. */
+        /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 
         /**
          * For subclasses only.
          *
-         * @param greatLand has the models
-         * @param isNeeded whether there has to be one
-         * @throws ArgumentError if it is null, but needed
+         * @param greatLand the models
+         * @param isNeeded whether greatLand must not be null
+         * @throws ArgumentError if greatLand is null but needed
          */
         public function ShapeChoice(greatLand:GreatLand, isNeeded:Boolean = true)
         {
@@ -34,8 +35,8 @@ package starlogo.search
         }
 
         /**
-         * A number for each of the shapes that one model may have: agents with the same model and the same number share a shape. It may depend on
-         * the traits <code>hierarchical</code> and <code>collideAs</code>.
+         * The number of an agent's shape among the shapes that its model can have. Agents with the same model and the same number share a shape.
+         * The number may depend on the traits <code>hierarchical</code> and <code>collideAs</code>.
          *
          * @param agent not null
          */
@@ -44,17 +45,19 @@ package starlogo.search
             return Agent.ANY_KIND;
         }
 
-        /** @private Gives the pairs what answers for trees. Only choices that have trees override it, so other games do not load that code. */
+        /**
+         * @private Gives the pairs their tests for trees. Only choices with trees override it, so a game without trees does not load that code.
+         */
         engine function prepare(pairs:RowPairs):void
         {
         }
 
         /**
-         * Finds the shape of a model.
+         * Sets the shape of a model. All agents with the same model and kind use it.
          *
-         * @param shape has the model's name and the kind; its setStructure() takes the shape
-         * @param agent has the model, which was added to the GreatLand
-         * @throws ArgumentError if what is needed was not loaded
+         * @param shape has the model's name and the kind. Call its setStructure()
+         * @param agent an agent with the model; the model is in the GreatLand
+         * @throws ArgumentError if the shape needs something that was not loaded
          */
         public function bind(shape:ModelShape, agent:Agent):void
         {

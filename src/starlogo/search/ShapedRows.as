@@ -11,18 +11,20 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Rows of agents with their shapes, in columns of numbers, because with thousands of agents memory is what takes time: where each shape is, its
-     * extents, its structure in the world. An AgentTable says which agents.
+     * Stores the shape of each agent: its place, its extents, and its structure in the world. Each agent has a row, and each property a column
+     * of numbers. It has columns because with thousands of agents reading memory takes most of the time. An AgentTable says which agent has
+     * which row.
      *
      * @private
      */
     public class ShapedRows
     {
-        // In place of a revision: for an agent that has no motion, less than any jump's; and for what has to be computed again.
+        // Values in place of a revision. NOT_SEEN says that the agent has no motion. It is less than the revision of any jump. STALE says that
+        // the value has to be computed again.
         protected static const NOT_SEEN:int = -2;
         protected static const STALE:int = -1;
 
-        // In place of an agent's revision: for a row that is somewhere else for a while.
+        // A value in place of a revision: the row is at another place for a while.
         private static const DISPLACED:int = -3;
 
         private static const ROTATION_SIZE:int = 9;
@@ -30,51 +32,52 @@ package starlogo.search
         // By row: the agent, or null.
         engine var agents:Vector.<Agent>;
 
-        // By row: the shape of the agent's model, null while that is loading, and the shape's form; the agent's own limit to the levels that are
-        // visited of its tree, or 0.
+        // By row: the shape of the agent's model, which is null while the model is loading; the shape's form; and the agent's own limit for the
+        // levels of its tree, or 0.
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
         engine var forms:Vector.<int> = new Vector.<int>();
         internal var depths:Vector.<int> = new Vector.<int>();
 
-        // By row: where the agent is, and the agent's revision that this is of; the extents of its shape.
+        // By row: the agent's place, the agent's revision at that place, and the extents of its shape.
         engine var x:Vector.<Number> = new Vector.<Number>();
         engine var y:Vector.<Number> = new Vector.<Number>();
         engine var z:Vector.<Number> = new Vector.<Number>();
         engine var revisions:Vector.<int> = new Vector.<int>();
         engine var extents:Extents = new Extents();
 
-        // By row: the agent's revisions that its extents and its shape are of.
+        // By row: the agent's revisions at which its extents and its shape were read.
         protected var extentsRevisions:Vector.<int> = new Vector.<int>();
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
 
-        // By row: from the position to the middle of the extents, and how the shape is turned and scaled.
+        // By row: the way from the agent's place to the middle of its extents, and the rotation and the scale of the shape.
         internal var offsetX:Vector.<Number> = new Vector.<Number>();
         internal var offsetY:Vector.<Number> = new Vector.<Number>();
         internal var offsetZ:Vector.<Number> = new Vector.<Number>();
         private var _rotations:Vector.<Number> = new Vector.<Number>();
         internal var sizes:Vector.<Number> = new Vector.<Number>();
 
-        // By row: its structure in the world, for which revision that was placed, and what is tried before it, or null. Of the structures the boxes
-        // that decide alone are listed a second time, typed, else null: that spares the most frequent costly test its casts.
+        // By row: the structure in the world, the revision at which it was placed, and the structures that are tested before it, or null. The
+        // column boxes has the structure once more if it is a box that is tested alone, and else null. This column is typed, so the most
+        // frequent slow test needs no casts.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
         internal var placedRevisions:Vector.<int> = new Vector.<int>();
         internal var outer:Vector.<OuterStructures> = new Vector.<OuterStructures>();
         internal var boxes:Vector.<Box> = new Vector.<Box>();
 
-        // By kind: a structure that no row has at present, or null.
+        // By kind of structure: one that no row uses at present, or null.
         private var _spares:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
-        // How many rows have a model that is loading, of those that were read last.
+        // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        // Rows whose extents have to be computed again, and the new shapes of those whose shape has changed.
+        // The rows whose extents have to be computed again, and the new shapes of rows whose shape has changed.
         protected var changed:Vector.<int> = new Vector.<int>();
         protected var changedCount:int = 0;
         private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         protected var modelShapes:ModelShapes;
 
-        // The middle, then half the lengths; an upright placement.
+        // The middle and half of the lengths of extents; a placement without rotation.
         private var _foundExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _upright:Placement = new Placement();
         private var _scratch:Placement = new Placement();
@@ -82,7 +85,7 @@ package starlogo.search
         /**
          * For AgentTable only.
          *
-         * @param agents by row: the agents; grows
+         * @param agents the agent of each row; the list grows
          * @param shapes has the shape of each model
          */
         public function ShapedRows(agents:Vector.<Agent>, shapes:ModelShapes)
@@ -91,16 +94,16 @@ package starlogo.search
             modelShapes = shapes;
         }
 
-        /** Whether a row is as its agent is now. */
+        /** Whether a row still has the state of its agent, and the agent's model is not loading. */
         public function isOfNow(row:int):Boolean
         {
             return agents[row].revision == revisions[row] && shapes[row] != null;
         }
 
         /**
-         * Where a row's agent was in the last search, as its shape is turned.
+         * The placement of a row's shape: the place of its agent in the last search, and the rotation of its shape.
          *
-         * @param scratch takes it if the agent has changed since
+         * @param scratch receives the placement if it differs from the agent's own placement
          * @return the agent's own placement, or scratch
          */
         public function placementOf(row:int, scratch:Placement):Placement
@@ -131,7 +134,7 @@ package starlogo.search
             return Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
         }
 
-        /** The structure of a row in the world, wider by the margin within which shapes touch. */
+        /** The structure of a row in the world, widened by the margin within which shapes touch. */
         public function structureOf(row:int):BoundingStructure
         {
             if (placedRevisions[row] != revisions[row])
@@ -141,7 +144,7 @@ package starlogo.search
             return _placed[row];
         }
 
-        /** Makes a box along the world's axes that of a row's extents, wider by more than rounding comes to. */
+        /** Sets an axis-aligned box to a row's extents, with a margin larger than rounding errors. */
         internal function readExtents(row:int, box:Box):void
         {
             var margin:Number = Tolerances.EXTENTS_GAPS * marginOf(row);
@@ -153,7 +156,7 @@ package starlogo.search
             box.halfZ = extents.halfZ[row] * Tolerances.OUTER + margin;
         }
 
-        /** Copies what grows with a row into a list of eight. */
+        /** Copies the eight numbers of a row that are proportional to its size. */
         internal function readSizing(row:int, out:Vector.<Number>):void
         {
             out[0] = offsetX[row];
@@ -166,7 +169,7 @@ package starlogo.search
             out[7] = sizes[row];
         }
 
-        /** Makes what grows with a row what such a list has, times a factor. */
+        /** Writes these eight numbers back to a row, each times a factor. */
         internal function writeSizing(row:int, from:Vector.<Number>, factor:Number):void
         {
             offsetX[row] = factor * from[0];
@@ -179,13 +182,13 @@ package starlogo.search
             sizes[row] = factor * from[7];
         }
 
-        /** A row is somewhere else, where x, y, z have been set to, so that questions can be asked about it there, until <code>putBack()</code>. */
+        /** Call this after x, y, z of a row were set to another place. Tests then see the row there, until <code>putBack()</code>. */
         public function displace(row:int):void
         {
             putBack(row, DISPLACED);
         }
 
-        /** A row is back where it was, where x, y, z have been set to, with the revision that it had. */
+        /** Call this after x, y, z of a row were set back to its own place. The row gets back its revision. */
         public function putBack(row:int, revision:int):void
         {
             moveExtents(row);
@@ -193,16 +196,20 @@ package starlogo.search
             placedRevisions[row] = STALE;
         }
 
-        /** Puts the structure of a row where its agent is. Not before a test asks for it: of thousands of agents few have others near them. */
+        /**
+         * Puts the structure of a row to the place of its agent. This is done only when a test needs it, because few of thousands of agents have
+         * others near them.
+         */
         public function place(row:int):void
         {
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
-            // marginOf, of whose result V8 would make an object
+            // the same as marginOf, because V8 would make an object for that method's result
             var margin:Number = Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
             if (shape.form == BoundingStructure.SPHERE)
             {
-                // other structures are compared with it by tests that grant this, other spheres are not
+                // the test of two placed spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another
+                // structure have one
                 margin += (Tolerances.TOUCHING - 1) * extents.halfX[row];
             }
             takeStructure(row, shape);
@@ -216,7 +223,7 @@ package starlogo.search
             placedRevisions[row] = revisions[row];
         }
 
-        // As many as there are of agents.
+        // Makes as many rows as there are agents.
         protected function makeRows():void
         {
             var length:int = agents.length;
@@ -254,7 +261,8 @@ package starlogo.search
             extents.z[row] = z[row] + offsetZ[row];
         }
 
-        // Finds the shapes of the agents that have changed, all before any row changes, and then their extents.
+        // Finds the shapes of agents that have changed, and then their extents. All shapes are found before any row changes, because an error
+        // must change no row.
         protected function findShapes():void
         {
             if (changedCount > _changedShapes.length)
@@ -280,7 +288,7 @@ package starlogo.search
                 }
                 if (shapes[row] == null)
                 {
-                    // a row whose model is loading changes in every search
+                    // a row whose model is loading is read again in every search
                     loadingCount++;
                 }
                 else
@@ -308,7 +316,7 @@ package starlogo.search
             _shapeRevisions[row] = agents[row].shapeRevision;
             if (shape == null)
             {
-                // asked again in the next search
+                // it is read again in the next search
                 extentsRevisions[row] = STALE;
                 return;
             }
@@ -320,7 +328,7 @@ package starlogo.search
             }
         }
 
-        // Gives a row a structure of its shape's kind; the one that it had is kept for another row.
+        // Gives a row a structure of its shape's kind. The structure that it had is kept for another row.
         private function takeStructure(row:int, shape:ModelShape):void
         {
             var before:BoundingStructure = _placed[row];
@@ -348,7 +356,7 @@ package starlogo.search
             var placement:Placement = _upright;
             if (shape.isUpright)
             {
-                // the ground has the size of its cells
+                // the ground's structure is a cell, so it is not scaled
                 placement.size = shape.form == ModelShape.GROUND ? 1 : agent.placement.size;
             }
             else

@@ -17,18 +17,21 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Answers for two rows that are structures, not both spheres: whether they touch, when, and how (thesis §3.6).
+     * Tests two rows that are structures, but not both spheres: whether they touch, when, and how (thesis §3.6).
      *
      * @private
      */
     public final class StructurePairs extends StructureTests
     {
-        /** How many tests were made since <code>resetCounts()</code>: at four times the kind of one structure plus that of the other. */
+        /**
+         * The number of tests since <code>resetCounts()</code>. The index is four times the kind of the first structure, plus the kind of the
+         * second.
+         */
         public var tests:Vector.<int> = new Vector.<int>(16, true);
 
         private var _finder:ContactFinder = new ContactFinder();
 
-        // The way back of a motion, and the interval in which all structures under way touch.
+        // The reversed motion, and the time interval in which all structures tested so far touch.
         private var _back:RelativeMotion = new RelativeMotion();
         private var _first:Number = 0;
         private var _last:Number = 1;
@@ -37,12 +40,12 @@ package starlogo.search
         private var _extentsA:Box = newBox();
         private var _extentsB:Box = newBox();
 
-        /** With the settings that colliders begin with. */
+        /** Begins with the settings that a new collider has. */
         public function StructurePairs()
         {
         }
 
-        /** Begins to count tests. */
+        /** Sets all counts to 0. */
         public function resetCounts():void
         {
             for (var i:int = 0; i < tests.length; i++)
@@ -51,7 +54,7 @@ package starlogo.search
             }
         }
 
-        /** Writes how many tests were made. */
+        /** Writes the numbers of tests. */
         public function writeCounts(out:SearchCounts):void
         {
             out.sphereSphereTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.SPHERE);
@@ -62,7 +65,7 @@ package starlogo.search
             out.boxBoxTests = testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
         }
 
-        /** As RowPairs.areTouching. */
+        /** See RowPairs.areTouching. */
         public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var structureA:BoundingStructure = table.structureOf(a);
@@ -80,7 +83,7 @@ package starlogo.search
             return intersects(structureA, structureB);
         }
 
-        /** As RowPairs.findTime. */
+        /** See RowPairs.findTime. */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             var structureA:BoundingStructure = table.structureOf(a);
@@ -101,14 +104,14 @@ package starlogo.search
             }
         }
 
-        /** As RowPairs.findContact. */
+        /** See RowPairs.findContact. */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             _finder.displacement.stopAt(motion);
             _finder.find(table.structureOf(a), table.structureOf(b), out);
         }
 
-        /** As RowPairs.hasExactContact. */
+        /** See RowPairs.hasExactContact. */
         public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
             if ((spheresFirst || capsulesFirst) && haveOuter(table, a, b))
@@ -148,7 +151,8 @@ package starlogo.search
             findTimeOfImpact(a, b, motion);
         }
 
-        // Finds when all that decides touches; the structures' times, on the motion and on the way back, are there. Each two touch during one interval.
+        // Finds the first time at which all structures that decide touch at once. Any two of them touch during one interval of time. The motion
+        // and the reversed motion already have the times of the rows' own structures.
         private function findTimeOfAll(table:AgentTable, a:int, b:int, byFaces:Boolean, motion:RelativeMotion):void
         {
             _first = motion.time;
@@ -187,14 +191,15 @@ package starlogo.search
             tests[a.kind << 2 | b.kind]++;
         }
 
-        // In either order.
+        // The number of tests of two kinds, in either order.
         private function testsOf(kind:int, otherKind:int):int
         {
             var count:int = tests[kind << 2 | otherKind];
             return kind == otherKind ? count : count + tests[otherKind << 2 | kind];
         }
 
-        // Whether the faces of two boxes decide, and their extents, without which boxes far from each other would touch.
+        // Whether two boxes are tested by their faces. Then their extents are tested too, because the test of the faces alone finds touches of
+        // boxes that are far from each other.
         private function isByFaces(table:AgentTable, a:int, b:int):Boolean
         {
             return boxFacesOnly && table.forms[a] == BoundingStructure.BOX && table.forms[b] == BoundingStructure.BOX;

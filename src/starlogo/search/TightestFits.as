@@ -9,16 +9,14 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Every agent is the tightest fitting structure of its model, or the one that it collides as (§7.3), put through the agent's whole
-     * transform (thesis §3).
+     * The shape of every agent is its model's tightest fit, or the structure that its trait <code>collideAs</code> names (thesis §7.3). The
+     * agent's rotation and size apply to it (thesis §3).
      *
      * @private
      */
     public final class TightestFits extends ShapeChoice
     {
-        /**
-         * @param greatLand has the structures
-         */
+        /** @param greatLand the models' structures */
         public function TightestFits(greatLand:GreatLand)
         {
             super(greatLand);
@@ -37,7 +35,7 @@ package starlogo.search
             var model:String = shape.model;
             if (!library.has(model))
             {
-                throw new ArgumentError(agent + ": its model was added while loadTightestFit was off; set it, and add the model again");
+                throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set it to true, and add the model again");
             }
             if (shape.kind != Agent.ANY_KIND)
             {

@@ -14,33 +14,33 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Answers for two rows of which at least one is a tree: whether they touch, when, and how (thesis §4.6).
+     * Tests two rows of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6).
      *
      * @private
      */
     public final class TreePairs
     {
-        /** How many levels are visited of the trees of agents without a depth of their own. */
+        /** The number of levels that a test visits in a tree, unless the agent has a depth limit of its own. */
         public var maxDepth:int = 5;
 
-        /** Whether triangles decide, and no depth limit applies. */
+        /** Whether triangles decide. Then no depth limit applies. */
         public var exact:Boolean = false;
 
         private var _tests:int = 0;
         private var _pair:TreePair = new TreePair();
 
-        // The motion under way: that which was given, or the other way round.
+        // The motion under way: the given motion, or its opposite if the two rows are tested in the other order.
         private var _motion:RelativeMotion;
         private var _turned:RelativeMotion = new RelativeMotion();
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
-        /** With the settings that colliders begin with. */
+        /** Begins with the settings that a new collider has. */
         public function TreePairs()
         {
         }
 
-        /** As RowPairs.keepTouching, of a member that is a tree. */
+        /** See RowPairs.keepTouching. The member is a tree. */
         public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             var rowAt:Vector.<int> = bins.rowAt;
@@ -87,9 +87,10 @@ package starlogo.search
         }
 
         /**
-         * As RowPairs.areTouching.
+         * See RowPairs.areTouching.
          *
-         * @param byLeaves whether the leaves of two trees decide in place of triangles: they find all that triangles find, in a tenth of the time
+         * @param byLeaves whether the leaves of two trees are tested instead of triangles. They find every touch that triangles find, in a tenth
+         *     of the time
          */
         public function areTouching(table:AgentTable, a:int, b:int, byLeaves:Boolean = false):Boolean
         {
@@ -103,7 +104,7 @@ package starlogo.search
                     table.placementOf(b, _placementB), depthOf(table, b), areExact(shapeB, byLeaves));
         }
 
-        /** As RowPairs.findTime. */
+        /** See RowPairs.findTime. */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             _tests++;
@@ -112,7 +113,7 @@ package starlogo.search
             motion.time = _motion.time;
         }
 
-        /** As RowPairs.findContact. */
+        /** See RowPairs.findContact. */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             setMovingPair(table, a, b, motion, table.forms[a] != ModelShape.TREE, false);
@@ -123,7 +124,7 @@ package starlogo.search
             }
         }
 
-        /** As RowPairs.findImpact; <code>byLeaves</code> as in areTouching. */
+        /** See RowPairs.findImpact. For <code>byLeaves</code> see areTouching. */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint, byLeaves:Boolean = false):void
         {
             _tests++;
@@ -136,7 +137,7 @@ package starlogo.search
             }
         }
 
-        /** As RowPairs.findOuterContact. */
+        /** See RowPairs.findOuterContact. */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
             _pair.findOuterContact(table.shapes[a].structure, table.placementOf(a, _placementA), table.shapes[b].structure,
@@ -144,10 +145,10 @@ package starlogo.search
         }
 
         /**
-         * Finds how far two rows are apart, of which the first is a tree, and not the second of a pair in order (RowPairs.isSecondFirst).
+         * Finds the distance between two rows. The first one is a tree, and RowPairs.isSecondFirst is false for the two.
          *
-         * @param areTouching whether they touch
-         * @param out takes it, in the world
+         * @param areTouching whether the two touch
+         * @param out receives the distance and the closest points, in the world
          */
         public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
         {
@@ -155,21 +156,21 @@ package starlogo.search
             _pair.findClosest(areTouching, out);
         }
 
-        /** How many levels are visited of a row's tree. */
+        /** The number of levels that a test visits in a row's tree. */
         public function depthOf(table:AgentTable, row:int):int
         {
             var depth:int = table.depths[row] == 0 ? maxDepth : table.depths[row];
             return exact || depth > HierarchyNode.LARGEST_DEPTH ? HierarchyNode.LARGEST_DEPTH : depth;
         }
 
-        /** Begins to count the tests of a search. */
+        /** Sets all counts to 0. */
         public function resetCounts():void
         {
             _tests = 0;
             _pair.resetCounts();
         }
 
-        /** Writes how many tests were made since <code>resetCounts()</code>. */
+        /** Writes the numbers of tests since <code>resetCounts()</code>. */
         public function writeCounts(out:SearchCounts):void
         {
             out.hierarchyTests = _tests;
@@ -177,13 +178,13 @@ package starlogo.search
             out.triangleTests = _pair.triangleTests;
         }
 
-        // Whether triangles decide about a tree and the second of a pair.
+        // Whether triangles decide about a tree and the second row of a pair.
         private function areExact(shapeB:ModelShape, byLeaves:Boolean):Boolean
         {
             return exact && !byLeaves && (shapeB.hierarchy != null || shapeB.meetsTriangles);
         }
 
-        // Sets two rows in this order or the other, and the motion of the first of them.
+        // Sets the two rows in this order or the opposite order, and the motion of the row that is then first.
         private function setMovingPair(table:AgentTable, a:int, b:int, motion:RelativeMotion, isTurned:Boolean, byLeaves:Boolean):void
         {
             _motion = motion;
@@ -195,7 +196,7 @@ package starlogo.search
             setPair(table, isTurned ? b : a, isTurned ? a : b, byLeaves);
         }
 
-        // Sets two rows of which the first is a tree.
+        // Sets two rows. The first one is a tree.
         private function setPair(table:AgentTable, a:int, b:int, byLeaves:Boolean):void
         {
             var shapeB:ModelShape = table.shapes[b];

@@ -7,15 +7,13 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Every agent is the hierarchy of its model (thesis §4).
+     * The shape of every agent is its model's hierarchy (thesis §4).
      *
      * @private
      */
     public final class Trees extends ShapeChoice
     {
-        /**
-         * @param greatLand has the hierarchies
-         */
+        /** @param greatLand the models' hierarchies */
         public function Trees(greatLand:GreatLand)
         {
             super(greatLand);
@@ -32,7 +30,7 @@ package starlogo.search
         {
             if (!greatLand.hierarchies.has(shape.model))
             {
-                throw new ArgumentError(agent + ": its model was added while loadHierarchies was off; set it, and add the model again");
+                throw new ArgumentError(agent + ": its model was added while loadHierarchies was false; set it to true, and add the model again");
             }
             shape.setTree(greatLand.hierarchies.hierarchy(shape.model));
         }

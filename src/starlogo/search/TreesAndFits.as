@@ -7,7 +7,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5).
+     * The shape of an agent is its model's hierarchy if its trait <code>hierarchical</code> is set, and else its model's tightest fit (thesis
+     * §5).
      *
      * @private
      */
@@ -16,9 +17,7 @@ package starlogo.search
         private var _trees:Trees;
         private var _fits:TightestFits;
 
-        /**
-         * @param greatLand has the hierarchies and the structures
-         */
+        /** @param greatLand the models' hierarchies and structures */
         public function TreesAndFits(greatLand:GreatLand)
         {
             super(greatLand);

@@ -9,15 +9,13 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Every agent is a sphere of its size, whatever its model (thesis §2.2).
+     * The shape of every agent is a sphere of the agent's size, whatever its model is (thesis §2.2).
      *
      * @private
      */
     public final class UnitSpheres extends ShapeChoice
     {
-        /**
-         * @param greatLand says which models there are; null if any name will do
-         */
+        /** @param greatLand the models that agents may have; null to allow any name */
         public function UnitSpheres(greatLand:GreatLand)
         {
             super(greatLand, false);

@@ -1,9 +1,10 @@
 package starlogo.search
 {
     /**
-     * What errors call a thing that may be of any class: where there are no types, in the ES module, which has its own of these.
+     * The text that an error message uses for an object of any class. JavaScript callers can pass such objects, because they have no types. The
+     * ES module has its own version of this function.
      *
-     * @param wanted what the thing has to be: "an Agent", say
+     * @param wanted the type that was expected, for example "an Agent"
      *
      * @private
      */

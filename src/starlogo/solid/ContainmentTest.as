@@ -13,42 +13,42 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides whether a part of one model is inside of another one's closed surface, where their surfaces do not meet: then a
-     * point of the part decides. A model that is not closed has no inside.
+     * Decides whether a part of one model is inside of the other model's closed surface. It is asked only if the two surfaces do not touch,
+     * so one point of the part decides. A model that is not closed has no inside.
      *
-     * <p>It is asked whenever two agents are close and do not meet, so it must mostly be done after a few products: a part
-     * that is inside has its outermost points inside of the box around the other model. A ray is cast for what is left.</p>
+     * <p>It is asked for all agents that are close but do not touch, so it must mostly end after a few products. If a part is inside, its
+     * outermost points are inside of the box around the other model. A ray is cast only for parts that pass this test.</p>
      */
     internal final class ContainmentTest
     {
-        /** Whether the last point is in the space of the second model. */
+        /** Whether the point found last is in the second model's space. */
         public var isPointOfSecond:Boolean = false;
 
         private var _pose:RelativePose;
         private var _point:Vector3D = new Vector3D();
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are asked about
+         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
          */
         public function ContainmentTest(pose:RelativePose)
         {
             _pose = pose;
         }
 
-        /** The point that was inside, where the last answer is that something is: in the space of the model around it. */
+        /** The point that was found inside, if the last answer was true. It is in the space of the model around it. */
         public function get innerPoint():Vector3D
         {
             return _point;
         }
 
-        /** Whether a part of one model is inside of the other; false if one has no triangles. */
+        /** Whether a part of one model is inside of the other. False if one of them has no triangles. */
         public function isOneInside(a:SolidHierarchy, b:SolidHierarchy):Boolean
         {
             if (!a.hasTriangles || !b.hasTriangles)
             {
                 return false;
             }
-            // a getter is a call, and every pair that does not meet comes here
+            // A getter is a call, and every pair that does not touch comes here.
             var solidA:Solid = a.prepared == null ? a.solid : a.prepared;
             var solidB:Solid = b.prepared == null ? b.solid : b.prepared;
             var rootA:HierarchyNode = a.root;
@@ -59,7 +59,7 @@ package starlogo.solid
         }
 
         /**
-         * Whether a structure is inside of a model, whose surface it does not meet: a point of it decides.
+         * Whether a structure is inside of a model. It must not touch the model's surface, so one point of it decides.
          *
          * @param structure in the model's space
          */
@@ -81,8 +81,9 @@ package starlogo.solid
             return outer.isInside(_point, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
         }
 
-        // Whether a part of one model is inside of the other: of the second in the first, or of the first in the second. The numbers take a point
-        // of the inner model into the space of the outer one, relative to the middle of its root's box.
+        // Whether a part of the inner model is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise the
+        // second one. The numbers transform a point of the inner model into the outer model's space, relative to the middle of its root's
+        // box.
         private function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, isOfFirst:Boolean):Boolean
         {
             var relative:Placement = _pose.placement;

@@ -1,7 +1,7 @@
 package starlogo.solid
 {
     /**
-     * Things, by number, that are joined to sets: union-find with path halving (Tarjan and van Leeuwen, "Worst-case analysis of set union
+     * Disjoint sets of numbered elements: union-find with path halving (Tarjan and van Leeuwen, "Worst-case analysis of set union
      * algorithms", Journal of the ACM 31(2), 1984).
      */
     internal final class DisjointSets
@@ -9,9 +9,9 @@ package starlogo.solid
         private var _parents:Vector.<int>;
 
         /**
-         * Each thing is a set by itself.
+         * Each element starts as a set of its own.
          *
-         * @param count how many things there are
+         * @param count the number of elements
          */
         public function DisjointSets(count:int)
         {
@@ -22,14 +22,14 @@ package starlogo.solid
             }
         }
 
-        /** The representative of a thing's set; it may change when the set is joined to another. */
+        /** The representative of an element's set. It may change when the set is joined to another one. */
         public function rootOf(thing:int):int
         {
             var parents:Vector.<int> = _parents;
             var parent:int = parents[thing];
             while (parent != thing)
             {
-                // shortens the path for the next call
+                // This shortens the path for the next call.
                 var above:int = parents[parent];
                 parents[thing] = above;
                 thing = above;
@@ -38,7 +38,7 @@ package starlogo.solid
             return thing;
         }
 
-        /** Joins two sets: the representative of the first is then that of both. */
+        /** Joins two sets. The first set's representative becomes that of both. */
         public function join(a:int, b:int):void
         {
             _parents[rootOf(b)] = rootOf(a);

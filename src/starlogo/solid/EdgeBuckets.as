@@ -1,8 +1,9 @@
 package starlogo.solid
 {
     /**
-     * The edges of triangles, in buckets: those between the same two vertices are in the same one. The player's own sort is what brings
-     * them together fastest, but it sorts all that it is given at once; a bucket takes it a millisecond, unless edges crowd at a few vertices.
+     * Sorts the edges of triangles into buckets, so that edges between the same two vertices are in the same bucket. The player's own sort
+     * would bring these edges together fastest, but it sorts all edges in one call. A bucket takes it about a millisecond, unless very many
+     * edges meet at a few vertices.
      */
     internal final class EdgeBuckets
     {
@@ -11,13 +12,14 @@ package starlogo.solid
         private var _vertexCount:Number;
         private var _bucketsPerVertex:Number;
 
-        // Of each bucket's edges the number of the two vertices' pair, and which edge it is, inverted from the higher to the lower.
+        // For each bucket's edges, the number of the pair of vertices, and the edge's number. An edge from the higher vertex to the lower
+        // has its number inverted (~).
         private var _pairs:Vector.<Array>;
         private var _edges:Vector.<Array>;
 
         /**
-         * @param vertexCount how many vertices there are
-         * @param edgeCount about how many edges there will be
+         * @param vertexCount the number of vertices
+         * @param edgeCount the approximate number of edges
          */
         public function EdgeBuckets(vertexCount:int, edgeCount:int)
         {
@@ -33,7 +35,7 @@ package starlogo.solid
             }
         }
 
-        /** How many buckets there are. */
+        /** The number of buckets. */
         public function get length():int
         {
             return _pairs.length;
@@ -44,7 +46,7 @@ package starlogo.solid
          *
          * @param edge its number, not negative
          * @param from the number of the vertex where it begins
-         * @param to that of the one where it ends, another one
+         * @param to the number of the vertex where it ends; must differ from <code>from</code>
          */
         public function add(edge:int, from:int, to:int):void
         {
@@ -56,7 +58,7 @@ package starlogo.solid
                 high = from;
                 edge = ~edge;
             }
-            // the product is less than the number of buckets by more than it is rounded
+            // The product stays below the number of buckets in spite of rounding.
             var bucket:int = low * _bucketsPerVertex;
             _pairs[bucket].push(low * _vertexCount + high);
             _edges[bucket].push(edge);
@@ -68,19 +70,19 @@ package starlogo.solid
             return edge < 0 ? ~edge : edge;
         }
 
-        /** For each edge of a bucket the number of its two vertices' pair. */
+        /** The pairs' numbers, for each edge of a bucket. */
         public function pairsOf(bucket:int):Array
         {
             return _pairs[bucket];
         }
 
-        /** Which edges a bucket has: their numbers, inverted (~) for those from the higher vertex to the lower. */
+        /** The edges of a bucket: their numbers, inverted (~) for edges from the higher vertex to the lower. */
         public function edgesOf(bucket:int):Array
         {
             return _edges[bucket];
         }
 
-        /** The places of a bucket's edges in an order in which those of a pair are side by side. */
+        /** The indices of a bucket's edges, ordered so that edges of the same pair are side by side. */
         public function orderOf(bucket:int):Array
         {
             return _pairs[bucket].sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);

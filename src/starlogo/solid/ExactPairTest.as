@@ -8,7 +8,7 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** Decides by the models' triangles where their hierarchies leave it open: whether those of two leaves touch. */
+    /** Decides by triangles whether two leaves touch, for models that stand still. */
     internal final class ExactPairTest extends TrianglePairTest
     {
         private var _closest:ClosestTriangles = new ClosestTriangles();
@@ -35,7 +35,7 @@ package starlogo.solid
             return false;
         }
 
-        // Whether a triangle of the second model touches one of a leaf of the first.
+        // Whether a triangle of the second model touches a triangle in a leaf of the first.
         private function touchesSome(triangle:int, a:HierarchyNode):Boolean
         {
             var at:int = 6 * triangle;
@@ -71,7 +71,7 @@ package starlogo.solid
                 }
                 triangleTests++;
 
-                // on one side of its plane, as most are
+                // Most triangles are on one side of the other's plane.
                 at = 5 * i;
                 var nx:Number = planes[at];
                 var ny:Number = planes[int(at + 1)];

@@ -6,13 +6,15 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** The triangles of a leaf of the second of two models in the space of the first: moved anew only if another leaf is asked about. */
+    /**
+     * The triangles of one leaf of the second model, in the first model's space. They are computed again only if another leaf is asked for.
+     */
     internal final class MovedTriangles
     {
-        /** Their corners, nine numbers each. */
+        /** The triangles' corners, nine numbers each. */
         public var corners:Vector.<Number> = new Vector.<Number>();
 
-        /** The extents of each: minX, minY, minZ, maxX, maxY, maxZ. */
+        /** The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. */
         public var extents:Vector.<Number> = new Vector.<Number>();
 
         private var _pose:RelativePose;
@@ -20,21 +22,21 @@ package starlogo.solid
         private var _first:int;
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are asked about
+         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
          */
         public function MovedTriangles(pose:RelativePose)
         {
             _pose = pose;
         }
 
-        /** Begins with a second model: the corners of its triangles. */
+        /** Begins with a second model, given by the corners of its triangles. */
         public function begin(points:Vector.<Number>):void
         {
             _points = points;
             _first = -1;
         }
 
-        /** Moves the triangles of a leaf. */
+        /** Computes the triangles of a leaf. */
         public function move(leaf:HierarchyNode):void
         {
             if (leaf.first == _first)

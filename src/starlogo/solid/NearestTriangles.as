@@ -8,37 +8,36 @@ package starlogo.solid
 
     use namespace engine;
 
-    /**
-     * Finds how far the triangles in leaves are apart. Only those pairs are measured whose extents are nearer than the nearest pair so far.
-     */
+    /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
     internal final class NearestTriangles extends LeafDistance
     {
         private static const POINT:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** Pairs of triangles that were measured; set to 0 from outside. */
+        /** The number of pairs of triangles measured. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
-        /** Has the points of the nearest pair, in the space of the first model. */
+        /** Contains the closest points of the nearest pair, in the first model's space. */
         public var nearest:ClosestTriangles = new ClosestTriangles();
 
         private var _solid:Solid;
         private var _moved:MovedTriangles;
 
-        // From the first model's point to the second's of the nearest pair; up to where along that a triangle of the first is not nearer.
+        // The vector from the first model's point to the second's in the nearest pair, and the place along it beyond which a triangle of
+        // the first model may be nearer.
         private var _alongX:Number;
         private var _alongY:Number;
         private var _alongZ:Number;
         private var _begin:Number;
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are asked about
+         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
          */
         public function NearestTriangles(pose:RelativePose)
         {
             _moved = new MovedTriangles(pose);
         }
 
-        /** Begins anew, with two models that the pose relates; null for the second if it is a point at the origin of its space. */
+        /** Begins with two models. The pose must relate them already. */
         public function begin(a:Solid, b:Solid):void
         {
             _solid = a;
@@ -62,7 +61,7 @@ package starlogo.solid
             z = nearest.points.bZ - nearest.points.aZ;
         }
 
-        // A triangle of the second model with each of a leaf of the first.
+        // Adds each triangle of a leaf of the first model, paired with a triangle of the second.
         private function addTriangle(a:HierarchyNode, triangle:int):void
         {
             var corners:Vector.<Number> = _moved.corners;
@@ -129,7 +128,7 @@ package starlogo.solid
             }
         }
 
-        // Measures a triangle of the second model along the line between the nearest points so far.
+        // Measures a triangle of the second model along the line between the closest points so far.
         private function turnTo(corners:Vector.<Number>, at:int):void
         {
             var alongX:Number = nearest.points.bX - nearest.points.aX;
@@ -140,14 +139,14 @@ package starlogo.solid
             var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];
             p = p < q ? p : q;
             p = p < r ? p : r;
-            // the nearest pair is as far apart along it as it is long
+            // The projections are scaled by the vector's length, so the nearest pair's distance becomes its square.
             _begin = p - nearest.squared;
             _alongX = alongX;
             _alongY = alongY;
             _alongZ = alongZ;
         }
 
-        // Whether a triangle of the first model is not nearer to that one along the line than the nearest pair is.
+        // Whether a triangle of the first model is so far away along the line that the pair cannot be nearer than the nearest one.
         private function isBeyond(corners:Vector.<Number>, at:int):Boolean
         {
             var alongX:Number = _alongX;

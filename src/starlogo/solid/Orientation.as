@@ -3,31 +3,32 @@ package starlogo.solid
     import starlogo.steps.Steps;
 
     /**
-     * Orients the triangles of a closed surface alike where some were turned round by mistake: from triangle to triangle over the edges that just
-     * two share. A connected part keeps the side that most of its triangles have for the front, or, if it is a draw, faces outwards.
+     * Finds which triangles of a closed surface must be reversed so that all have the same orientation. It goes from triangle to triangle
+     * over the edges that exactly two triangles share. Each connected part keeps the orientation of most of its triangles. If both are
+     * equally frequent, its triangles face outwards.
      */
     internal final class Orientation implements Steps
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        /** For each triangle, whether it must be turned round, when no step is left; null if the surface cannot be oriented. */
+        /** For each triangle, whether it must be reversed. Valid after the last step. Null if the surface cannot be oriented. */
         public var isTurned:Vector.<Boolean>;
 
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // Three a triangle: the neighbour over each edge, counted from 1, or 0, and whether one of the two must be turned.
+        // For each edge of each triangle: the neighbour over it, counted from 1, or 0; and whether exactly one of the two must be reversed.
         private var _neighbours:Vector.<int>;
         private var _differs:Vector.<Boolean>;
         private var _isKnown:Vector.<Boolean>;
         private var _first:int = 0;
 
-        // Those connected so far, which is also the queue of those to go on from.
+        // The triangles connected so far. It is also the queue of triangles to visit.
         private var _part:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
 
         /**
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param triangles three vertex indices each
          */
         public function Orientation(vertices:Vector.<Number>, triangles:Vector.<uint>)
@@ -37,10 +38,10 @@ package starlogo.solid
         }
 
         /**
-         * Says that two triangles share an edge with no other.
+         * Connects two triangles that share an edge with no other triangle.
          *
-         * @param a three times the number of the first, plus that of its edge, from 0
-         * @param b the same of the second
+         * @param a three times the first triangle's index, plus its edge's, from 0
+         * @param b three times the second triangle's index, plus its edge's, from 0
          * @param differs whether both run along the edge in the same direction
          */
         public function connect(a:int, b:int, differs:Boolean):void
@@ -103,14 +104,14 @@ package starlogo.solid
                 }
                 else if (isTurned[neighbour] != mustTurn)
                 {
-                    // one-sided, like Klein's bottle
+                    // The surface is one-sided, like Klein's bottle.
                     isTurned = null;
                     return;
                 }
             }
         }
 
-        // Turns the other triangles of a part instead if they are fewer.
+        // Reverses the other triangles of a part instead if they are fewer.
         private function turnPart():void
         {
             var turned:int = 0;
@@ -127,7 +128,7 @@ package starlogo.solid
             }
         }
 
-        // Six times the volume, of which the sign counts.
+        // Six times the volume. Only its sign is used.
         private function volumeOfPart():Number
         {
             var sum:Number = 0;

@@ -1,16 +1,16 @@
 package starlogo.solid
 {
-    /** Finds the outermost points of the parts of a Solid, and how long the smallest part is. */
+    /** Finds the outermost points of a Solid's parts, and the extent of the smallest part. */
     internal final class PartExtremes
     {
         private var _solid:Solid;
 
-        // By the number of a part: where its points are; -1 while it has none.
+        // For each part, the index of its points, or -1 if it has none yet.
         private var _pointsAt:Vector.<int>;
 
         /**
-         * @param solid has the corners and extents of the triangles; takes the points
-         * @param count the parts' numbers are less than this
+         * @param solid has the corners and extents of the triangles; receives the points
+         * @param count greater than any part's number
          */
         public function PartExtremes(solid:Solid, count:int)
         {
@@ -38,7 +38,7 @@ package starlogo.solid
             }
         }
 
-        /** Measures the parts, when all triangles were added. */
+        /** Computes the smallest extent. Must be called after all triangles were added. */
         public function finish():void
         {
             var points:Vector.<Number> = _solid.partPoints;
@@ -59,7 +59,7 @@ package starlogo.solid
             }
         }
 
-        // Whether a triangle is farther out than all of its part so far.
+        // Whether a triangle extends beyond all earlier triangles of its part.
         private function reachesOut(at:int, from:int):Boolean
         {
             var points:Vector.<Number> = _solid.partPoints;

@@ -10,17 +10,17 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Finds the parts of a surface, in steps: pieces that touch are one part.
+     * Finds the parts of a surface, in steps. Pieces that touch are one part.
      *
-     * <p>A figure is often put together of pieces that run into each other. They are inside of another model together or not at
-     * all: the fewer parts, the fewer points have to be looked at for each pair of agents. The tree is compared with itself.</p>
+     * <p>A figure often consists of pieces that overlap. They are inside of another model together or not at all. So fewer parts mean fewer
+     * points to test for each pair of agents. The tree is compared with itself.</p>
      */
     internal final class PartFinder extends StepSequence
     {
         private static const PAIRS_PER_STEP:int = 800;
         private static const RUNS_PER_STEP:int = 5000;
 
-        // Of triangles that may touch. Beyond that, pieces are left apart: the answers are the same.
+        // The most pairs of triangles to compare. After that, remaining pieces stay separate parts, and the answers are the same.
         private static const MOST_PAIRS:int = 100000;
 
         private var _solid:Solid;
@@ -30,20 +30,20 @@ package starlogo.solid
         private var _closest:ClosestTriangles = new ClosestTriangles();
         private var _pairs:int = 0;
 
-        // The pieces that are one part, how many parts are left, and pairs of nodes whose pieces have not been compared.
+        // The pieces that are one part, the number of parts left, and the pairs of nodes still to compare.
         private var _sets:DisjointSets;
         private var _partCount:int;
         private var _stack:Vector.<HierarchyNode>;
 
-        // For each triangle in order, the next one of another piece.
+        // For each triangle in the order, the index of the next one of another piece.
         private var _runEnds:Vector.<int>;
         private var _runEnd:int;
 
         /**
          * @param root the node around all triangles
          * @param solid has their corners and extents
-         * @param surface has their pieces; the parts take their place when no step is left
-         * @param order the numbers of the triangles as the hierarchy has them
+         * @param surface has their pieces; after the last step, it has the parts instead
+         * @param order the triangles' indices in the hierarchy's order
          */
         public function PartFinder(root:HierarchyNode, solid:Solid, surface:Surface, order:Vector.<int>)
         {
@@ -60,7 +60,7 @@ package starlogo.solid
             slices(order.length, RUNS_PER_STEP, findRuns).repeat(compareSome).call(numberParts);
         }
 
-        // The number of the part of a triangle, by its index in the hierarchy's order: that of one of its pieces.
+        // The part of a triangle, given by its index in the hierarchy's order. A part has the number of one of its pieces.
         private function partOf(triangle:int):int
         {
             return _sets.rootOf(_surface.parts[_order[triangle]]);
@@ -90,7 +90,7 @@ package starlogo.solid
             return _pairs < MOST_PAIRS && _stack.length > 0 && _partCount > 1;
         }
 
-        // Whether the pieces of two nodes are of one part already: then they need not be compared.
+        // Whether the pieces of two nodes are one part already. Then they need not be compared.
         private function areOnePart(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             var part:int = partOf(a.first);
@@ -177,7 +177,7 @@ package starlogo.solid
             }
         }
 
-        // From the last triangle down.
+        // Goes from the last triangle to the first.
         private function findRuns(first:int, end:int):void
         {
             var last:int = _order.length - 1;

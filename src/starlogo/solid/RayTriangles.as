@@ -7,34 +7,37 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** Finds the first triangle of a model that a ray meets: by its hierarchy's boxes, the nearer of two children first. */
+    /**
+     * Finds the first triangle of a model that a ray meets. It uses the boxes of the model's hierarchy, the nearer of two children first.
+     */
     internal final class RayTriangles
     {
         private var _triangles:TriangleRay = new TriangleRay();
 
-        // Nodes that are to be visited yet, and where the ray enters them.
+        // The nodes still to visit, and where the ray enters them.
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _enters:Vector.<Number> = new Vector.<Number>();
 
-        /** Nothing found yet. */
+        /** Creates a finder that has found nothing yet. */
         public function RayTriangles()
         {
         }
 
-        /** Where the ray meets the triangle that was found. */
+        /** The place on the ray where it meets the triangle found. */
         public function get at():Number
         {
             return _triangles.at;
         }
 
         /**
-         * Finds the triangle. A node's children are entered where the last pair of their faces is, in this order: along x, y, z for the one, then for
-         * the other. Where a component of the direction is 0, what is on a face is NaN, and decides nothing.
+         * Finds the triangle. The ray enters a child where it crosses the last of the three faces towards it, along x, y and z. The code
+         * does this for one child and then for the other. If a component of the direction is 0, a ray in a face's plane gives NaN, which
+         * decides nothing.
          *
          * @param root the node around all triangles
-         * @param corners of the triangles
-         * @param ray in their space
-         * @return its number in the hierarchy's order, or -1
+         * @param corners the triangles' corners
+         * @param ray in the triangles' space
+         * @return the triangle's index in the hierarchy's order, or -1
          */
         public function find(root:HierarchyNode, corners:Vector.<Number>, ray:Ray):int
         {
@@ -47,7 +50,7 @@ package starlogo.solid
             var inverseX:Number = ray.directionX == 0 ? Infinity : 1 / ray.directionX;
             var inverseY:Number = ray.directionY == 0 ? Infinity : 1 / ray.directionY;
             var inverseZ:Number = ray.directionZ == 0 ? Infinity : 1 / ray.directionZ;
-            // which of a box's faces the ray comes to last
+            // the side of a box on which the ray leaves it
             var sideX:Number = inverseX < 0 ? -1 : 1;
             var sideY:Number = inverseY < 0 ? -1 : 1;
             var sideZ:Number = inverseZ < 0 ? -1 : 1;
@@ -146,7 +149,7 @@ package starlogo.solid
             return -1;
         }
 
-        // The radius of a sphere about the model's origin around all: rounding goes with that.
+        // The radius of a sphere about the model's origin that encloses all triangles. The rounding error is relative to it.
         private static function reachOf(root:HierarchyNode):Number
         {
             var reach:Number = Math.max(Math.abs(root.x) + root.halfX, Math.abs(root.y) + root.halfY);

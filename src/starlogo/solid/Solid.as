@@ -9,55 +9,55 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * A model's triangles where boxes do not suffice: their corners, and what is inside of the surface that they make. Made by
-     * a SolidBuilder. The triangles are in the order of the hierarchy.
+     * A model's triangles, for exact tests: their corners, and the inside of the surface that they make. A SolidBuilder makes it. The
+     * triangles are in the hierarchy's order.
      */
     internal final class Solid
     {
-        /** How many points of each part there are in partPoints. */
+        /** The number of points that partPoints has for each part. */
         public static const POINTS_PER_PART:int = 6;
 
-        /** Directions without a relation to the axes that models are built along: rays are cast along them, one after the other. */
+        /** The directions in which rays are cast, one after the other. They are unrelated to the axes along which models are built. */
         public static const RAYS:Vector.<Number> = new <Number>[
                 0.5391, 0.2718, 0.7972, -0.3473, 0.8651, 0.3618, 0.7113, -0.5897, -0.3826, -0.1937, -0.6329, 0.7496,
                 0.8839, 0.4421, -0.1527, -0.6681, 0.1172, -0.7348, 0.0931, -0.9217, -0.3765, -0.8263, -0.4402, 0.3511];
 
-        /** Three corners a triangle, x, y, z each. */
+        /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
 
-        /** Each triangle's extents: minX, minY, minZ, maxX, maxY, maxZ. */
+        /** The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. */
         public var extents:Vector.<Number>;
 
         /**
-         * Each triangle's plane: x, y, z of its unit normal, its distance from the origin along that, and how far the triangle's own corners are off it.
-         * The normal of one without area is 0, and its corners are infinitely far.
+         * The triangles' planes: x, y, z of the unit normal, the distance from the origin along the normal, and how far the triangle's own
+         * corners are off the plane. For a triangle without area the normal is 0 and the last number is infinite.
          */
         public var planes:Vector.<Number>;
 
-        /** Whether the surface closes, so that there is an inside. */
+        /** Whether the surface is closed, so that it has an inside. */
         public var isClosed:Boolean = false;
 
-        /** Whether the triangles are oriented alike. */
+        /** Whether all triangles have the same orientation. */
         public var isOriented:Boolean = false;
 
         /**
-         * Of each part of the surface the vertices that are farthest down and up x, y and z. A part hangs together, or its
-         * pieces touch each other: away from another surface it is inside or outside as a whole.
+         * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected, or its pieces touch
+         * each other. So a part that does not touch another surface is inside or outside of it as a whole.
          */
         public var partPoints:Vector.<Number> = new Vector.<Number>();
 
-        /** The longest extent along an axis of that part where it is least. */
+        /** The extent of the smallest part: the longest of its three extents. */
         public var leastPartExtent:Number = Infinity;
 
-        /** How wide the gaps of the surface's seams are at most. */
+        /** The widest gap in the surface's seams. */
         public var widestSeam:Number = 0;
 
-        // What crossingOf returns for a ray that comes close to an edge, or begins close to the triangle.
+        // The result of crossingOf for a ray that comes close to an edge, or begins close to the triangle.
         private static const UNCLEAR:int = 2;
 
         private var _root:HierarchyNode;
 
-        // Where the ray that is cast begins, and its direction.
+        // The origin and the direction of the current ray.
         private var _x:Number;
         private var _y:Number;
         private var _z:Number;
@@ -69,7 +69,7 @@ package starlogo.solid
 
         /**
          * @param root the node around all triangles
-         * @param count how many there are
+         * @param count the number of triangles
          */
         public function Solid(root:HierarchyNode, count:int)
         {
@@ -80,9 +80,9 @@ package starlogo.solid
         }
 
         /**
-         * Whether a point that is not on the surface is inside of it: the crossings of a ray that passes all edges at a
-         * distance; should every ray that is tried come close to one, the solid angles of all triangles added up. False
-         * where the surface is not closed.
+         * Whether a point is inside of the surface. The point must not be on it. False if the surface is not closed. A ray is cast from the
+         * point, and its crossings are counted. If every ray that is tried comes close to an edge, the solid angles of all triangles are
+         * added up instead.
          */
         public function isInside(point:Vector3D):Boolean
         {
@@ -103,7 +103,7 @@ package starlogo.solid
                 var dx:Number = RAYS[i];
                 var dy:Number = RAYS[int(i + 1)];
                 var dz:Number = RAYS[int(i + 2)];
-                // in the direction in which the box is left sooner
+                // Cast in the direction in which the box ends sooner.
                 var isBackward:Boolean = (x - _root.x) * dx + (y - _root.y) * dy + (z - _root.z) * dz < 0;
                 _directionX = isBackward ? -dx : dx;
                 _directionY = isBackward ? -dy : dy;
@@ -116,8 +116,8 @@ package starlogo.solid
             return Math.abs(windingAround(x, y, z)) > 0.5;
         }
 
-        // Counts how often the surface winds around the ray's beginning, or the parity of the crossings where it is not oriented; false if the
-        // ray comes close to an edge.
+        // Counts how often the surface winds around the ray's origin. For a surface that is not oriented, counts the parity of the
+        // crossings. Returns false if the ray comes close to an edge.
         private function countCrossings():Boolean
         {
             var winding:int = 0;
@@ -156,8 +156,8 @@ package starlogo.solid
             return true;
         }
 
-        // Separating axes: the ray's extents, and the three directions at right angles to the ray and an edge of the box. The box is wider by a
-        // seam: a ray through its gap comes close to an edge.
+        // Tests separating axes: the box's axes, and the three directions perpendicular to the ray and an edge of the box. The box is
+        // enlarged by a seam, because a ray through a seam's gap comes close to an edge.
         private function meetsBox(node:HierarchyNode):Boolean
         {
             var dx:Number = _directionX;
@@ -196,8 +196,9 @@ package starlogo.solid
             return aside <= reach && aside >= -reach;
         }
 
-        // 1 where the ray leaves through the triangle's front, -1 where it enters; UNCLEAR where it comes close to an edge, or
-        // begins close to the triangle. The triple products have the signs of the sides on which the ray passes the edges.
+        // Returns 1 if the ray leaves through the triangle's front, -1 if it enters, 0 if it does not cross the triangle, and UNCLEAR if it
+        // comes close to an edge or begins close to the triangle. The signs of the triple products say on which side the ray passes the
+        // edges.
         private function crossingOf(at:int):int
         {
             var x:Number = _x;
@@ -219,7 +220,7 @@ package starlogo.solid
             var u:Number = dx * (qy * rz - qz * ry) + dy * (qz * rx - qx * rz) + dz * (qx * ry - qy * rx);
             var v:Number = dx * (ry * pz - rz * py) + dy * (rz * px - rx * pz) + dz * (rx * py - ry * px);
             var w:Number = dx * (py * qz - pz * qy) + dy * (pz * qx - px * qz) + dz * (px * qy - py * qx);
-            // a seam's gap is passed by as well
+            // The ray must also stay away from a seam's gap.
             var radius:Number = _root.radius;
             var near:Number = Tolerances.GRAZING * radius;
             if (near < 2 * widestSeam)

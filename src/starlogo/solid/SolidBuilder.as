@@ -9,9 +9,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Prepares what exact tests and tests for insides need of a hierarchy's triangles, in steps: nodes down to a few of them, their corners in
-     * the hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in. What is known of the surface
-     * spares most of the work.
+     * Prepares a hierarchy's triangles for exact tests, in steps: nodes down to a few triangles, their corners in the hierarchy's order,
+     * the surface that they make, and the outermost points of its parts. If the surface is known already, most of the work is not needed.
      */
     internal final class SolidBuilder extends StepSequence
     {
@@ -24,7 +23,7 @@ package starlogo.solid
         private var _extremes:PartExtremes;
 
         /**
-         * @param hierarchy of triangles; gets the solid, and what was found out of the surface
+         * @param hierarchy of triangles; receives the solid and the surface
          */
         public function SolidBuilder(hierarchy:SolidHierarchy)
         {

@@ -8,27 +8,27 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * A model's hierarchy with the solid that its triangles make. For the engine.
+     * A model's hierarchy, together with the solid that its triangles make. For the engine.
      *
      * @private
      */
     public final class SolidHierarchy extends Hierarchy
     {
-        /** @private What is known of the surface; null for nothing. */
+        /** @private The surface, or null if nothing is known of it. */
         engine var surface:Surface = null;
 
-        /** What <code>solid</code> returns; null until it is prepared. */
+        /** The value of <code>solid</code>, or null if it is not prepared yet. */
         internal var prepared:Solid = null;
 
-        /** Made by a SolidHierarchyBuilder. */
+        /** Not to be called: a SolidHierarchyBuilder makes it. */
         public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int)
         {
             super(vertices, triangles, boundsKind);
         }
 
         /**
-         * The triangles as exact tests and tests for insides need them. Where the builder has not prepared them, the first call
-         * does: that takes tens of milliseconds for thousands of triangles. Only where there are triangles.
+         * The triangles as exact tests need them. If the builder has not prepared them, the first call does, which takes tens of
+         * milliseconds for thousands of triangles. Only for models with triangles.
          */
         internal function get solid():Solid
         {
@@ -39,7 +39,9 @@ package starlogo.solid
             return prepared;
         }
 
-        /** Whether a ball is inside that does not meet the surface. False where there are no triangles, or the surface is not closed. */
+        /**
+         * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if the surface is not closed.
+         */
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {
             return hasTriangles && Math.abs(middle.x - root.x) <= root.halfX - radius && Math.abs(middle.y - root.y) <= root.halfY - radius
@@ -52,7 +54,7 @@ package starlogo.solid
             return solid.corners;
         }
 
-        /** @private Sees to it that what exact tests need of the triangles is there. */
+        /** @private Prepares the triangles for exact tests if they are not prepared yet. */
         engine function prepare():void
         {
             if (hasTriangles && prepared == null)
@@ -61,7 +63,7 @@ package starlogo.solid
             }
         }
 
-        /** @private Whether what exact tests need of the triangles is there. */
+        /** @private Whether the triangles are prepared for exact tests. */
         engine function get isPrepared():Boolean
         {
             return prepared != null;

@@ -10,8 +10,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Builds a model's hierarchy in steps, and what exact tests need of its triangles if that is wanted at once. For the engine; a client
-     * has the HierarchiesLibrary.
+     * Builds a model's hierarchy in steps, and on request prepares its triangles for exact tests. For the engine. Clients use the
+     * HierarchiesLibrary.
      *
      * @private
      */
@@ -22,15 +22,15 @@ package starlogo.solid
         private var _isDone:Boolean = false;
 
         /**
-         * A hierarchy that is not begun.
+         * Creates a builder that has not begun yet.
          *
-         * @param vertices x, y, z each; kept, not copied
+         * @param vertices x, y, z of each; kept, not copied
          * @param triangles three vertex indices each; null if the vertices are the items; kept, not copied
-         * @param boundsKind which structures the nodes have
-         * @param minVerticesToSplit a node of no more vertices is a leaf
+         * @param boundsKind the kind of the nodes' structures
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean
-         * @param preparesExact whether to prepare what exact tests and rays need of triangles, rather than leave it to the first of them
+         * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
         public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int, minVerticesToSplit:int,
                 maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
@@ -45,10 +45,11 @@ package starlogo.solid
         }
 
         /**
-         * Spares most of the work. To be called before the first step. Items that the tree does not divide are divided anyhow.
+         * Uses stored results, which saves most of the work. Must be called before the first step. If the tree does not fit these items,
+         * they are divided as usual.
          *
-         * @param tree how the items were divided, not begun
-         * @param surface what is known of the surface; null for nothing
+         * @param tree how the items were divided; not begun yet
+         * @param surface null if nothing is known of it
          */
         public function useStored(tree:StoredTree, surface:Surface):void
         {
@@ -67,7 +68,7 @@ package starlogo.solid
             return !_isDone;
         }
 
-        /** The hierarchy, when no step is left. */
+        /** The hierarchy. It is complete after the last step. */
         public function get hierarchy():SolidHierarchy
         {
             return _hierarchy;
@@ -79,7 +80,7 @@ package starlogo.solid
             return _isDone;
         }
 
-        /** The hierarchy; what is left to do of it is done now. */
+        /** The complete hierarchy. The first call does all remaining work. */
         public function get finished():SolidHierarchy
         {
             if (!_isDone)
@@ -89,7 +90,7 @@ package starlogo.solid
             return _hierarchy;
         }
 
-        /** Whether it makes what is known again, rather than divide the items: until that turns out not to be true. */
+        /** Whether the nodes come from the stored tree. It becomes false if the tree does not fit the items. */
         public function get isTaken():Boolean
         {
             return _builder.isStored;

@@ -8,11 +8,12 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a model: its hierarchy, visited to a depth, or its triangles; at once, where it begins inside of a closed surface.
+     * Finds where a ray first meets a model: its hierarchy, visited to a depth, or its triangles. A ray that begins inside of a closed
+     * surface meets the model at once.
      *
-     * <p>Answers are nested: no depth finds a hit that is farther away than that of a greater one, or than that of the triangles. What is inside is
-     * asked at every depth: the leaves hug the surface. Nothing is allocated once the stacks have grown and the model's triangles
-     * were prepared.</p>
+     * <p>The answers are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
+     * depth, because the leaves cover only the surface. Nothing is allocated once the stacks have grown and the model's triangles are
+     * prepared.</p>
      *
      * @private
      */
@@ -25,18 +26,18 @@ package starlogo.solid
         private var _triangles:RayTriangles = new RayTriangles();
         private var _start:Vector3D = new Vector3D();
 
-        /** Nothing found yet. */
+        /** Creates a finder that has found nothing yet. */
         public function SolidRay()
         {
         }
 
         /**
-         * Narrows a ray to what is behind its first hit.
+         * Narrows a ray to the part behind its first hit.
          *
-         * @param hierarchy the model's
-         * @param depth how many levels of it are visited
-         * @param exact whether depths do not count, and triangles decide where there are any, else the leaves
-         * @param ray in the model's space; its beginning becomes the hit, with the normal there: against the ray
+         * @param hierarchy the model's hierarchy
+         * @param depth how many of its levels are visited
+         * @param exact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
+         * @param ray in the model's space; its beginning becomes the hit, and its normal the one there, against the ray
          * @return whether there is a hit
          */
         public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean
@@ -71,7 +72,7 @@ package starlogo.solid
             var z:Number = solid.planes[int(plane + 2)];
             if (x == 0 && y == 0 && z == 0)
             {
-                // without area
+                // a triangle without area
                 ray.faceBack();
                 return true;
             }

@@ -14,7 +14,7 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box. */
+    /** Decides whether a triangle in a model's leaf touches a solid sphere, capsule or box. */
     internal class StructureTriangles extends LeafTest
     {
         protected var solid:Solid;
@@ -25,13 +25,13 @@ package starlogo.solid
         /** The structure's extents, wider by that: least x, greatest x, least y, ... */
         protected var extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The middles of the ends of a sphere or capsule, as a triangle.
+        // A sphere's centre or the ends of a capsule's axis, as a triangle.
         private var _core:Vector.<Number> = new Vector.<Number>(9, true);
         private var _closest:ClosestTriangles = new ClosestTriangles();
         private var _box:TriangleBox = new TriangleBox();
         private var _isBox:Boolean;
 
-        /** No model yet. */
+        /** Creates a test without a model. */
         public function StructureTriangles()
         {
         }
@@ -39,8 +39,9 @@ package starlogo.solid
         /**
          * Begins with a model that has triangles.
          *
-         * @param structure in the space of the model
-         * @param gap how far apart a triangle and the structure may be, beside the rounding of the model, and still touch
+         * @param model the model's hierarchy
+         * @param structure in the model's space
+         * @param gap the largest gap that still counts as touching, in addition to the model's rounding
          */
         public function begin(model:SolidHierarchy, structure:BoundingStructure, gap:Number):void
         {

@@ -3,50 +3,49 @@ package starlogo.solid
     import flash.utils.ByteArray;
 
     /**
-     * What a model's triangles are as a whole: whether they close, and how many parts they come in. A SurfaceBuilder and a PartFinder find it out;
-     * a cooked file has it written down.
+     * The properties of a model's surface as a whole: whether it is closed, and its parts. A SurfaceBuilder and a PartFinder compute them,
+     * and a cooked file stores them.
      *
      * @private
      */
     public final class Surface
     {
-        // Flags, how many parts there are, and the widest seam.
+        // The flags, the number of parts, and the widest seam.
         private static const HEAD_LENGTH:int = 16;
         private static const CLOSED:int = 1;
         private static const ORIENTED:int = 2;
         private static const TURNED:int = 4;
 
         /**
-         * Whether the surface separates an inside from the outside: along every edge as many triangles run in one
-         * direction as in the other, or, where they are not turned consistently, an even number of them meet. A surface
-         * may close in several pieces, which may run into each other.
+         * Whether the surface separates an inside from the outside. It does if along every edge as many triangles run in one direction as
+         * in the other. If the triangles are not oriented consistently, an even number of them must meet at every edge. A surface may
+         * consist of several closed pieces, which may overlap.
          */
         public var isClosed:Boolean = true;
 
         /**
-         * Whether it closes with its triangles turned consistently, once those that isTurned says are turned round. Then a
-         * point is inside where the surface winds around it; otherwise where a ray from it crosses the surface an odd number
-         * of times.
+         * Whether the surface is closed and its triangles are oriented consistently, after those in isTurned are reversed. If so, a point
+         * is inside if the surface winds around it. If not, a point is inside if a ray from it crosses the surface an odd number of times.
          */
         public var isOriented:Boolean = true;
 
-        /** For each triangle, whether it must be turned round for the surface to be oriented; null if none must. */
+        /** For each triangle, whether it must be reversed to orient the surface. Null if none must. */
         public var isTurned:Vector.<Boolean> = null;
 
-        /** The numbers of the parts are less than this. */
+        /** Greater than any part's number. */
         public var partCount:int = 0;
 
         /**
-         * For each triangle, the part that it is of. At first a part is a connected piece: pieces that touch but share no vertex are several. The
-         * PartFinder joins them.
+         * For each triangle, the number of its part. At first, each connected piece is a part. The PartFinder joins pieces that touch
+         * without sharing a vertex.
          */
         public var parts:Vector.<int>;
 
-        /** The largest distance of two corners that were taken for one. */
+        /** The largest distance of two corners that were welded. */
         public var widestSeam:Number = 0;
 
         /**
-         * @param triangleCount how many triangles it has
+         * @param triangleCount the number of triangles
          */
         public function Surface(triangleCount:int)
         {
@@ -54,10 +53,10 @@ package starlogo.solid
         }
 
         /**
-         * Reads what <code>writeTo()</code> wrote.
+         * Reads a surface that <code>writeTo()</code> wrote.
          *
          * @param bytes read from its position on
-         * @param triangleCount how many triangles the model has
+         * @param triangleCount the model's number of triangles
          * @return null if the bytes do not describe a surface of so many triangles
          */
         public static function read(bytes:ByteArray, triangleCount:int):Surface
@@ -77,7 +76,10 @@ package starlogo.solid
             return isSound ? surface : null;
         }
 
-        /** Writes it: flags, how many parts there are, the seam; runs of triangles of one part; a bit a triangle if some are turned. */
+        /**
+         * Writes the surface: the flags, the number of parts and the widest seam; runs of triangles with the same part; a bit for each
+         * triangle if some must be reversed.
+         */
         public function writeTo(out:ByteArray):void
         {
             out.writeInt((isClosed ? CLOSED : 0) | (isOriented ? ORIENTED : 0) | (isTurned == null ? 0 : TURNED));

@@ -3,33 +3,33 @@ package starlogo.solid
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds out what a model's triangles are as a whole, in steps: which vertices are at the same place, to within Tolerances.WELDING, which pieces
-     * the triangles hang together in, and how the edges between the same two places run. Costs sorting vertices and edges, and a few look-ups for
-     * each triangle.
+     * Computes a model's Surface, in steps: which vertices are at the same place, to within Tolerances.WELDING, which connected pieces the
+     * triangles form, and in which directions the triangles run along each edge. It costs a sort of the vertices and edges, and a few
+     * look-ups for each triangle.
      */
     internal final class SurfaceBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        /** What was found, when no step is left. */
+        /** The result. Complete after the last step. */
         public var surface:Surface;
 
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
         private var _hasArea:Boolean = false;
 
-        // The vertices that hang together; for the root of a set, 1 more than the number of its piece, or 0.
+        // The connected vertices. For the representative of a set, one more than its piece's number, or 0.
         private var _sets:DisjointSets;
         private var _numbers:Vector.<int>;
 
         private var _orientation:Orientation;
 
-        // Three for each triangle that has an area.
+        // Three edges for each triangle with an area.
         private var _edges:EdgeBuckets;
         private var _bucket:int = 0;
 
         /**
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          * @param triangles three vertex indices each
          */
         public function SurfaceBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>)
@@ -81,7 +81,7 @@ package starlogo.solid
             }
         }
 
-        // Whether the next bucket's edges between the same two vertices close the surface, and cancel out.
+        // Compares the edges of the next bucket: whether they close the surface, and whether they cancel.
         private function compareSome():Boolean
         {
             var isTurned:Vector.<Boolean> = surface.isTurned;
@@ -114,7 +114,7 @@ package starlogo.solid
             return _bucket < _edges.length;
         }
 
-        // Edges of the same two vertices, from one place in the order up to another.
+        // Compares the edges of one pair of vertices: a range in the order.
         private function compare(edges:Array, order:Array, first:int, end:int, balance:int):void
         {
             surface.isClosed &&= (end - first) % 2 == 0;
@@ -136,7 +136,7 @@ package starlogo.solid
             }
         }
 
-        // Whether edges cancel out once triangles are turned is found out by comparing them once more.
+        // The edges are compared once more to find whether they cancel after triangles were reversed.
         private function turn():void
         {
             surface.isTurned = _orientation.isTurned;

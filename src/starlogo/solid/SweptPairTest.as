@@ -10,15 +10,14 @@ package starlogo.solid
 
     use namespace engine;
 
-    /**
-     * Decides by the models' triangles when they touch, where their hierarchies leave it open: when those of two leaves do.
-     */
+    /** Decides by triangles when two leaves first touch, for models that move. */
     internal final class SweptPairTest extends TrianglePairTest
     {
         private var _sweep:TriangleSweep = new TriangleSweep();
         private var _overlap:TriangleOverlap = new TriangleOverlap();
 
-        // The triangles that touched first: where their corners begin, those of the second model in its own space; the latter in the space of the first.
+        // The triangles that touch first: the indices of their corners, the second's in its own space. Then the second's corners in the
+        // first model's space.
         private var _firstA:int;
         private var _firstB:int;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
@@ -40,10 +39,11 @@ package starlogo.solid
             var corners:Vector.<Number> = moved.corners;
             var spans:Vector.<Number> = moved.extents;
             var extents:Vector.<Number> = solidA.extents;
-            // what is higher first, as the traversal does: which triangles of those count that touch at the same time does not depend on where leaves end
+            // Higher indices come first, as in the traversal. So if several triangles touch at the same time, the result does not depend on
+            // where leaves end.
             for (var k:int = b.end - b.first - 1; k >= 0; k--)
             {
-                // what the triangle passes over till then
+                // the extents of the triangle's motion until then
                 var span:int = 6 * k;
                 var minX:Number = spans[span] - touching;
                 var minY:Number = spans[int(span + 1)] - touching;
@@ -96,7 +96,7 @@ package starlogo.solid
             _overlap.relate(corners, _firstA, _corners, 0);
             _overlap.tolerance = touching;
             _overlap.findContact(pose.motion, out);
-            // from the first triangle's first corner
+            // relative to the first triangle's first corner
             out.x += corners[_firstA];
             out.y += corners[int(_firstA + 1)];
             out.z += corners[int(_firstA + 2)];

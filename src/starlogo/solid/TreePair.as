@@ -24,24 +24,24 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two models that are placed in the world: two trees, or a tree and a structure. <code>areOverlapping()</code> asks whether two overlap that
-     * stand still. For all else the pair is set once, and then asked when it touches for the first time, where, and how far it is apart (thesis §4.6).
+     * Tests two placed models: two trees, or a tree and a structure. <code>areOverlapping()</code> tests whether two standing models
+     * overlap. For all other questions the pair is set once, and then asked when it first touches, where, and how far it is apart (thesis
+     * §4.6). Nothing is allocated once the stacks have grown and the models' triangles are prepared.
      *
-     * <p>The thesis puts both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models takes the
-     * second into the space of the first. A traversal of pairs of nodes answers there, depth-first, down to two nodes that are leaves or at their
-     * depth limit. Which traversal depends on what the nodes are: boxes or any structures. Where triangles decide, they do so for the leaves.</p>
+     * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models
+     * transforms the second model into the first model's space. There a traversal of pairs of nodes decides, depth-first, down to two nodes
+     * that are leaves or at their depth limit. The nodes' structures, boxes or others, decide which traversal it is. For exact tests,
+     * triangles decide about the leaves.</p>
      *
-     * <p>Answers are nested: what triangles find, nodes find at any depth, and a greater depth finds no more than a smaller one. Nodes alone would
-     * not do for solids: the leaves hug the surface, and a model well inside of a closed one meets none of them. Hence the ContainmentTest, whose
-     * answer no depth changes.</p>
-     *
-     * <p>Nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
+     * <p>The answers are nested: a collision of triangles is found by nodes at any depth, and a greater depth finds no more than a smaller
+     * one. Nodes are not enough for solids: the leaves cover only the surface, and a model well inside of a closed one touches none of
+     * them. So a ContainmentTest is added. Its answer is the same at all depths.</p>
      *
      * @private
      */
     public final class TreePair
     {
-        // The pair. The second model has a tree, or a structure represents it.
+        // The pair. The second model is a tree, or a structure stands for it.
         private var _a:SolidHierarchy;
         private var _placementA:Placement;
         private var _depthA:int;
@@ -49,20 +49,20 @@ package starlogo.solid
         private var _placementB:Placement;
         private var _depthB:int;
 
-        // Whether triangles decide about leaves, and whether the nodes that are visited are boxes.
+        // Whether triangles decide about leaves, and whether the nodes visited are boxes.
         private var _isExact:Boolean;
         private var _areBoxes:Boolean;
 
-        // Stands for a structure.
+        // A node that stands for a structure.
         private var _leaf:HierarchyNode = new HierarchyNode();
 
-        // Takes the second model into the space of the first; where the structure is a box, the space of its axes, with the node that stands for it.
+        // Transforms the second model into the first model's space. For a box, also the space of its axes, and the node that stands for it.
         private var _pose:RelativePose = new RelativePose();
         private var _boxPose:RelativePose = new RelativePose();
         private var _boxLeaf:HierarchyNode = new HierarchyNode();
         private var _movedBox:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        // Models that stand still.
+        // for standing models
         private var _uprightBoxes:UprightBoxTraversal;
         private var _boxes:BoxTraversal;
         private var _boxAndBoxes:BoxTraversal;
@@ -71,7 +71,7 @@ package starlogo.solid
         private var _triangles:StructureTriangles = new StructureTriangles();
         private var _containment:ContainmentTest;
 
-        // Models that move; what has found the first touch.
+        // for moving models; the traversal that found the first touch
         private var _sweptBoxes:SweptBoxTraversal;
         private var _sweptStructures:StructureTraversal;
         private var _sweptPairs:SweptPairTest;
@@ -79,17 +79,17 @@ package starlogo.solid
         private var _first:NodePairTraversal;
         private var _decider:LeafTest;
 
-        // Models that are apart.
+        // for distances
         private var _boxDistances:BoxDistances;
         private var _structureDistances:DistanceTraversal;
         private var _nearest:NearestTriangles;
 
-        // Where the first model is at the time under way; by kind, a structure of the second in the space of the first.
+        // The first model's placement at the current time. For each kind, a structure of the second model in the first model's space.
         private var _start:Placement = new Placement();
         private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
         private var _finder:ContactFinder = new ContactFinder();
 
-        /** No pair yet, and nothing counted. */
+        /** Creates a test without a pair. All counts are 0. */
         public function TreePair()
         {
             _leaf.x = _leaf.y = _leaf.z = _boxLeaf.x = _boxLeaf.y = _boxLeaf.z = 0;
@@ -109,20 +109,20 @@ package starlogo.solid
             _nearest = new NearestTriangles(_pose);
         }
 
-        /** Pairs of nodes that were visited since resetCounts. */
+        /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
         {
             return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _boxAndBoxes.nodeVisits + _structures.nodeVisits + _sweptBoxes.nodeVisits
                 + _sweptStructures.nodeVisits + _boxDistances.nodeVisits + _structureDistances.nodeVisits;
         }
 
-        /** Pairs of triangles that were tested since resetCounts. */
+        /** The number of pairs of triangles tested since resetCounts. */
         public function get triangleTests():int
         {
             return _trianglePairs.triangleTests + _sweptPairs.triangleTests + _nearest.triangleTests;
         }
 
-        /** Begins to count. */
+        /** Sets all counts to 0. */
         public function resetCounts():void
         {
             _uprightBoxes.nodeVisits = _boxes.nodeVisits = _boxAndBoxes.nodeVisits = _structures.nodeVisits = _sweptBoxes.nodeVisits = 0;
@@ -131,16 +131,17 @@ package starlogo.solid
         }
 
         /**
-         * Sets the two: two trees, or a tree and a structure.
+         * Sets the pair: two trees, or a tree and a structure.
          *
          * @param a the first model's hierarchy
-         * @param placementA where the first model stands
-         * @param depthA how many levels of it are visited
-         * @param b the second model's hierarchy; null if a structure represents that model
-         * @param structureB the structure, in the second model's space; does not count otherwise
-         * @param placementB where the second model stands
+         * @param placementA the first model's placement in the world
+         * @param depthA how many levels of its hierarchy are visited
+         * @param b the second model's hierarchy; null if a structure stands for that model
+         * @param structureB that structure, in the second model's space; ignored if b is not null
+         * @param placementB the second model's placement in the world
          * @param depthB how many levels of its hierarchy are visited
-         * @param exact whether triangles decide, and depths do not count, if each that is a tree has triangles; a structure is solid
+         * @param exact whether triangles decide in place of depths, if both are trees with triangles; must be false for a tree and a
+         *     structure
          */
         public function setTo(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):void
@@ -148,7 +149,7 @@ package starlogo.solid
             _isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
             var kindB:int = b == null ? structureB.kind : b.boundsKind;
             _areBoxes = _isExact ? b != null || kindB == BoundingStructure.BOX : a.boundsKind == BoundingStructure.BOX && kindB == BoundingStructure.BOX;
-            // to put an object into a field costs Adobe's VM more than to see that it is there
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
             if (_a !== a)
             {
                 _a = a;
@@ -169,9 +170,11 @@ package starlogo.solid
         }
 
         /**
-         * Whether two overlap that stand still. Afterwards a pair has to be set for other questions.
+         * Whether two standing models overlap. Afterwards, the pair must be set again for other questions.
          *
-         * <p>The arguments are those of <code>setTo()</code>. They are not kept, because that would take a tenth of the time.</p>
+         * <p>The arguments are the same as for <code>setTo()</code>. In addition, triangles may decide for a tree and a structure: the two
+         * collide if a triangle touches the solid structure. The arguments are not kept, because keeping them would take a tenth of the
+         * time for two models that are apart.</p>
          */
         public function areOverlapping(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):Boolean
@@ -204,19 +207,19 @@ package starlogo.solid
             {
                 _leaf.structure = structureB;
             }
-            // whose roots do not overlap, as of most that are close and do not collide, are not inside of each other
+            // Most models that are close but do not collide have roots that do not overlap. These are not inside of each other.
             return traversal.find(a.root, depthA, second, depthB, decider)
                 || ((traversal.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
         }
 
         /**
-         * Finds the first moment at which the two overlap as the first moves. Afterwards they have to be set again.
+         * Finds the first moment at which the two overlap while the first one moves. Afterwards, the pair must be set again.
          *
-         * <p>To come to be inside of a closed surface without having been there at the beginning, a part of a model has to cross it,
-         * and its nodes have to touch. So the nodes, or the triangles, are looked at over time, and the standing test is asked at time 0;
-         * at time 1 too where nothing was found, so that no rounding hides what stands there.</p>
+         * <p>To get inside of a closed surface from outside, a part of a model has to cross it, and its nodes have to touch. So the nodes
+         * or triangles are tested over time, and the standing test is made at time 0. If nothing is found, the standing test is made at
+         * time 1 too, because rounding can miss a touch at the end of the motion.</p>
          *
-         * @param motion of the first model, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param motion of the first model, relative to the second; receives the time, from 0 to 1, or RelativeMotion.NEVER
          */
         public function findTime(motion:RelativeMotion):void
         {
@@ -238,11 +241,11 @@ package starlogo.solid
         }
 
         /**
-         * Where the two touch that collide: where the first two triangles, or the first two nodes that are leaves or at their depth limit, do;
-         * of a model that is inside of another, where the structures around both overlap.
+         * Finds the contact of two models that collide. It is the contact of the first two triangles that touch, or of the first two nodes
+         * that are leaves or at their depth limit. If one model is inside of the other, the structures around both have the contact.
          *
-         * @param motion of the first model, relative to the second, with the time when they do first
-         * @param out takes it, in the world
+         * @param motion of the first model, relative to the second; its time is the time of impact
+         * @param out receives the contact, in the world
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -258,10 +261,10 @@ package starlogo.solid
         }
 
         /**
-         * Finds when the two touch for the first time that do not touch at the beginning, and where.
+         * Finds when and where the two first touch. They must not touch at the beginning.
          *
-         * @param motion of the first model, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out takes where, in the world; null if only the time is wanted
+         * @param motion of the first model, relative to the second; receives the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param out receives the contact, in the world; null if only the time is needed
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -274,11 +277,11 @@ package starlogo.solid
         }
 
         /**
-         * Finds how far the two are apart where they were set, and between which points: of the nodes that <code>areOverlapping()</code> tests, or of
-         * the triangles. A structure is a point then, a sphere without a radius at the origin of its space.
+         * Finds the distance and the closest points of the two models as they were set. It measures the nodes that
+         * <code>areOverlapping()</code> tests, or the triangles.
          *
          * @param areTouching whether the two overlap: then a point of both is found
-         * @param out takes it, in the world
+         * @param out receives the distance and the points, in the world
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
@@ -311,13 +314,13 @@ package starlogo.solid
         }
 
         /**
-         * How the structures around two models overlap that stand still. Afterwards a pair has to be set.
+         * Finds the contact of the structures around two standing models. Afterwards, the pair must be set again.
          *
-         * @param a is around the first model, in its space
-         * @param placementA where that stands
-         * @param b is around the second model, in its space
-         * @param placementB where that stands
-         * @param out takes it, in the world
+         * @param a the structure around the first model, in its space
+         * @param placementA the first model's placement in the world
+         * @param b the structure around the second model, in its space
+         * @param placementB the second model's placement in the world
+         * @param out receives the contact, in the world
          */
         public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
                 out:ContactPoint):void
@@ -334,7 +337,7 @@ package starlogo.solid
             return areOverlapping(_a, placementA, _depthA, _b, _leaf.structure, _placementB, _depthB, _isExact);
         }
 
-        // Lets the first model stand where a motion of it begins.
+        // Places the first model where the motion begins.
         private function begin(motion:RelativeMotion):void
         {
             _start.copyFrom(_placementA);
@@ -345,7 +348,7 @@ package starlogo.solid
             _pose.relateMotion(_placementA, motion);
         }
 
-        // The box, as wide as a node's would be, in the space of its axes.
+        // Sets the node of a box, in the space of its axes, with the margin of any node.
         private function setBoxLeaf(box:Box):void
         {
             var distance:Number = Math.abs(box.center.x) + Math.abs(box.center.y) + Math.abs(box.center.z);
@@ -376,7 +379,7 @@ package starlogo.solid
             return _b == null ? _leaf : _b.root;
         }
 
-        // Finds the first two triangles or nodes that touch as the first model moves.
+        // Finds the first two triangles or nodes that touch while the first model moves.
         private function findFirst():Boolean
         {
             _decider = null;
@@ -394,7 +397,7 @@ package starlogo.solid
             return _first.find(_a.root, _depthA, rootB, _depthB, _decider);
         }
 
-        // Of the first two triangles or nodes that findFirst has found, at the motion's time.
+        // The contact of the first two triangles or nodes that findFirst has found, at the motion's time.
         private function findContactOfFirst(motion:RelativeMotion, out:ContactPoint):void
         {
             if (!_isExact)
@@ -407,7 +410,7 @@ package starlogo.solid
             moveToWorld(motion, out);
         }
 
-        // Of two structures in their models' spaces, at the motion's time.
+        // The contact of two structures in their models' spaces, at the motion's time.
         private function findContactOf(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;

@@ -7,24 +7,24 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** Decides by the models' triangles whether leaves touch. What the tests of models that stand still and of those that move have in common. */
+    /** Decides by triangles whether leaves touch. Base class of the tests for standing and for moving models. */
     internal class TrianglePairTest extends LeafTest
     {
-        /** Pairs of triangles that were tested; set to 0 from outside. */
+        /** The number of pairs of triangles tested. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
         protected var pose:RelativePose;
         protected var solidA:Solid;
         protected var solidB:Solid;
 
-        /** The triangles of a leaf of the second model in the space of the first. */
+        /** The triangles of a leaf of the second model, in the first model's space. */
         protected var moved:MovedTriangles;
 
-        /** How close triangles of these models touch. */
+        /** The largest gap across which triangles of these models touch. */
         protected var touching:Number;
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are asked about
+         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
          */
         public function TrianglePairTest(pose:RelativePose)
         {
@@ -32,7 +32,7 @@ package starlogo.solid
             moved = new MovedTriangles(pose);
         }
 
-        /** Begins with two models that the pose relates, both with triangles. */
+        /** Begins with two models that have triangles. The pose must relate them already. */
         public function begin(a:SolidHierarchy, b:SolidHierarchy):void
         {
             solidA = a.solid;

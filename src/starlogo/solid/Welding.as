@@ -4,23 +4,23 @@ package starlogo.solid
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds the vertices that are at the same place, up to a tolerance: those of a seam, whose coordinates rounding may have
-     * parted. Vertices are sorted along a direction askew to all that models are built along, so that those near each other
-     * are near in that order, and a flat wall is not all in one place of it.
+     * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. The
+     * vertices are sorted along a direction that is skew to the axes along which models are built. So vertices near each other are near in
+     * this order, and the vertices of a flat wall spread over it.
      */
     internal final class Welding extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 500;
 
-        // a unit vector
+        // The direction, a unit vector.
         private static const SKEW_X:Number = 0.5390711;
         private static const SKEW_Y:Number = 0.2717819;
         private static const SKEW_Z:Number = 0.7972148;
 
-        /** For each vertex, the first one in order that is at its place. */
+        /** For each vertex, the first vertex in the order at the same place. */
         public var welded:Vector.<int>;
 
-        /** The largest distance of a vertex from the one that it is welded to. */
+        /** The largest distance of a vertex from the one to which it is welded. */
         public var widestGap:Number = 0;
 
         private var _vertices:Vector.<Number>;
@@ -28,12 +28,12 @@ package starlogo.solid
         private var _keys:Array;
         private var _order:Array;
 
-        // The vertices that others are welded to, in order, and the first of them that is not far behind.
+        // The vertices to which others are welded, in the order, and the first of them that is still near.
         private var _places:Vector.<int> = new Vector.<int>();
         private var _nearPlace:int = 0;
 
         /**
-         * @param vertices x, y, z each
+         * @param vertices x, y, z of each
          */
         public function Welding(vertices:Vector.<Number>)
         {
@@ -44,7 +44,7 @@ package starlogo.solid
             slices(count, VERTICES_PER_STEP, measure).call(sort).slices(count, VERTICES_PER_STEP, weld);
         }
 
-        // The tolerance is the largest coordinate at first.
+        // At first, the tolerance is the largest coordinate.
         private function measure(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)

@@ -1,6 +1,6 @@
 package starlogo.steps
 {
-    /** Work on things that are numbered from 0, some of them in each step. */
+    /** Work on things that are numbered from 0. Each step does some of them. */
     public final class Slices implements Steps
     {
         private var _count:int;
@@ -9,12 +9,12 @@ package starlogo.steps
         private var _next:int = 0;
 
         /**
-         * Work that is not begun.
+         * Creates the work. None of its steps is done yet.
          *
-         * @param count how many things there are
-         * @param size how many of them a step does
-         * @param work does the things from one number up to another: <code>function(first:int, end:int):void</code>; called once,
-         *        with two zeros, if there are none
+         * @param count the number of things
+         * @param size the number of things in each step
+         * @param work does the things from one number up to another: <code>function(first:int, end:int):void</code>. If there are none, it
+         * is called once with two zeros
          */
         public function Slices(count:int, size:int, work:Function)
         {

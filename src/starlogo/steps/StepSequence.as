@@ -1,57 +1,58 @@
 package starlogo.steps
 {
     /**
-     * Work that is made of parts, done one after the other. What a part is made of may be left open until its turn comes:
-     * parts may also be added while the work is under way, by another part.
+     * Work made of parts that are done one after the other. A part may decide what the next parts are, because parts can be added while the
+     * work is running.
      *
      * <listing version="3.0">
      * var loading:StepSequence = new StepSequence().call(parse).begin(newReader).call(store);
      * </listing>
      *
-     * <p>Nothing is called before the first step; a part is let go of when it is done.</p>
+     * <p>Nothing is called before the first step. A part is released when it is done.</p>
      *
-     * <p>Every class of the engine that works in phases has them as parts. An internal class extends this one and adds its parts in the
-     * constructor; a class that clients name keeps a sequence in a field, and its <code>step()</code> calls that of the sequence. A loop over many
-     * things is <code>slices()</code>, with a constant <code>THINGS_PER_STEP</code> for their number; a loop whose end only the work itself knows
-     * is <code>repeat()</code>; work that starts anew adds its parts again.</p>
+     * <p>Use it in every class of the engine that works in phases. An internal class extends this one and adds its parts in the
+     * constructor. A class that clients name keeps a sequence in a field, and its <code>step()</code> calls the sequence's. Use
+     * <code>slices()</code> for a loop over many things, with a constant <code>THINGS_PER_STEP</code> for the size. Use
+     * <code>repeat()</code> for a loop whose end only the work itself knows. To do the work again, add its parts again.</p>
      */
     public class StepSequence implements Steps
     {
-        // what is done with a part: called once, called until it returns false, or called for the work that it returns
+        // how a part is done: one call, calls until it returns false, or one call that returns the work to do
         private static const ONCE:int = 0;
         private static const AGAIN:int = 1;
         private static const MAKES_WORK:int = 2;
 
-        // the parts, what is done with each, and the number of the one whose turn it is; no closures: making one costs as much as a small part
+        // The parts, how each is done, and the index of the present part. There are no closures, because creating one costs as much as a
+        // small part.
         private var _parts:Vector.<Function> = new Vector.<Function>();
         private var _kinds:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
 
-        // the work that this part has made
+        // the work that the present part returned
         private var _made:Steps = null;
 
-        /** A sequence without parts: one step that does nothing. */
+        /** Creates a sequence without parts. It has one step, which does nothing. */
         public function StepSequence()
         {
         }
 
-        /** Adds work to do; returns the sequence. */
+        /** Adds work. Returns the sequence. */
         public function add(work:Steps):StepSequence
         {
             return repeat(work.step);
         }
 
-        /** Adds a step; returns the sequence. @param action <code>():void</code> */
+        /** Adds a step. Returns the sequence. @param action <code>():void</code> */
         public function call(action:Function):StepSequence
         {
             return addPart(action, ONCE);
         }
 
         /**
-         * Adds work on a row of things, as Slices does it; returns the sequence.
+         * Adds work on many things, as Slices does it. Returns the sequence.
          *
-         * @param count how many things there are
-         * @param size how many of them a step does
+         * @param count the number of things
+         * @param size the number of things in each step
          * @param work <code>(first:int, end:int):void</code>; does the things from one number up to another
          */
         public function slices(count:int, size:int, work:Function):StepSequence
@@ -60,7 +61,7 @@ package starlogo.steps
         }
 
         /**
-         * Adds work that a function makes when its turn has come, in a separate step; returns the sequence.
+         * Adds work that a function creates when its turn comes. Calling the function is a step of its own. Returns the sequence.
          *
          * @param make <code>():Steps</code>; the work that it returns is done next; null for none
          */
@@ -70,9 +71,9 @@ package starlogo.steps
         }
 
         /**
-         * Adds steps that one function does; returns the sequence.
+         * Adds the steps of one function. Returns the sequence.
          *
-         * @param advance <code>():Boolean</code>, called a step at a time for as long as it returns true
+         * @param advance <code>():Boolean</code>; each call is a step; it is called until it returns false
          */
         public function repeat(advance:Function):StepSequence
         {
@@ -96,7 +97,7 @@ package starlogo.steps
             return this;
         }
 
-        // Does a step of a part; whether there is more of it.
+        // Does a step of a part. Returns whether the part has more steps.
         private function advancePart(part:Function, kind:int):Boolean
         {
             switch (kind)

@@ -1,11 +1,10 @@
 package starlogo.steps
 {
-    /** Work that is done a small step at a time, so that a game goes on meanwhile. */
+    /** Work that is done in small steps, so that a game can go on meanwhile. */
     public interface Steps
     {
         /**
-         * Does the next step: a few milliseconds at most. It is not called again when nothing is left, nor after it has
-         * thrown.
+         * Does the next step, in a few milliseconds at most. Do not call it again after it has returned false or thrown.
          *
          * @return whether there is more to do
          */

@@ -1,6 +1,6 @@
 package starlogo.steps
 {
-    /** Does all steps that are left of some work. */
+    /** Does all remaining steps of some work. */
     public function finish(work:Steps):void
     {
         var hasMore:Boolean = true;

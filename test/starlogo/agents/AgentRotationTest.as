@@ -5,11 +5,8 @@ package starlogo.agents
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import evaluation.pairs.SeededRandom;
-    import starlogo.GreatLand;
-    import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.models.Model;
     import support.assertThrows;
 
     use namespace engine;
@@ -194,26 +191,6 @@ package starlogo.agents
                     agent.setMatrix(shear);
                 });
             assertEquals("as it was", revision, agent.revision);
-        }
-
-        [Test]
-        public function collidersSeeIt():void
-        {
-            var greatLand:GreatLand = new GreatLand();
-            // a stick along x, from the ground up
-            greatLand.addModel(new Model("stick", new <Number>[0, 0, 0, 1, 0, 0, 1, 0, 0.02, 0, 0.02, 0], new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2]));
-            var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
-            var a:Agent = new Agent("stick");
-            var b:Agent = new Agent("stick");
-            b.moveTo(0, 0.4, 0);
-            assertFalse(collider.areColliding(a, b));
-            a.setQuaternion(0, 0, 1, 1);
-            assertTrue("turned to it", collider.areColliding(a, b));
-            collider.findCollisions(new <Agent>[a, b]);
-            var seen:Number = collider.contactOf(a, b).depth;
-            a.setQuaternion(0, 0, 0, 1);
-            assertEquals("as it was in the search", seen, collider.contactOf(a, b).depth);
-            assertFalse(collider.areColliding(a, b));
         }
 
         private static function randomQuaternion(random:SeededRandom):Vector.<Number>

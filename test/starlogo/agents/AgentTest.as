@@ -27,31 +27,6 @@ package starlogo.agents
         }
 
         [Test]
-        public function headingIsCounterClockwiseSeenFromAbove():void
-        {
-            var agent:Agent = new Agent("bear");
-            agent.heading = 90;
-            assertNear(agent, new Vector3D(1, 0, 0), 0, 1, 0);
-            agent.heading = 30;
-            assertNear(agent, new Vector3D(1, 0, 0), Math.sqrt(3) / 2, 0.5, 0);
-        }
-
-        [Test]
-        public function transformScalesRollsPitchesHeadsAndMoves():void
-        {
-            var agent:Agent = new Agent("bear");
-            agent.size = 2;
-            agent.roll = 90;
-            assertNear(agent, new Vector3D(0, 1, 0), 0, 0, 2);
-            agent.pitch = 90;
-            assertNear(agent, new Vector3D(0, 1, 0), 2, 0, 0);
-            agent.heading = 90;
-            assertNear(agent, new Vector3D(0, 1, 0), 0, 2, 0);
-            agent.moveTo(10, 20, 30);
-            assertNear(agent, new Vector3D(0, 1, 0), 10, 22, 30);
-        }
-
-        [Test]
         public function transformIsThePlayersOwnRotationsInThatOrder():void
         {
             var random:SeededRandom = new SeededRandom(31);
@@ -91,24 +66,6 @@ package starlogo.agents
             var own:Matrix3D = new Matrix3D();
             assertTrue(agent.getMatrix(own) === own);
             assertEquals(4, own.position.x);
-        }
-
-        [Test]
-        public function transformFollowsEveryChange():void
-        {
-            var agent:Agent = new Agent("bear");
-            agent.x = 3;
-            assertNear(agent, new Vector3D(), 3, 0, 0);
-            agent.y = 4;
-            assertNear(agent, new Vector3D(), 3, 4, 0);
-            agent.z = 5;
-            assertNear(agent, new Vector3D(), 3, 4, 5);
-            agent.size = 2;
-            assertNear(agent, new Vector3D(1, 0, 0), 5, 4, 5);
-            agent.heading = 180;
-            assertNear(agent, new Vector3D(1, 0, 0), 1, 4, 5);
-            agent.heading = 0;
-            assertNear(agent, new Vector3D(1, 0, 0), 5, 4, 5);
         }
 
         [Test]
@@ -195,28 +152,6 @@ package starlogo.agents
                 agent[trait] = values[trait];
                 assertEquals(trait, revisions, agent.revision + " " + agent.placement.extentsRevision);
             }
-        }
-
-        [Test]
-        public function movingToWhereItIsChangesNothing():void
-        {
-            var agent:Agent = new Agent("bear");
-            var revision:int = agent.revision;
-            agent.moveTo(0, 0, 0);
-            agent.moveTo(-0, -0, -0);
-            assertEquals("at the origin", revision, agent.revision);
-            agent.moveTo(1, 2, 3);
-            assertEquals(revision + 1, agent.revision);
-            agent.moveTo(1, 2, 3);
-            assertEquals("where it is", revision + 1, agent.revision);
-            assertThrows(RangeError, /y must be.*NaN/, agent.moveTo, 1, NaN, 3);
-            assertEquals("nowhere", revision + 1, agent.revision);
-            // one coordinate is enough
-            agent.moveTo(1, 2, 4);
-            agent.moveTo(1, 3, 4);
-            agent.moveTo(2, 3, 4);
-            assertEquals(revision + 4, agent.revision);
-            assertEquals("2 3 4", [agent.x, agent.y, agent.z].join(" "));
         }
 
         [Test]

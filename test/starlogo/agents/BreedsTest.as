@@ -7,7 +7,6 @@ package starlogo.agents
     import starlogo.blocks.TraitBlocks;
     import starlogo.GreatLand;
     import starlogo.collision.BinCollider;
-    import starlogo.search.BreedInterests;
     import starlogo.collision.Collision;
     import starlogo.diagnostics.CollisionRecorder;
     import starlogo.engine;
@@ -105,43 +104,6 @@ package starlogo.agents
                 assertEquals(once.sort().join(), started.sort().join());
                 assertEquals(NAMES.length, recorder.toObject().breeds.length);
             }
-        }
-
-        [Test]
-        public function interestsTellThemApart():void
-        {
-            var interests:BreedInterests = new BreedInterests();
-            for each (var name:String in NAMES)
-            {
-                assertEquals(name, -1, interests.indexOf(name));
-                interests.add(name, name);
-                assertEquals(name, interests.breedCount - 1, interests.indexOf(name));
-            }
-            assertEquals(-1, interests.indexOf("of none"));
-            for each (name in NAMES)
-            {
-                for each (var other:String in NAMES)
-                {
-                    assertEquals(name + ", " + other, name == other, interests.includes(interests.indexOf(name), interests.indexOf(other)));
-                }
-            }
-        }
-
-        [Test]
-        public function anUnknownBreedIsOfNoInterest():void
-        {
-            var interests:BreedInterests = new BreedInterests();
-            interests.add("cats", "dogs");
-            interests.add("cats", "cats");
-            for each (var index:int in [-1, 2, 3])
-            {
-                for (var other:int = -1; other < 3; other++)
-                {
-                    assertEquals(index + ", " + other, false, interests.includes(index, other));
-                    assertEquals(other + ", " + index, false, interests.includes(other, index));
-                }
-            }
-            assertEquals(true, interests.includes(0, 1));
         }
 
         [Test]

@@ -93,8 +93,8 @@ package starlogo.away3d
             assertEquals(0x123456, segment.startColor);
             assertEquals(0x123456, segment.endColor);
             assertEquals(3, segment.thickness);
-            assertThrows(RangeError, /no level 0/, wireframe.showLevel, _greatLand.hierarchies.root("cylinder"), 0);
-            assertThrows(ArgumentError, /no structure/, wireframe.showStructure, null);
+            assertThrows(RangeError, /must be 1 \(the root\) or more, not 0/, wireframe.showLevel, _greatLand.hierarchies.root("cylinder"), 0);
+            assertThrows(ArgumentError, /structure to draw must not/, wireframe.showStructure, null);
             assertEquals("what was shown stays", 12, wireframe.segmentCount);
         }
 

@@ -55,32 +55,6 @@ package starlogo.blocks
         }
 
         [Test]
-        public function anyBreedIsAllowed():void
-        {
-            agentOf("cube", "bears", 0);
-            agentOf("sphere", "balls", 0.5);
-            _blocks.onCollision("bears", Collision.ANY_BREED, note("hit"));
-            _blocks.collision.update(_agents);
-            assertEquals("hit", _calls.join());
-        }
-
-        [Test]
-        public function touchesStartAndEndOnce():void
-        {
-            agentOf("cube", "bears", 0);
-            var ball:Agent = agentOf("sphere", "balls", 9);
-            _blocks.whenTouchingStarts("bears", "balls", note("start"));
-            _blocks.whenTouchingEnds("bears", "balls", note("end"));
-            for each (var x:Number in [9, 0.5, 0.4, 9, 9])
-            {
-                ball.x = x;
-                _blocks.collision.update(_agents);
-                _calls.push(x);
-            }
-            assertEquals("9,start,0.5,0.4,end,9,9", _calls.join());
-        }
-
-        [Test]
         public function theSystemDecides():void
         {
             // at the cube's corner: in the cube, beyond the unit sphere

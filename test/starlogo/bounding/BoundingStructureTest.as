@@ -11,12 +11,17 @@ package starlogo.bounding
     import starlogo.geometry.Placement;
     import evaluation.pairs.SeededRandom;
     import support.Structures;
+    import support.assertThrows;
 
     use namespace engine;
 
     /** What every bounding structure promises. */
     public class BoundingStructureTest
     {
+        private static const X:Vector3D = new Vector3D(1, 0, 0);
+        private static const Y:Vector3D = new Vector3D(0, 1, 0);
+        private static const Z:Vector3D = new Vector3D(0, 0, 1);
+
         [Test]
         public function knowsItsKind():void
         {
@@ -25,6 +30,78 @@ package starlogo.bounding
             assertEquals(BoundingStructure.CAPSULE, samples[1].kind);
             assertEquals(BoundingStructure.BOX, samples[2].kind);
             assertEquals(BoundingStructure.CYLINDER, samples[3].kind);
+        }
+
+        [Test]
+        public function volumesAndSurfacesAreWhereTheyShouldBe():void
+        {
+            var capsule:Capsule = new Capsule(at(0, 0, 0), at(0, 0, 2), 1);
+            var cylinder:Cylinder = new Cylinder(at(0, 0, 0), at(0, 0, 2), 1);
+            var box:Box = new Box(at(1, 0, 0), at(0.6, 0.8, 0), at(-0.8, 0.6, 0), Z, 1, 2, 3);
+            // each with its volume, a point of its surface and one beyond
+            var rows:Array = [[new Sphere(at(1, 0, 0), 2), 32 / 3 * Math.PI, at(3 + 1e-6, 0, 0), at(3 + 1e-5, 0, 0)],
+                    [new Sphere(at(1, 2, 3), 0), 0, at(1, 2, 3), at(1, 2, 3 + 1e-9)],
+                    [capsule, 10 / 3 * Math.PI, at(0.6, 0, 2.8), at(0.61, 0, 2.81)],
+                    [capsule, 10 / 3 * Math.PI, at(0, 0, -1), at(0, 0, 3.0001)],
+                    [new Capsule(at(1, 1, 1), at(1, 1, 1), 0.5), Math.PI / 6, at(1, 1.5, 1), at(1, 1.51, 1)],
+                    [new Capsule(at(0, 0, 0), at(1, 0, 0), 0), 0, at(0.5, 0, 0), at(0.5, 0, 0.1)],
+                    [cylinder, 2 * Math.PI, at(0.6, -0.8, 2), at(0, 0, 2.0001)],
+                    [cylinder, 2 * Math.PI, at(1, 0, 0), at(0, 0, -0.0001)],
+                    [cylinder, 2 * Math.PI, at(1, 0, 1), at(0, 1.0001, 1)],
+                    [new Cylinder(at(1, 1, 1), at(1, 1, 1), 0.5), 0, at(1, 1, 1), at(1, 1.1, 1)],
+                    [box, 48, at(0, 2, 3), at(0, 2.02, 3)],
+                    [box, 48, at(1.6, 0.8, 0), at(1.61, 0.81, 0)],
+                    [new Box(at(0, 0, 2), X, Y, Z, 1, 1, 0), 0, at(1, -1, 2), at(0, 0, 2.0001)]];
+            for each (var row:Array in rows)
+            {
+                var structure:BoundingStructure = row[0];
+                assertNear(structure + ", volume", row[1], structure.volume, 1e-12);
+                assertTrue(structure + " contains " + row[2], structure.contains(row[2]));
+                assertFalse(structure + " contains " + row[3], structure.contains(row[3]));
+            }
+        }
+
+        [Test]
+        public function whatIsNoStructureIsRefused():void
+        {
+            for each (var wrong:Number in [-1, NaN, Infinity])
+            {
+                for each (var row:Array in [[Sphere, at(0, 0, 0), wrong], [Capsule, at(0, 0, 0), X, wrong], [Cylinder, at(0, 0, 0), X, wrong],
+                            [Box, at(0, 0, 0), X, Y, Z, wrong, 1, 1], [Box, at(0, 0, 0), X, Y, Z, 1, wrong, 1], [Box, at(0, 0, 0), X, Y, Z, 1, 1, wrong]])
+                {
+                    assertThrows(RangeError, new RegExp(String(wrong)), make, row);
+                }
+            }
+            for each (row in [[Sphere, at(0, NaN, 0), 1], [Capsule, at(0, 0, 0), at(0, 0, NaN), 1], [Cylinder, at(0, 0, 0), at(0, 0, NaN), 1],
+                        [Box, at(0, 0, 0), at(NaN, 0, 0), Y, Z, 1, 1, 1]])
+            {
+                assertThrows(RangeError, /./, make, row);
+            }
+            for each (row in [[Sphere, null, 1], [Capsule, null, X, 1], [Capsule, X, null, 1], [Cylinder, null, X, 1], [Cylinder, X, null, 1],
+                        [Box, null, X, Y, Z, 1, 1, 1]])
+            {
+                assertThrows(ArgumentError, /./, make, row);
+            }
+            for each (var axes:Array in [[null, Y, Z], [X, null, Z], [X, Y, null], [X, X, Z], [at(2, 0, 0), Y, Z], [X, at(0.01, 1, 0), Z],
+                        [X, Y, at(0, 0, 0)]])
+            {
+                assertThrows(ArgumentError, /./, make, [Box, at(0, 0, 0)].concat(axes, 1, 1, 1));
+            }
+        }
+
+        private static function make(row:Array):BoundingStructure
+        {
+            var type:Class = row[0];
+            if (row.length == 3)
+            {
+                return new type(row[1], row[2]);
+            }
+            return row.length == 4 ? new type(row[1], row[2], row[3]) : new type(row[1], row[2], row[3], row[4], row[5], row[6], row[7]);
+        }
+
+        private static function at(x:Number, y:Number, z:Number):Vector3D
+        {
+            return new Vector3D(x, y, z);
         }
 
         [Test]

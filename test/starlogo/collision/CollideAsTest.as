@@ -47,23 +47,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function theSphereReachesBeyondTheCube():void
-        {
-            var cube:Agent = new Agent("cube");
-            var ball:Agent = new Agent("sphere");
-            ball.size = 0.1;
-            ball.moveTo(0.6, 0, 0.5);
-            var collider:TightestFitCollider = new TightestFitCollider(sSparing);
-            assertFalse("tightest", collider.areColliding(cube, ball));
-            cube.collideAs = Agent.SPHERE;
-            assertTrue("sphere", collider.areColliding(cube, ball));
-            cube.collideAs = Agent.BOX;
-            assertFalse("box", collider.areColliding(cube, ball));
-            cube.collideAs = Agent.TIGHTEST;
-            assertFalse("tightest again", collider.areColliding(cube, ball));
-        }
-
-        [Test]
         public function everyKindCollidesAsItsStructure():void
         {
             var random:SeededRandom = new SeededRandom(73);
@@ -83,22 +66,6 @@ package starlogo.collision
                 }
             }
             assertTrue("some hit and some do not: " + hits, hits > 100 && hits < 500);
-        }
-
-        [Test]
-        public function hierarchicalAgentsAreHierarchies():void
-        {
-            var cube:Agent = new Agent("cube");
-            cube.collideAs = Agent.SPHERE;
-            var ball:Agent = new Agent("sphere");
-            ball.size = 0.1;
-            ball.moveTo(0.6, 0, 0.5);
-            var collider:CombinationCollider = new CombinationCollider(sSparing);
-            assertTrue(collider.areColliding(cube, ball));
-            cube.hierarchical = true;
-            assertFalse(collider.areColliding(cube, ball));
-            cube.hierarchical = false;
-            assertTrue(collider.areColliding(cube, ball));
         }
 
         [Test]

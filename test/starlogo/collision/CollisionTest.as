@@ -2,12 +2,9 @@ package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
-    import evaluation.EveryPairSystem;
     import support.assertThrows;
 
     public class CollisionTest
@@ -80,16 +77,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function withoutHandlersNothingIsTested():void
-        {
-            add("bears", 0);
-            add("bears", 0);
-            _collision.update(_agents);
-            assertEquals(0, _collision.statistics.tests);
-            assertEquals(2, _collision.statistics.agentsSkipped);
-        }
-
-        [Test]
         public function breedsMayHaveAnyName():void
         {
             var names:Array = ["toString", "constructor", "hasOwnProperty", "__proto__", "0", "a b", "Ünïcode"];
@@ -119,116 +106,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function aRemovedAgentTakesPartInNoFurtherCall():void
-        {
-            add("bears", 0.1);
-            var ball:Agent = add("paintballs", 0);
-            add("bears", 0.2);
-            add("bears", 0.3);
-            _collision.onCollision("bears", "paintballs", remove);
-            _collision.onCollision("paintballs", "bears", note("never"));
-            _collision.update(_agents);
-            assertEquals("only the first bear eats the ball", 1, _calls.length);
-            assertTrue(_agents.indexOf(ball) < 0);
-
-            function remove(bear:Agent, eaten:Agent):void
-            {
-                _calls.push(["eat", bear, eaten]);
-                _agents.splice(_agents.indexOf(eaten), 1);
-            }
-        }
-
-        [Test]
-        public function otherAgentsStayWhenOneBeforeThemIsRemoved():void
-        {
-            var ball:Agent = add("paintballs", 50);
-            var a:Agent = add("bears", 0);
-            var b:Agent = add("bears", 0.5);
-            var c:Agent = add("bears", 50.5);
-            _collision.onCollision("bears", "bears", note("bump"));
-            _collision.onCollision("bears", "paintballs", note("hit"));
-            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
-                {
-                    if (_agents.indexOf(ball) >= 0)
-                    {
-                        _agents.splice(_agents.indexOf(ball), 1);
-                    }
-                });
-            _collision.update(_agents);
-            assertEquals("a bumps b, b bumps a, whether or not c had hit the ball before", 2, countCalls("bump"));
-            assertTrue(_agents.indexOf(c) == 2 && _agents[0] === a && _agents[1] === b);
-        }
-
-        [Test]
-        public function removedAndReplacedIsRemoved():void
-        {
-            add("bears", 0);
-            add("bears", 0.1);
-            add("bears", 0.2);
-            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
-                {
-                    _calls.push(collidee);
-                    _agents[_agents.indexOf(collidee)] = new Agent("sphere", "bears");
-                });
-            _collision.update(_agents);
-            assertEquals("each call takes one out: two calls and one is left", 2, _calls.length);
-        }
-
-        [Test]
-        public function clearingTheListEndsTheFrame():void
-        {
-            for (var i:int = 0; i < 10; i++)
-            {
-                add("bears", i * 0.01);
-            }
-            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
-                {
-                    _calls.push(collider);
-                    _agents.length = 0;
-                });
-            _collision.update(_agents);
-            assertEquals(1, _calls.length);
-            _collision.update(_agents);
-            assertEquals(0, _collision.statistics.agents);
-        }
-
-        [Test]
-        public function aHandlerThatThrowsStopsNoOther():void
-        {
-            add("bears", 0);
-            add("bears", 0.1);
-            add("bears", 0.2);
-            _collision.onCollision("bears", "bears", note("before"));
-            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
-                {
-                    throw new RangeError("from call " + _collision.statistics.collisions + _calls.length);
-                });
-            _collision.onCollision("bears", "bears", note("after"));
-            assertThrows(RangeError, /^from call 31$/, _collision.update, _agents);
-            assertEquals(6, countCalls("before"));
-            assertEquals(6, countCalls("after"));
-            assertEquals(18, _collision.statistics.handlerCalls);
-            _calls = [];
-            assertThrows(RangeError, /^from call 31$/, _collision.update, _agents);
-            assertEquals("the next frame is like the first", 12, _calls.length);
-        }
-
-        [Test]
-        public function handlersAddedByAHandlerCountFromTheNextFrameOn():void
-        {
-            add("bears", 0);
-            add("balls", 0.1);
-            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent):void
-                {
-                    _collision.onCollision("balls", "bears", note("new"));
-                });
-            _collision.update(_agents);
-            assertEquals(0, _calls.length);
-            _collision.update(_agents);
-            assertEquals(1, countCalls("new"));
-        }
-
-        [Test]
         public function updateDoesNotNest():void
         {
             add("bears", 0);
@@ -238,66 +115,6 @@ package starlogo.collision
                     _collision.update(_agents);
                 });
             assertThrows(IllegalOperationError, /handler/, _collision.update, _agents);
-        }
-
-        [Test]
-        public function aHandlerMayAskTheCollider():void
-        {
-            add("bears", 0);
-            add("bears", 0.1);
-            add("bears", 0.2);
-            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
-                {
-                    collider.x += 10;
-                    _calls.push(_collider.areColliding(collider, collidee));
-                    _collider.findCollisions(_agents);
-                });
-            _collision.update(_agents);
-            assertEquals(6, _calls.length);
-            assertFalse(_calls[0]);
-        }
-
-        [Test]
-        public function aBreedMayChangeBetweenFrames():void
-        {
-            var a:Agent = add("bears", 0);
-            add("balls", 0.1);
-            _collision.onCollision("bears", "balls", note("hit"));
-            _collision.update(_agents);
-            a.breed = "ghosts";
-            _collision.update(_agents);
-            assertEquals(1, _calls.length);
-            a.breed = "bears";
-            _collision.update(_agents);
-            assertEquals(2, _calls.length);
-        }
-
-        [Test]
-        public function theSystemMayBeExchangedBetweenFrames():void
-        {
-            add("bears", 0);
-            add("bears", 5);
-            _collision.onCollision("bears", "bears", note("bump"));
-            _collision.update(_agents);
-            assertEquals(0, _calls.length);
-            _collision.collisionSystem = new EveryPairSystem();
-            _collision.update(_agents);
-            assertEquals("a system that knows no interests will do", 2, _calls.length);
-            assertEquals(1, _collision.statistics.collisions);
-            _collision.collisionSystem = _collider;
-            _collision.update(_agents);
-            assertEquals(2, _calls.length);
-        }
-
-        [Test]
-        public function pairsWithoutHandlersAreDroppedForAnySystem():void
-        {
-            add("bears", 0);
-            add("trees", 5);
-            _collision.collisionSystem = new EveryPairSystem();
-            _collision.onCollision("bears", "bears", note("bump"));
-            _collision.update(_agents);
-            assertEquals(0, _calls.length);
         }
 
         [Test]
@@ -339,19 +156,6 @@ package starlogo.collision
             {
                 _calls.push([name, collider, collidee]);
             };
-        }
-
-        private function countCalls(name:String):int
-        {
-            var count:int = 0;
-            for each (var call:Array in _calls)
-            {
-                if (call[0] == name)
-                {
-                    count++;
-                }
-            }
-            return count;
         }
 
         private function assertCalls(...expected):void

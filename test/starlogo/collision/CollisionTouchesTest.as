@@ -60,18 +60,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function withinABreedBothWays():void
-        {
-            _ball.breed = "bears";
-            _collision.onCollisionStart("bears", "bears", function(collider:Agent, collidee:Agent):void
-                {
-                    _calls.push(collider === _bear ? "bear" : "ball");
-                });
-            assertFrame("first", 0.5, "bear,ball");
-            assertFrame("second", 0.5, "");
-        }
-
-        [Test]
         public function theEndOfAnAgentThatIsTakenOut():void
         {
             note("bears", "balls");
@@ -82,16 +70,6 @@ package starlogo.collision
             assertFrame("back", 0.5, "start bears balls,stay bears balls");
             _agents.length = 0;
             assertFrame("both taken out", 0.5, "end bears balls");
-        }
-
-        [Test]
-        public function takenOutAndBackInBetweenIsOneTouch():void
-        {
-            note("bears", "balls");
-            assertFrame("first", 0.5, "start bears balls,stay bears balls");
-            _agents.length = 0;
-            _agents.push(_ball, _bear);
-            assertFrame("second", 0.5, "stay bears balls");
         }
 
         [Test]
@@ -163,17 +141,6 @@ package starlogo.collision
             assertFrame("no handler is about trees", 0.5, "end bears walls");
             _ball.breed = "balls";
             assertFrame("a ball", 0.5, "start bears balls,stay bears balls");
-        }
-
-        [Test]
-        public function anotherBreedOfTheFirstIsAnotherTouchToo():void
-        {
-            note("bears", "balls");
-            note("walls", "balls");
-            assertFrame("first", 0.5, "start bears balls,stay bears balls");
-            _bear.breed = "walls";
-            assertFrame("a wall", 0.5, "end bears balls,start walls balls,stay walls balls");
-            assertFrame("and on", 0.5, "stay walls balls");
         }
 
         [Test]

@@ -23,6 +23,8 @@ package starlogo.collision
     public class ContactsOfTheFrameTest
     {
         private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "apart"];
+        private static const CHANGES:Array = [[], ["position"], ["jump"], ["size"], ["heading"], ["pitch"], ["roll"], ["shape"], ["unknown shape"],
+                ["hierarchical"], ["collideAs"], ["traversalDepth"], ["sweeps", "breed"]];
         private static const COUNT:int = 5;
         private static const NEAR:Number = 1e-9;
 
@@ -70,223 +72,48 @@ package starlogo.collision
         }
 
         [Test]
-        public function stayWhenNothingHappens():void
+        public function stayWhateverAgentsDo():void
         {
-            assertContactsStay(function(agents:Array):void
-                {
-                }, false);
-        }
-
-        [Test]
-        public function stayWhenAgentsMove():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("position", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsJump():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("jump", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsGrow():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("size", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsTurn():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("heading", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsPitch():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("pitch", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsRoll():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("roll", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsChangeTheirShape():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("shape", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsTakeAnUnknownShape():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    for each (var agent:Agent in agents)
-                    {
-                        agent.shape = "nothing";
-                    }
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsBecomeHierarchicalOrCeaseToBe():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("hierarchical", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsCollideAsSomethingElse():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("collideAs", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenDepthsChange():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("traversalDepth", agents);
-                });
-        }
-
-        [Test]
-        public function stayWhenAgentsBeginAndCeaseToSweep():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    change("sweeps", agents);
-                    change("breed", agents);
-                }, false);
-        }
-
-        [Test]
-        public function stayWhateverAgentsDoAtOnce():void
-        {
-            for (var i:int = 0; i < 2; i++)
+            for each (var traits:Array in CHANGES)
             {
-                assertContactsStay(function(agents:Array):void
+                // who sweeps or is of another breed touches as before
+                assertContactsStay(traits.join(), function(agents:Array):void
                     {
-                        for (var k:int = _random.integer(2, 8); k > 0; k--)
+                        for each (var trait:String in traits)
                         {
-                            change(_random.pick(["position", "jump", "size", "heading", "pitch", "roll", "shape", "hierarchical", "collideAs",
-                                            "traversalDepth", "sweeps", "breed"]), agents);
+                            change(trait, agents);
                         }
-                    });
+                    }, traits.length > 0 && traits[0] != "sweeps");
             }
-        }
-
-        [Test]
-        public function stayWhenModelsAreReplaced():void
-        {
-            assertContactsStay(function(agents:Array):void
+            assertContactsStay("all at once", function(agents:Array):void
                 {
-                    for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart()])
+                    for (var k:int = _random.integer(2, 8); k > 0; k--)
                     {
-                        sGreatLand.addModel(model);
+                        change(_random.pick(_random.pick(CHANGES.slice(1))), agents);
                     }
-                }, false);
-        }
-
-        [Test]
-        public function stayWhenModelsAreReplacedByOthers():void
-        {
-            // longer planks in place of all
-            assertContactsStay(function(agents:Array):void
-                {
-                    for each (var shape:String in SHAPES)
-                    {
-                        sGreatLand.addModel(plank(0.7, shape));
-                    }
-                    sAreModelsSpoilt = true;
                 });
         }
 
         [Test]
-        public function stayWhenModelsAreRemoved():void
+        public function stayWhateverBecomesOfModels():void
         {
-            assertContactsStay(function(agents:Array):void
-                {
-                    for each (var shape:String in SHAPES)
-                    {
-                        assertTrue(sGreatLand.removeModel(shape));
-                    }
-                    sAreModelsSpoilt = true;
-                });
-        }
-
-        [Test]
-        public function stayWhenTheLibrariesAreChangedDirectly():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    var other:Model = plank(0.7);
-                    for each (var shape:String in SHAPES)
-                    {
-                        sGreatLand.boundingStructures.add(shape, other.vertices);
-                        sGreatLand.hierarchies.add(shape, other.vertices, other.triangles);
-                    }
-                    sAreModelsSpoilt = true;
-                });
-        }
-
-        [Test]
-        public function stayWhenAModelIsReplacedAndItsAgentsMove():void
-        {
-            assertContactsStay(function(agents:Array):void
-                {
-                    sGreatLand.addModel(plank(0.8));
-                    sAreModelsSpoilt = true;
-                    change("position", agents);
-                    change("size", agents);
-                });
+            assertContactsStay("replaced by the same", addModels, false);
+            assertContactsStay("replaced by longer planks", addPlanks);
+            assertContactsStay("removed", removeModels);
+            assertContactsStay("libraries changed directly", changeLibraries);
         }
 
         [Test]
         public function stayWhenAgentsLeaveTheList():void
         {
-            assertContactsStay(function(agents:Array):void
+            assertContactsStay("some leave", function(agents:Array):void
                 {
                     for each (var agent:Agent in agents)
                     {
                         _agents.splice(_agents.indexOf(agent), 1);
                     }
                 }, false);
-        }
-
-        [Test]
-        public function stayWhenTheListIsEmptied():void
-        {
-            assertContactsStay(function(agents:Array):void
+            assertContactsStay("all leave", function(agents:Array):void
                 {
                     _agents.length = 0;
                     change("position", agents);
@@ -443,28 +270,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function ofOneThatTheLastFrameSawAndOneThatItDidNot():void
-        {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                for (var round:int = 0; round < _rounds; round++)
-                {
-                    var collider:Collider = EachCollider.make(name, sGreatLand);
-                    makeAgents(false);
-                    collider.findCollisions(_agents);
-                    var left:Agent = _agents.pop();
-                    collider.findCollisions(_agents);
-                    // the agents that stayed have not moved
-                    change("position", [left]);
-                    change("size", [left]);
-                    _agents.push(left);
-                    compareWithNow(name, "one that left", collider);
-                }
-            }
-            assertEnough(0);
-        }
-
-        [Test]
         public function ofOneWhoseModelWasLoadingInTheLastFrameTheyAreThoseOfNow():void
         {
             for each (var name:String in EachCollider.NAMES)
@@ -489,8 +294,9 @@ package starlogo.collision
         }
 
         // What agents do leaves the contacts of a frame as they were; with questions after it, and without.
-        private function assertContactsStay(happens:Function, makesADifference:Boolean = true):void
+        private function assertContactsStay(cause:String, happens:Function, makesADifference:Boolean = true):void
         {
+            begin();
             for each (var name:String in EachCollider.NAMES)
             {
                 for (var round:int = 0; round < _rounds; round++)
@@ -511,7 +317,7 @@ package starlogo.collision
                     {
                         assertTrue("no pairs", askAll(asked, all) >= COUNT && askAll(silent, all) >= COUNT);
                     }
-                    var called:String = name + (_isSwept ? ", swept" : ", standing") + (isAsking ? ", with questions" : "");
+                    var called:String = cause + ": " + name + (_isSwept ? ", swept" : ", standing") + (isAsking ? ", with questions" : "");
                     compare(called, expected, contactsOf(asked, all));
                     compare(called + ", asked late", expected, contactsOf(silent, all));
                     countDifferent(name, expected, all);
@@ -520,13 +326,42 @@ package starlogo.collision
             assertEnough(makesADifference ? _compared / 100 : 0);
         }
 
-        private function addModels():void
+        private function addModels(agents:Array = null):void
         {
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(), plank(0.3)])
             {
                 sGreatLand.addModel(model);
             }
             sAreModelsSpoilt = false;
+        }
+
+        private static function addPlanks(agents:Array):void
+        {
+            for each (var shape:String in SHAPES)
+            {
+                sGreatLand.addModel(plank(0.7, shape));
+            }
+            sAreModelsSpoilt = true;
+        }
+
+        private static function removeModels(agents:Array):void
+        {
+            for each (var shape:String in SHAPES)
+            {
+                assertTrue(sGreatLand.removeModel(shape));
+            }
+            sAreModelsSpoilt = true;
+        }
+
+        private static function changeLibraries(agents:Array):void
+        {
+            var other:Model = plank(0.7);
+            for each (var shape:String in SHAPES)
+            {
+                sGreatLand.boundingStructures.add(shape, other.vertices);
+                sGreatLand.hierarchies.add(shape, other.vertices, other.triangles);
+            }
+            sAreModelsSpoilt = true;
         }
 
         // One frame, or one and another in which some have moved and sweep.
@@ -577,6 +412,9 @@ package starlogo.collision
                         break;
                     case "shape":
                         agent.shape = SHAPES[(SHAPES.indexOf(agent.shape) + _random.integer(1, SHAPES.length - 1)) % SHAPES.length];
+                        break;
+                    case "unknown shape":
+                        agent.shape = "nothing";
                         break;
                     case "hierarchical":
                         agent.hierarchical = !agent.hierarchical;

@@ -68,27 +68,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function aBallDeepInACubeIsHitAtEveryDepth():void
-        {
-            var cube:Agent = new Agent("cube");
-            var ball:Agent = new Agent("sphere");
-            ball.size = 0.3;
-            ball.moveTo(0.05, 0.02, 0.4);
-            for each (var depth:int in DEPTHS)
-            {
-                var hierarchical:HierarchicalCollider = new HierarchicalCollider(sGreatLands[0]);
-                hierarchical.maxDepth = depth;
-                assertTrue("depth " + depth, hierarchical.areColliding(cube, ball));
-                var combination:CombinationCollider = new CombinationCollider(sGreatLands[0]);
-                combination.maxDepth = depth;
-                cube.hierarchical = true;
-                assertTrue("a plain ball, depth " + depth, combination.areColliding(cube, ball));
-                combination.exact = true;
-                assertTrue("exact, a plain ball, depth " + depth, combination.areColliding(ball, cube));
-            }
-        }
-
-        [Test]
         public function nestsOfBoxes():void
         {
             checkNests(0, 901);

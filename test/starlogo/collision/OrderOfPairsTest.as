@@ -1,12 +1,10 @@
 package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
-    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
-    import starlogo.search.BreedInterests;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -63,21 +61,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function isOneInACrowd():void
-        {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                var kept:Collider = EachCollider.make(name, _greatLand);
-                makeAgents(25, 0.2);
-                check(name, "all in one place", kept);
-                assertEquals(name + ": all pairs", 25 * 24, kept.findCollisions(_agents).length);
-                _agents.reverse();
-                check(name, "all in one place, reversed", kept);
-            }
-            assertEnough();
-        }
-
-        [Test]
         public function isOneInLongGames():void
         {
             var frames:int = Effort.choose(40, 400);
@@ -91,30 +74,6 @@ package starlogo.collision
                     happen(happens);
                     moveSome();
                     check(name, "frame " + frame + ", " + happens, kept);
-                }
-            }
-            assertEnough();
-        }
-
-        [Test]
-        public function isOneAmongBreeds():void
-        {
-            var frames:int = Effort.choose(15, 150);
-            for each (var name:String in EachCollider.NAMES)
-            {
-                var kept:Collider = EachCollider.make(name, _greatLand);
-                makeAgents(50, 4);
-                var interests:BreedInterests = new BreedInterests();
-                interests.add("bears", "balls");
-                interests.add("walls", "walls");
-                for (var frame:int = 0; frame < frames; frame++)
-                {
-                    happen(_random.pick(["leave", "come", "swap", "nothing"]));
-                    _agents[_random.integer(0, _agents.length - 1)].breed = _random.pick(["bears", "balls", "walls", "clouds"]);
-                    moveSome();
-                    var found:Vector.<Agent> = kept.findCollisionsAmong(_agents, interests, new Vector.<Agent>());
-                    checkOrder(name, "frame " + frame, found, null);
-                    assertSame(name, EachCollider.make(name, _greatLand).findCollisionsAmong(_agents, interests, new Vector.<Agent>()), found);
                 }
             }
             assertEnough();

@@ -40,14 +40,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function unitSpheresMissSome():void
-        {
-            readModels();
-            var tally:PlacementTally = tallyOf("unit spheres", new BinCollider(load(true, FULL, BoundingStructure.BOX, true)));
-            assertTrue("the unit sphere is no bounding structure", tally.missed > 0);
-        }
-
-        [Test]
         public function hierarchiesOfTrianglesMissNothing():void
         {
             readModels();
@@ -61,15 +53,6 @@ package starlogo.collision
                 assertTrue("deeper is more precise", tally.precision >= precision);
                 precision = tally.precision;
             }
-        }
-
-        [Test]
-        public function fullHierarchiesOfTrianglesMissNothing():void
-        {
-            readModels();
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, FULL));
-            collider.maxDepth = FULL;
-            assertEquals("missed", 0, tallyOf("triangles, full", collider).missed);
         }
 
         [Test]

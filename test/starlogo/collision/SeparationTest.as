@@ -32,7 +32,6 @@ package starlogo.collision
         private var _wrong:Complaints;
         private var _overlapping:int;
         private var _deep:int;
-        private var _depth:Number;
 
         [BeforeClass]
         public static function makeModels():void
@@ -142,62 +141,6 @@ package starlogo.collision
             }
             _wrong.assertNone();
             assertTrue(_overlapping + " overlap, " + late + " late", _overlapping > 1000 && late > 500);
-        }
-
-        [Test]
-        public function aboutNoDirectionIsMuchShorter():void
-        {
-            for each (var name:String in SYSTEMS)
-            {
-                var collider:Collider = make(name);
-                var longer:Number = 0;
-                var count:int = 0;
-                for (var i:int = Effort.choose(60, 2000); i > 0; i--)
-                {
-                    var a:Agent = anyAgent();
-                    var b:Agent = anyAgent();
-                    place(a, b, 1, 10);
-                    if (!collider.areColliding(a, b))
-                    {
-                        continue;
-                    }
-                    var depth:Number = collider.contactOf(a, b).depth;
-                    var shortest:Number = depth;
-                    for (var k:int = Effort.choose(30, 300); k > 0; k--)
-                    {
-                        shortest = Math.min(shortest, wayOut(collider, a, b, shortest));
-                    }
-                    longer += (depth - shortest) / Math.max(a.size, b.size);
-                    count++;
-                }
-                if (longer / count > 0.02)
-                {
-                    _wrong.add(name, longer / count + " longer than the shortest of some, of " + count);
-                }
-                assertTrue(name + ": " + count, count > 10);
-            }
-            _wrong.assertNone();
-        }
-
-        // How far along some direction until the two do not touch, in steps; the limit if not before.
-        private function wayOut(collider:Collider, a:Agent, b:Agent, limit:Number):Number
-        {
-            var x:Number = a.x;
-            var y:Number = a.y;
-            var z:Number = a.z;
-            var dx:Number = _random.normal();
-            var dy:Number = _random.normal();
-            var dz:Number = _random.normal();
-            var length:Number = Math.sqrt(dx * dx + dy * dy + dz * dz);
-            var far:Number = 0;
-            do
-            {
-                far += 0.01;
-                a.moveTo(x + far * dx / length, y + far * dy / length, z + far * dz / length);
-            }
-            while (far < limit && collider.areColliding(a, b));
-            a.moveTo(x, y, z);
-            return Math.min(far, limit);
         }
 
         private static function moveBack(agent:Agent, from:Array, at:int, time:Number):void

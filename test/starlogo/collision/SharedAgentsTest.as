@@ -1,14 +1,11 @@
 package starlogo.collision
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.diagnostics.CollisionRecorder;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
-    import support.assertThrows;
 
     use namespace engine;
 
@@ -54,86 +51,6 @@ package starlogo.collision
             assertTrue("the inner one ran", innerCalls >= alone.length);
         }
 
-        [Test]
-        public function collisionsMayShareACollider():void
-        {
-            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
-            var alone:Array = callsOf(collider, null);
-            var inner:Collision = new Collision(collider);
-            inner.onCollision("balls", "balls", function(collider:Agent, collidee:Agent):void
-                {
-                });
-            assertEquals(alone.join(), callsOf(collider, function():void
-                    {
-                        inner.update(_agents);
-                    }).join());
-        }
-
-        [Test]
-        public function collidersDoNotStealEachOthersShapes():void
-        {
-            var colliders:Vector.<CollisionSystem> = makeColliders();
-            for (var frame:int = 0; frame < 50; frame++)
-            {
-                _agents[5].x += 0.01;
-                _agents[frame % 4].heading += 5;
-                var others:Vector.<CollisionSystem> = makeColliders();
-                for (var i:int = 0; i < colliders.length; i++)
-                {
-                    assertEquals(colliders[i] + "", textOf(others[i].findCollisions(_agents)), textOf(colliders[i].findCollisions(_agents)));
-                }
-            }
-        }
-
-        [Test]
-        public function aFrameThatThrowsDoesNotShowInTheCollider():void
-        {
-            var collider:BinCollider = new BinCollider(_greatLand);
-            var collision:Collision = new Collision(collider);
-            collision.onCollision("bears", "balls", function(a:Agent, b:Agent):void
-                {
-                });
-            collision.update(_agents);
-            assertThrows(ArgumentError, /nothing/, collision.update, _agents.concat(new <Agent>[new Agent("nothing", "balls")]));
-            var out:Vector.<Agent> = _agents.concat(_agents);
-            collider.findCollisions(_agents.slice(0, 2), out);
-            assertEquals("one pair, and nothing that was there before", _agents[0].id + "," + _agents[1].id, textOf(out));
-        }
-
-        [Test]
-        public function aQuestionAndTheFrameAfterItNoticeAddedStructures():void
-        {
-            var a:Agent = new Agent("cube");
-            var b:Agent = new Agent("sphere");
-            b.moveTo(0, 0.9, 0.2);
-            var pair:Vector.<Agent> = new <Agent>[a, b];
-            for each (var collider:Collider in [new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand)])
-            {
-                _greatLand.addModel(BuiltInModel.cube());
-                assertTrue(collider.areColliding(a, b));
-                assertEquals(2, collider.findCollisions(pair).length);
-                var plank:Vector.<Number> = new <Number>[-0.5, -0.05, 0, 0.5, -0.05, 0, 0.5, 0.05, 0, -0.5, 0.05, 0.1];
-                _greatLand.boundingStructures.add("cube", plank);
-                _greatLand.hierarchies.add("cube", plank);
-                assertFalse("a plank now", collider.areColliding(a, b));
-                assertEquals("in the frame too", 0, collider.findCollisions(pair).length);
-            }
-        }
-
-        [Test]
-        public function removedModelsAreErrorsUntilTheyAreBack():void
-        {
-            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
-            collider.findCollisions(_agents);
-            assertTrue(_greatLand.removeModel("cube"));
-            assertFalse("twice", _greatLand.removeModel("cube"));
-            assertThrows(ArgumentError, /agent \d+ .*there is no model "cube"/, collider.findCollisions, _agents);
-            assertThrows(ArgumentError, /there is no model "cube"/, new BinCollider(_greatLand).findCollisions, _agents);
-            assertFalse(_greatLand.hasModel("cube") || _greatLand.boundingStructures.has("cube") || _greatLand.hierarchies.has("cube"));
-            _greatLand.addModel(BuiltInModel.cube());
-            assertTrue(collider.findCollisions(_agents).length > 0);
-        }
-
         // The calls of a frame; an action runs in each.
         private function callsOf(system:CollisionSystem, action:Function):Array
         {
@@ -152,23 +69,6 @@ package starlogo.collision
                     action();
                 }
             }
-        }
-
-        private function makeColliders():Vector.<CollisionSystem>
-        {
-            return new <CollisionSystem>[new BinCollider(_greatLand), new TightestFitCollider(_greatLand), new TightestFitCollider(_greatLand),
-                    new HierarchicalCollider(_greatLand), new CombinationCollider(_greatLand),
-                    new CollisionRecorder(new BinCollider(_greatLand))];
-        }
-
-        private static function textOf(pairs:Vector.<Agent>):String
-        {
-            var ids:Array = [];
-            for (var i:int = 0; i < pairs.length; i++)
-            {
-                ids.push(pairs[i].id);
-            }
-            return ids.join();
         }
     }
 }

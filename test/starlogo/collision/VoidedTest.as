@@ -607,47 +607,6 @@ package starlogo.collision
             sGreatLand.expectNoMore("later");
         }
 
-        [Test]
-        public function sweepsWereSetAndCleared():void
-        {
-            for each (var name:String in ALL)
-            {
-                for (var round:int = 0; round < _rounds; round++)
-                {
-                    _isSwept = false;
-                    _agents = makeAgents();
-                    start(name);
-                    for (var i:int = 0; i < 12; i++)
-                    {
-                        var sweeps:Boolean = _random.chance();
-                        for each (var agent:Agent in some())
-                        {
-                            agent.sweeps = sweeps && _random.chance();
-                            agent.moveTo(agent.x * 0.9 + _random.normal(), agent.y * 0.9, agent.z);
-                        }
-                        if (i % 3 == 2)
-                        {
-                            _agents.splice(_random.integer(0, _agents.length - 1), 1);
-                        }
-                        frame();
-                        for each (agent in _agents)
-                        {
-                            agent.sweeps = agent.sweeps && _random.chance();
-                        }
-                        if (i % 4 == 3)
-                        {
-                            for each (agent in _agents)
-                            {
-                                agent.sweeps = false;
-                            }
-                            compare("no more");
-                        }
-                    }
-                }
-            }
-            finish(NOBODY, {});
-        }
-
         private function changeStructureTests():void
         {
             check("structure tests changed", STRUCTURES, function():void

@@ -1,6 +1,5 @@
 package starlogo.diagnostics
 {
-    import flash.display.Sprite;
     import flash.events.Event;
     import flash.events.KeyboardEvent;
     import flash.text.TextField;
@@ -115,15 +114,6 @@ package starlogo.diagnostics
         }
 
         [Test]
-        public function shownItTakesInEveryFrame():void
-        {
-            TestStage.stage.addChild(_monitor);
-            _collision.update(Scenes.crowd(3, "spheres").agents);
-            playOnStage(REFRESH_FRAMES);
-            assertEquals("3", valueOf("agents"));
-        }
-
-        [Test]
         public function hiddenItTakesInNoFrame():void
         {
             TestStage.stage.addChild(_monitor);
@@ -138,26 +128,6 @@ package starlogo.diagnostics
             assertEquals("it starts anew", "", valueOf("agents"));
             playOnStage(1);
             assertEquals("3", valueOf("agents"));
-        }
-
-        [Test]
-        public function hiddenBeforeItIsOnTheStageItStaysSo():void
-        {
-            _monitor.isShown = false;
-            TestStage.stage.addChild(_monitor);
-            assertFalse(_monitor.visible);
-            assertFalse(_monitor.hasEventListener(Event.ENTER_FRAME));
-            press(Keyboard.BACKQUOTE);
-            assertTrue(_monitor.hasEventListener(Event.ENTER_FRAME));
-        }
-
-        [Test]
-        public function offTheStageItDoesNothing():void
-        {
-            var parent:Sprite = new Sprite();
-            parent.addChild(_monitor);
-            _monitor.isShown = true;
-            assertFalse(_monitor.hasEventListener(Event.ENTER_FRAME));
         }
 
         [Test]

@@ -1,7 +1,6 @@
 package starlogo.diagnostics
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
@@ -53,18 +52,6 @@ package starlogo.diagnostics
         }
 
         [Test]
-        public function theOrderOfTwoBreedsDoesNotMatter():void
-        {
-            var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
-            var cat:Agent = new Agent("sphere", "cats");
-            var dog:Agent = new Agent("sphere", "dogs");
-            recorder.findCollisions(new <Agent>[cat, dog]);
-            recorder.findCollisions(new <Agent>[dog, cat]);
-            assertEquals(1, recorder.toObject().breeds.length);
-            assertEquals(2, recorder.toObject().breeds[0].collisions);
-        }
-
-        [Test]
         public function numbersAboveSixteenAreInClassesThatDouble():void
         {
             var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
@@ -74,19 +61,6 @@ package starlogo.diagnostics
                 recorder.findCollisions(Scenes.crowd(count, "spheres").agents);
             }
             assertEquals('[[15,1],[17,2],[34,2],[68,1]]', pairs(recorder.toObject().histogram));
-        }
-
-        [Test]
-        public function classesBeginAboveSixteenAndWhereTheyDouble():void
-        {
-            var system:CountedPairs = new CountedPairs();
-            var recorder:CollisionRecorder = new CollisionRecorder(system);
-            for each (system.count in [0, 16, 17, 33, 34, 67, 68, 1000])
-            {
-                recorder.findCollisions(new Vector.<Agent>());
-            }
-            assertEquals('[[0,1],[16,1],[17,2],[34,2],[68,1],[544,1]]', pairs(recorder.toObject().histogram));
-            assertEquals(1000, recorder.toObject().most);
         }
 
         [Test]
@@ -115,20 +89,6 @@ package starlogo.diagnostics
         }
 
         [Test]
-        public function findsWhatItsSystemFinds():void
-        {
-            var scene:Scene = Scenes.scattered(300, "spheres");
-            var plain:BinCollider = new BinCollider(_greatLand);
-            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
-            assertEquals(plain.findCollisions(scene.agents).join(), recorder.findCollisions(scene.agents).join());
-            assertTrue(recorder.areColliding(new Agent("sphere"), new Agent("sphere")));
-            var far:Agent = new Agent("sphere");
-            far.moveTo(20, 0, 0);
-            assertFalse(recorder.areColliding(new Agent("sphere"), far));
-            assertEquals("what is asked is no frame", 1, recorder.frames);
-        }
-
-        [Test]
         public function passesOnInterestsAndStatistics():void
         {
             var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
@@ -139,21 +99,6 @@ package starlogo.diagnostics
             assertEquals(1, collision.statistics.agentsSkipped);
             assertEquals(1, collision.statistics.collisions);
             assertTrue(collision.statistics.sphereSphereTests > 0);
-        }
-
-        [Test]
-        public function recordsAClientsSystem():void
-        {
-            var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
-            var collision:Collision = new Collision(recorder);
-            collision.onCollision("turtles", "turtles", ignore);
-            collision.update(Scenes.crowd(4, "spheres").agents);
-            assertEquals(6, recorder.collisions);
-            assertEquals(6, collision.statistics.collisions);
-            assertEquals(4, collision.statistics.agents);
-            collision.update(Scenes.crowd(3, "spheres").agents);
-            assertEquals("of the last frame", 3, collision.statistics.collisions);
-            assertEquals(3, collision.statistics.agents);
         }
 
         [Test]

@@ -13,64 +13,30 @@ package starlogo.fitting
     {
         public static const FIXTURES:Array = ReferenceFits.FIXTURES;
 
+        private static const KINDS:Array = ["points", "model", "formula"];
+
         // The searches take seconds where more points than these are on the hull.
         private static const HULL_POINTS:int = 32;
 
         [Test]
-        public function spheresOfSets():void
+        public function spheres():void
         {
-            compareSpheres("points");
+            KINDS.forEach(compareSpheres);
         }
 
         [Test]
-        public function spheresOfModels():void
+        public function boxes():void
         {
-            compareSpheres("model");
+            KINDS.forEach(compareBoxes);
         }
 
         [Test]
-        public function spheresOfManyPoints():void
+        public function capsules():void
         {
-            compareSpheres("formula");
+            KINDS.forEach(compareCapsules);
         }
 
-        [Test]
-        public function boxesOfSets():void
-        {
-            compareBoxes("points");
-        }
-
-        [Test]
-        public function boxesOfModels():void
-        {
-            compareBoxes("model");
-        }
-
-        [Test]
-        public function boxesOfManyPoints():void
-        {
-            compareBoxes("formula");
-        }
-
-        [Test]
-        public function capsulesOfSets():void
-        {
-            compareCapsules("points");
-        }
-
-        [Test]
-        public function capsulesOfModels():void
-        {
-            compareCapsules("model");
-        }
-
-        [Test]
-        public function capsulesOfManyPoints():void
-        {
-            compareCapsules("formula");
-        }
-
-        private static function compareSpheres(source:String):void
+        private static function compareSpheres(source:String, index:int, all:Array):void
         {
             var worst:Number = 0;
             for each (var entry:Object in entriesOf(source))
@@ -86,7 +52,7 @@ package starlogo.fitting
             trace("smallest sphere, " + source + ": at most " + worst + " above");
         }
 
-        private static function compareBoxes(source:String):void
+        private static function compareBoxes(source:String, index:int, all:Array):void
         {
             var worst:Number = 0;
             for each (var entry:Object in entriesOf(source))
@@ -107,7 +73,7 @@ package starlogo.fitting
             trace("smallest box, " + source + ": at most " + worst + " above");
         }
 
-        private static function compareCapsules(source:String):void
+        private static function compareCapsules(source:String, index:int, all:Array):void
         {
             var worst:Number = 0;
             for each (var entry:Object in entriesOf(source))

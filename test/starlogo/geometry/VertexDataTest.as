@@ -17,7 +17,7 @@ package starlogo.geometry
         [Test]
         public function saysWhichVertexIsWrong():void
         {
-            var needed:String = "three coordinates for each of at least one vertex are needed, not ";
+            var needed:String = "at least one vertex with three coordinates each is needed, not ";
             assertEquals(needed + "null", VertexData.vertexProblem(null));
             assertEquals(needed + "0 numbers", VertexData.vertexProblem(new Vector.<Number>()));
             assertEquals(needed + "7 numbers", VertexData.vertexProblem(new <Number>[0, 1, 2, 3, 4, 5, 6]));

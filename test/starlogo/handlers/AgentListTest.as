@@ -74,52 +74,6 @@ package starlogo.handlers
         }
 
         [Test]
-        public function poppingIsNoticed():void
-        {
-            listAgents(2000);
-            for (var i:int = 0; i < 500; i++)
-            {
-                askAbout(_agents.pop());
-                askAbout(randomAgent());
-            }
-        }
-
-        [Test]
-        public function swappingWithTheLastIsNoticed():void
-        {
-            listAgents(2000);
-            for (var i:int = 0; i < 500; i++)
-            {
-                var index:int = _random.integer(0, _agents.length - 1);
-                var gone:Agent = _agents[index];
-                _agents[index] = _agents[_agents.length - 1];
-                _agents.pop();
-                askAbout(gone);
-                if (index < _agents.length)
-                {
-                    assertTrue("the one that took its place is there", ask(_agents[index]));
-                }
-                askAbout(randomAgent());
-            }
-        }
-
-        [Test]
-        public function aListInAnyOrder():void
-        {
-            listAgents(1000);
-            for (var i:int = 0; i < 300; i++)
-            {
-                _agents.reverse();
-                _agents.push(_agents.shift());
-                assertTrue("it is there", ask(randomAgent()));
-            }
-            for each (var agent:Agent in _all)
-            {
-                assertTrue("all are", ask(agent));
-            }
-        }
-
-        [Test]
         public function aShortListInAnyOrder():void
         {
             listAgents(20);

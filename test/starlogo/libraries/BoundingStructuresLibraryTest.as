@@ -19,7 +19,6 @@ package starlogo.libraries
     import starlogo.models.BuiltInModel;
     import support.PointSets;
     import support.assertThrows;
-    import evaluation.pairs.SeededRandom;
 
     public class BoundingStructuresLibraryTest
     {
@@ -37,18 +36,6 @@ package starlogo.libraries
             // a capsule of radius 0.2 and length 2
             _stick = PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, -1).concat(
                     PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, 1));
-        }
-
-        [Test]
-        public function keepsTheSmallest():void
-        {
-            _library.add("cube", _cube);
-            _library.add("ball", _ball);
-            _library.add("stick", _stick);
-            assertTrue(_library.tightestFit("cube") is Box);
-            assertTrue(_library.tightestFit("ball") is Sphere);
-            assertTrue(_library.tightestFit("stick") is Capsule);
-            assertNear(1, _library.tightestFit("cube").volume);
         }
 
         [Test]
@@ -108,43 +95,6 @@ package starlogo.libraries
             _library.fitters.length = 1;
             _library.add("cube", _cube);
             assertTrue(_library.tightestFit("cube") is Sphere);
-        }
-
-        [Test]
-        public function theIncrementReachesTheDefaultBox():void
-        {
-            var random:SeededRandom = new SeededRandom(3);
-            var turned:Vector.<Number> = PointSets.turned(PointSets.box(0.5, 0.2, 0.1), random);
-            _library.add("coarse", turned);
-            _library.orientedBoxDegIncrement = 5;
-            assertEquals(5, _library.orientedBoxDegIncrement);
-            _library.add("fine", turned);
-            assertTrue(_library.tightestFit("fine").volume < _library.tightestFit("coarse").volume);
-            assertEquals(30, new BoundingStructuresLibrary(30).orientedBoxDegIncrement);
-        }
-
-        [Test]
-        public function namesAreJustNames():void
-        {
-            for each (var name:String in ["toString", "hasOwnProperty", "constructor", "__proto__", "null", " "])
-            {
-                assertFalse(name, _library.has(name));
-                assertRefused(_library.tightestFit, [name], name);
-                assertRefused(_library.sphere, [name], name);
-                _library.add(name, _cube);
-                assertTrue(name, _library.has(name));
-                assertNear(1, _library.tightestFit(name).volume);
-            }
-        }
-
-        [Test]
-        public function unknownShapesAreNamed():void
-        {
-            assertFalse(_library.has("unicorn"));
-            assertFalse(_library.has(null));
-            assertRefused(_library.tightestFit, ["unicorn"], "unicorn");
-            assertRefused(_library.box, ["unicorn"], "unicorn");
-            assertRefused(_library.tightestFit, [null], "null");
         }
 
         [Test]

@@ -31,14 +31,6 @@ package starlogo.libraries
         }
 
         [Test]
-        public function hasTheDefaultsOfTheThesis():void
-        {
-            assertEquals(5, _library.minVerticesToSplit);
-            assertEquals(10, _library.maxDepth);
-            assertFalse(_library.splitByMean);
-        }
-
-        [Test]
         public function splitsHalfwayAlongTheLongestAxis():void
         {
             // along y: 0, 1, 2, 7, 8, 10
@@ -71,15 +63,6 @@ package starlogo.libraries
             vertices[9] = 5;
             add("mean", vertices);
             assertEquals("3,4", sorted(_library.root("mean").right.vertexIndices()));
-        }
-
-        [Test]
-        public function doesNotSplitTheFew():void
-        {
-            add("five", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0]);
-            assertTrue(_library.root("five").isLeaf);
-            add("six", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0, 5, 0, 0]);
-            assertFalse(_library.root("six").isLeaf);
         }
 
         [Test]
@@ -131,21 +114,6 @@ package starlogo.libraries
         }
 
         [Test]
-        public function isWellFormedForTheBuiltInModels():void
-        {
-            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
-            {
-                for each (var kind:int in KINDS)
-                {
-                    _library.boundsKind = kind;
-                    add(model.name, model.vertices, model.triangles);
-                    add(model.name + " as vertices", model.vertices);
-                    assertEquals(kind, _library.root(model.name).bounds.kind);
-                }
-            }
-        }
-
-        [Test]
         public function isWellFormedForRandomSoups():void
         {
             var random:SeededRandom = new SeededRandom(51);
@@ -190,22 +158,6 @@ package starlogo.libraries
         }
 
         [Test]
-        public function structuresOfSpheresAreNoLargerThanNeeded():void
-        {
-            var model:Model = BuiltInModel.sphere();
-            _library.boundsKind = BoundingStructure.SPHERE;
-            add("sphere", model.vertices, model.triangles);
-            assertNear(Math.PI / 6, _library.root("sphere").bounds.volume, 1e-9);
-            _library.boundsKind = BoundingStructure.CAPSULE;
-            add("sphere", model.vertices, model.triangles);
-            assertNear(Math.PI / 6, _library.root("sphere").bounds.volume, 1e-9);
-            model = BuiltInModel.cube();
-            add("cube", model.vertices, model.triangles);
-            // the capsule of thesis Figure 6-1
-            assertNear(3.052, _library.root("cube").bounds.volume, 1e-3);
-        }
-
-        [Test]
         public function anyNameDoes():void
         {
             var vertices:Vector.<Number> = new <Number>[0, 0, 0];
@@ -217,24 +169,6 @@ package starlogo.libraries
                 assertTrue(name, _library.has(name));
             }
             assertFalse(_library.has(null));
-        }
-
-        [Test]
-        public function replacesTheOneOfTheSameName():void
-        {
-            add("a", new <Number>[0, 0, 0]);
-            add("a", new <Number>[0, 0, 0, 1, 1, 1]);
-            assertEquals(2, _library.root("a").vertexCount);
-        }
-
-        [Test]
-        public function copiesWhatItIsGiven():void
-        {
-            var model:Model = BuiltInModel.cube();
-            var vertices:Vector.<Number> = model.vertices.slice();
-            add("cube", vertices, model.triangles);
-            vertices[0] = 1e9;
-            assertNear(0.5, Box(_library.root("cube").bounds).halfX, 1e-12);
         }
 
         [Test]
@@ -273,30 +207,6 @@ package starlogo.libraries
             {
                 _library[name] = value;
             }
-        }
-
-        [Test]
-        public function forgetsAndCountsWhatIsVoid():void
-        {
-            var vertices:Vector.<Number> = new <Number>[0, 0, 0];
-            assertEquals(0, _library.shapes.revision);
-            _library.shapes.of("a").setHierarchy(null);
-            add("a", vertices);
-            add("b", vertices);
-            assertEquals("nothing was kept of these", 0, _library.shapes.revision);
-            add("a", vertices);
-            assertEquals(1, _library.shapes.revision);
-            _library.shapes.of("a").setHierarchy(null);
-            assertEquals(2, _library.shapes.revision);
-            assertFalse(_library.has("a"));
-            assertTrue(_library.has("b"));
-            _library.shapes.of("a").setHierarchy(null);
-            assertFalse(_library.has(null));
-            _library.shapes.of("b").setHierarchy(null);
-            assertFalse(_library.has("b"));
-            assertEquals(3, _library.shapes.revision);
-            assertThrows(ArgumentError, /finite/, _library.add, "c", new <Number>[NaN, 0, 0]);
-            assertEquals(3, _library.shapes.revision);
         }
 
         [Test]

@@ -83,9 +83,9 @@ package starlogo.models
             scene("node/matrix", "expected 16 numbers, but found 3", "<node><matrix>1 0 0</matrix></node>");
             scene("node[2]/matrix", "last row", "<node/><node><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1</matrix></node>");
             scene("node/rotate", "finite", "<node><rotate>0 0 1 up</rotate></node>");
-            scene("node/lookat", "two points apart", "<node><lookat>1 1 1 1 1 1 0 0 1</lookat></node>");
-            scene("node/lookat", "two points apart", "<node><lookat>1 1 1 1 1 2 0 0 1</lookat></node>");
-            scene("node/skew", "two axes apart", "<node><skew>10 0 0 1 0 0 1</skew></node>");
+            scene("node/lookat", "two different points", "<node><lookat>1 1 1 1 1 1 0 0 1</lookat></node>");
+            scene("node/lookat", "two different points", "<node><lookat>1 1 1 1 1 2 0 0 1</lookat></node>");
+            scene("node/skew", "two different axes", "<node><skew>10 0 0 1 0 0 1</skew></node>");
             scene("node#n/instance_geometry", "too large",
                     '<node id="n"><scale>1e308 1 1</scale><scale>1e308 1 1</scale><instance_geometry url="#a"/></node>');
             fails("scene/instance_visual_scene", "no <visual_scene>", Collada.scene(LIBRARY,

@@ -63,7 +63,7 @@ package starlogo.models
             assertPoints("<skew>45  0 1 0  1 0 0</skew>", "0 0 0 1 0 0 1 1 0 0 0 1");
             assertPoints("<skew>-45  0 0 2  0 1 0</skew>", "0 0 0 1 0 0 0 1 0 0 -1 1");
             // an axis that is not square to the shift: (1, 1, 0) turned by 45 degrees towards x is x itself, out of reach
-            Failures.assertFails("library_visual_scenes/visual_scene#s/node/skew", "two axes apart", function():void
+            Failures.assertFails("library_visual_scenes/visual_scene#s/node/skew", "two different axes", function():void
                 {
                     read(Collada.scene(box(), node("<skew>45  1 1 0  1 0 0</skew>")));
                 });

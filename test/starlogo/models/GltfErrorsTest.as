@@ -32,7 +32,7 @@ package starlogo.models
             refuses("nodes[0].mesh", "but found 0.5", setIn("nodes", {mesh: 0.5}));
             refuses("nodes[0].mesh", "but found -1", setIn("nodes", {mesh: -1}));
             refuses("nodes[0].mesh", "but found null", setIn("nodes", {mesh: null}));
-            refuses("nodes[0].children[0]", "is in itself", setIn("nodes", {children: [0]}));
+            refuses("nodes[0].children[0]", "contains itself", setIn("nodes", {children: [0]}));
             refuses("nodes[0].children[0]", "one of 1 nodes", setIn("nodes", {children: [1]}));
             refuses("nodes[0].matrix", "expected 16 numbers, but found 1", setIn("nodes", {matrix: [1]}));
             refuses("nodes[0].scale[2]", "expected a finite number, but found \"1\"", setIn("nodes", {scale: [1, 1, "1"]}));
@@ -76,7 +76,7 @@ package starlogo.models
                 });
             file.json.accessors[0].sparse = {count: 1, indices: {bufferView: file.addView([3], 1, Gltf.UNSIGNED_SHORT), componentType: Gltf.UNSIGNED_SHORT},
                     values: {bufferView: file.addView([1, 1, 1], 3, Gltf.FLOAT)}};
-            Failures.assertFails("accessors[0].sparse.indices", "element 0 is 3: there are 3", function():void
+            Failures.assertFails("accessors[0].sparse.indices", "element 0 is 3, but there are only 3", function():void
                 {
                     GltfModel.fromBytes("a", file.toBinary());
                 });
@@ -90,7 +90,7 @@ package starlogo.models
                 var file:Gltf = new Gltf();
                 file.addMesh({attributes: {POSITION: file.addNumbers([0, 0, 0, 1, wrong, 0, 0, 1, 0], "VEC3", Gltf.FLOAT)}});
                 file.json.nodes.push({mesh: 0});
-                Failures.assertFails("nodes[0]", "no finite numbers", function():void
+                Failures.assertFails("nodes[0]", "not finite numbers", function():void
                     {
                         GltfModel.fromBytes("a", file.toBinary());
                     });
@@ -113,7 +113,7 @@ package starlogo.models
                     {
                         GltfModel.fromBytes("a", file.toBinary());
                     });
-                assertTrue(error.message, /in itself/.test(error.message));
+                assertTrue(error.message, /contains itself/.test(error.message));
             }
         }
 
@@ -131,7 +131,7 @@ package starlogo.models
             file.json.accessors[0].count = 300000;
             file.json.meshes[0].primitives[0].targets = [ {POSITION: 0}, {POSITION: 0}, {POSITION: 0}, {POSITION: 0}, {POSITION: 0}, {POSITION: 0}];
             file.json.meshes[0].weights = [1, 1, 1, 1, 1, 1];
-            Failures.assertFails("meshes[0].primitives[0]", "read more than 4000000 points", function():void
+            Failures.assertFails("meshes[0].primitives[0]", "more than 4000000 points", function():void
                 {
                     GltfModel.fromBytes("a", file.toBinary());
                 });

@@ -216,11 +216,11 @@ package starlogo.models
             var given:Object = {};
             given["a%20b.bin"] = file.binary;
             assertEquals(12, GltfModel.fromBytes("a", bytes, null, Model.FOOTPRINT, given).triangles.length);
-            Failures.assertFails("buffers[0].uri", "beside the file, and was not given", function():void
+            Failures.assertFails("buffers[0].uri", "is another file and was not given", function():void
                 {
                     GltfModel.fromBytes("a", bytes);
                 });
-            Failures.assertFails("buffers[0].uri", "beside the file, and was not given", function():void
+            Failures.assertFails("buffers[0].uri", "is another file and was not given", function():void
                 {
                     GltfModel.fromBytes("a", file.toTextBytes("constructor"), null, Model.FOOTPRINT, {});
                 });

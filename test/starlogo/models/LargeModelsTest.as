@@ -96,27 +96,6 @@ package starlogo.models
         }
 
         [Test]
-        public function colladaPolylists():void
-        {
-            var sizes:Array = [];
-            for (var i:int = 0; i < _corners.length; i += 3)
-            {
-                sizes.push(3);
-            }
-            var text:String = Collada.document(Collada.geometry("a", spread(_points), Collada.polylist(spread(sizes), spread(_corners))), "",
-                    Collada.Z_UP);
-            assertSame(new Model("a", _used, _triangles), new ColladaModel("a", text));
-        }
-
-        [Test]
-        public function textThatOnlyTabsDivide():void
-        {
-            var text:String = Collada.document(Collada.geometry("a", _points.join("\t"), '<triangles>' + Collada.INPUT + '<p>' +
-                        _corners.join("\t") + '</p></triangles>'), "", Collada.Z_UP);
-            assertSame(new Model("a", _used, _triangles), new ColladaModel("a", text));
-        }
-
-        [Test]
         public function whatIsWrongAtTheEndIsFoundOut():void
         {
             var last:int = _used.length / 3 - 1;

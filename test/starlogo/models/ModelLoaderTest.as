@@ -80,7 +80,7 @@ package starlogo.models
             assertEquals(0, source.done);
             whenComplete(function():void
                 {
-                    assertEquals('made,model "broken": it can\'t be taken in: no more,text', _log.join());
+                    assertEquals('made,model "broken": it can\'t be added: no more,text', _log.join());
                     assertEquals("made,text", _receiver.received.join());
                     assertEquals(5, source.done);
                     assertTrue("a step a frame: " + progress, progress.length > 20);
@@ -129,7 +129,7 @@ package starlogo.models
                     assertEquals(4, _log.length);
                     assertTrue(_log[0], _log[0].indexOf("model \"broken\", line 1: ") == 0);
                     assertTrue(_log[1], _log[1].indexOf("needs a name") > 0);
-                    assertEquals("model \"refused\": it can't be taken in: no", _log[2]);
+                    assertEquals("model \"refused\": it can't be added: no", _log[2]);
                     assertEquals("good", _log[3]);
                     assertEquals("good", _receiver.received.join());
                 });

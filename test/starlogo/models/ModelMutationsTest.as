@@ -47,27 +47,9 @@ package starlogo.models
         }
 
         [Test]
-        public function moreObjText():void
-        {
-            mutate("OBJ", 6000, 102, objOf);
-        }
-
-        [Test]
         public function colladaText():void
         {
-            mutate("COLLADA", 2500, 201, colladaOf);
-        }
-
-        [Test]
-        public function moreColladaText():void
-        {
-            mutate("COLLADA", 2500, 202, colladaOf);
-        }
-
-        [Test]
-        public function yetMoreColladaText():void
-        {
-            mutate("COLLADA", 2500, 203, colladaOf);
+            mutate("COLLADA", 3000, 201, colladaOf);
         }
 
         [Test]
@@ -178,7 +160,7 @@ package starlogo.models
             var random:SeededRandom = new SeededRandom(seed);
             var longest:int = 0;
             var loaded:int = 0;
-            count = Effort.choose(count, count, count / 4);
+            count = Effort.choose(count / 2, count, count / 4);
             for (var i:int = 0; i < count; i++)
             {
                 var start:int = getTimer();

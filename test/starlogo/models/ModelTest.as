@@ -62,25 +62,6 @@ package starlogo.models
         }
 
         [Test]
-        public function endsInTheSameFrameHoweverItWasPlaced():void
-        {
-            var random:SeededRandom = new SeededRandom(5);
-            for (var run:int = 0; run < 200; run++)
-            {
-                var vertices:Vector.<Number> = cloud(random, 30);
-                var expected:Vector.<Number> = new Model("a", vertices).vertices;
-                var scale:Number = random.logBetween(1e-3, 1e3);
-                var offset:Vector.<Number> = new <Number>[random.between(-9, 9), random.between(-9, 9),
-                        random.between(-9, 9)];
-                for (var i:int = 0; i < vertices.length; i++)
-                {
-                    vertices[i] = (vertices[i] + offset[i % 3]) * scale;
-                }
-                assertUnitFrame(new Model("b", vertices), expected);
-            }
-        }
-
-        [Test]
         public function keepsItsShapeHoweverItWasTurned():void
         {
             var random:SeededRandom = new SeededRandom(6);

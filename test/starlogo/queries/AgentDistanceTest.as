@@ -1,7 +1,6 @@
 package starlogo.queries
 {
     import evaluation.pairs.SeededRandom;
-    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
@@ -53,27 +52,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function cubesBesideEachOther():void
-        {
-            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(sGreatLand));
-            var a:Agent = new Agent("cube");
-            var b:Agent = new Agent("cube");
-            b.moveTo(3, 0, 0.25);
-            queries.update(new <Agent>[a, b]);
-            var pointA:Vector3D = new Vector3D();
-            var pointB:Vector3D = new Vector3D();
-            assertNear("apart", 2, queries.distance(a, b, pointA, pointB));
-            assertNear("x", 0.5, pointA.x);
-            assertNear("x", 2.5, pointB.x);
-            assertNear("beside", 0, Vector3D.distance(pointA, new Vector3D(0.5, pointB.y, pointB.z)));
-            b.moveTo(1, 0, 0);
-            queries.moved(b);
-            assertTrue("touching is 0", queries.distance(a, b, pointA, pointB) === 0);
-            assertTrue("one point", pointA.equals(pointB));
-            assertNear("x", 0.5, pointA.x);
-        }
-
-        [Test]
         public function theAskerIsOfNowTheOtherAsSeen():void
         {
             for each (var collider:Collider in colliders())
@@ -99,90 +77,6 @@ package starlogo.queries
                 queries.moved(b);
                 assertFalse(collider + ": moved", apart == queries.distance(a, b));
             }
-        }
-
-        // Strangers ask before, while and after agents join and leave the list: each answer is that of a list of these two alone.
-        [Test]
-        public function strangersAskWhileTheListGrows():void
-        {
-            for each (var collider:Collider in colliders())
-            {
-                var listed:Vector.<Agent> = new Vector.<Agent>();
-                var queries:AgentQueries = new AgentQueries(collider);
-                for (var step:int = 0; step < 24; step++)
-                {
-                    if (listed.length > 6)
-                    {
-                        listed.splice(_random.integer(0, 5), 2);
-                    }
-                    listed.push(world(1, 6)[0]);
-                    queries.update(listed);
-                    var strangers:Vector.<Agent> = world(2, 6);
-                    queries.touching(strangers[step % 2]);
-                    assertEquals(collider + ", strangers", distanceOf(collider, strangers[0], strangers[1]), queries.distance(strangers[0], strangers[1]));
-                    for each (var agent:Agent in listed)
-                    {
-                        var expected:Number = distanceOf(collider, strangers[0], agent);
-                        assertEquals(collider + ", step " + step, expected, queries.distance(strangers[0], agent));
-                        assertEquals(collider + ", step " + step, expected, queries.distance(agent, strangers[0]));
-                    }
-                }
-            }
-        }
-
-        private static function distanceOf(collider:Collider, a:Agent, b:Agent):Number
-        {
-            var queries:AgentQueries = new AgentQueries(collider);
-            queries.update(new <Agent>[a, b]);
-            return queries.distance(a, b);
-        }
-
-        [Test]
-        public function thoseThatTouchAreThoseAtDistanceNull():void
-        {
-            for each (var collider:Collider in colliders())
-            {
-                var agents:Vector.<Agent> = world(60, 2);
-                var queries:AgentQueries = new AgentQueries(collider);
-                queries.update(agents);
-                var zeros:int = 0;
-                for each (var a:Agent in agents)
-                {
-                    for each (var b:Agent in agents)
-                    {
-                        if (a !== b)
-                        {
-                            var distance:Number = queries.distance(a, b);
-                            assertEquals(a + " and " + b + " in " + collider + ": " + distance, collider.areColliding(a, b), distance == 0);
-                            assertTrue(distance == queries.distance(b, a));
-                            zeros += distance == 0 ? 1 : 0;
-                        }
-                    }
-                }
-                assertTrue(zeros + " touch", zeros > 50 && zeros < 3000);
-            }
-        }
-
-        [Test]
-        public function boxesThatTouchByTheirFacesAloneAreAtDistanceNull():void
-        {
-            var collider:TightestFitCollider = new TightestFitCollider(sGreatLand);
-            var queries:AgentQueries = new AgentQueries(collider);
-            var changed:int = 0;
-            for (var i:int = 0; i < 4000; i++)
-            {
-                var agents:Vector.<Agent> = world(2, 0.8);
-                agents[0].shape = agents[1].shape = "cube";
-                queries.update(agents);
-                collider.structureTests.boxFacesOnly = false;
-                var distance:Number = queries.distance(agents[0], agents[1]);
-                collider.structureTests.boxFacesOnly = true;
-                var byFaces:Number = queries.distance(agents[0], agents[1]);
-                assertEquals(collider.areColliding(agents[0], agents[1]), byFaces == 0);
-                assertTrue(byFaces == 0 || byFaces == distance);
-                changed += byFaces == distance ? 0 : 1;
-            }
-            assertTrue("of other answers: " + changed, changed > 10);
         }
 
         [Test]

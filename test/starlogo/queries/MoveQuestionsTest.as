@@ -190,57 +190,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function whatIsLeftOrRunAlongStopsNothing():void
-        {
-            for each (var name:String in ["tightest fits", "hierarchies", "triangles", "combinations"])
-            {
-                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
-                var mover:Agent = cubeAt(0, 0, 0);
-                // below it a floor of tiles, at its left a wall
-                var agents:Vector.<Agent> = new <Agent>[mover, cubeAt(-1, 0, 0), cubeAt(0, 0, -1), cubeAt(0, 1, -1), cubeAt(0, 2, -1), cubeAt(0, 3, -1)];
-                queries.update(agents);
-                assertTrue(name, queries.moveUntilTouch(mover, -1, 0, 0) < 1e-9);
-                assertTrue(name, queries.moveUntilTouch(mover, 0, 0, -0.5) < 1e-9);
-                assertTrue(name, queries.moveUntilTouch(mover, -1, 1, 0) < 1e-9);
-                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, 3, 0));
-                assertNear(name, mover, 0, 3, 0);
-                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, -3, 0));
-                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, 0, 1.5));
-                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, 0, -1.5));
-                assertNear(name, mover, 0, 0, 0);
-                assertTrue(name, Math.abs(queries.slide(mover, -3, 2, -4) - 2 / Math.sqrt(29)) < 1e-8);
-                assertNear(name, mover, 0, 2, 0);
-                assertTrue(name, queries.slide(mover, 0, 0, -1) < 1e-9);
-                assertEquals(name, 1, queries.slide(mover, 0.25, 0.25, 0.25));
-                assertNear(name, mover, 0.25, 2.25, 0.25);
-            }
-        }
-
-        [Test]
-        public function aCorridorAsWideAsTheAgentIsAWay():void
-        {
-            for each (var name:String in ["tightest fits", "combinations"])
-            {
-                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
-                var mover:Agent = cubeAt(0, 0, 0);
-                var agents:Vector.<Agent> = new <Agent>[mover];
-                for (var i:int = 0; i < 6; i++)
-                {
-                    agents.push(cubeAt(i, 1, 0), cubeAt(i, -1, 0));
-                }
-                agents.push(cubeAt(5, 0, 0));
-                queries.update(agents);
-                var part:Number = queries.moveUntilTouch(mover, 8, 0, 0);
-                assertTrue(name + ": " + part, Math.abs(part - 0.5) < 1e-8);
-                assertNear(name, mover, 4, 0, 0);
-                part = queries.slide(mover, -3, 0.3, 0);
-                assertTrue(name + ": " + part + " " + mover.x, mover.x < 1.001);
-                queries.slide(mover, -3, -0.3, 0);
-                assertNear(name, mover, -2, mover.y, 0);
-            }
-        }
-
-        [Test]
         public function outOfADeepOverlapTheWayIsFree():void
         {
             for each (var name:String in EachCollider.NAMES)
@@ -259,41 +208,6 @@ package starlogo.queries
                 assertEquals(name, 1, queries.moveUntilTouch(mover, 3, 0, 0));
                 assertTrue(name, queries.moveUntilTouch(mover, -5, 0, 0) < 0.9);
             }
-        }
-
-        [Test]
-        public function whatIsFreeInOthersIsFreeByTriangles():void
-        {
-            var exact:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
-            var shorter:int = 0;
-            for each (var name:String in ["tightest fits", "hierarchies", "combinations"])
-            {
-                var collider:Collider = EachCollider.make(name, sGreatLand);
-                var other:AgentQueries = new AgentQueries(collider);
-                for (var i:int = Effort.choose(150, 20000); i > 0; i--)
-                {
-                    var agents:Vector.<Agent> = anyAgents(5, 3);
-                    var mover:Agent = agents[0];
-                    if (touchesAny(collider, mover, agents))
-                    {
-                        continue;
-                    }
-                    exact.update(agents);
-                    other.update(agents);
-                    var d:Array = [_random.between(-4, 4), _random.between(-4, 4), _random.between(-2, 2)];
-                    var from:Array = [mover.x, mover.y, mover.z];
-                    var part:Number = other.moveUntilTouch(mover, d[0], d[1], d[2]);
-                    mover.moveTo(from[0], from[1], from[2]);
-                    var most:Number = exact.moveUntilTouch(mover, d[0], d[1], d[2]);
-                    shorter += part < most ? 1 : 0;
-                    if (part > most)
-                    {
-                        _wrong.add(name, part + " of " + most);
-                    }
-                }
-            }
-            _wrong.assertNone();
-            assertTrue(String(shorter), shorter > 30);
         }
 
         [Test]
@@ -331,28 +245,6 @@ package starlogo.queries
             };
             assertEquals(1, queries.moveUntilTouch(mover, 8, 0, 0, filter));
             assertEquals(1, queries.countNear(cubeAt(8, 0, 0), 0.1));
-        }
-
-        [Test]
-        public function farOutAndOfAnySizeItIsTheSame():void
-        {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
-                for each (var far:Number in [0, 1e3, 1e6])
-                {
-                    for each (var size:Number in [1e-3, 1, 1e3])
-                    {
-                        var mover:Agent = cubeAt(far, far, 0);
-                        var other:Agent = cubeAt(far + 3 * size, far, 0);
-                        mover.size = other.size = size;
-                        queries.update(new <Agent>[mover, other]);
-                        var part:Number = queries.moveUntilTouch(mover, 4 * size, 0, 0);
-                        assertTrue(name + ", " + far + ", " + size + ": " + part, Math.abs(part - 0.5) < 1e-8 + 1e-15 * far / size);
-                        assertTrue(name, mover.x - far <= 2 * size * (1 + 1e-9) + 1e-15 * far);
-                    }
-                }
-            }
         }
 
         private static function cubeAt(x:Number, y:Number, z:Number):Agent

@@ -14,7 +14,6 @@ package starlogo.queries
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.CombinationCollider;
-    import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.intersection.intersects;
     import starlogo.models.BuiltInModel;
@@ -149,49 +148,6 @@ package starlogo.queries
                     });
             }
             assertMixed();
-        }
-
-        [Test(timeout="600000")]
-        public function whatTrianglesFindAllFind():void
-        {
-            for (var i:int = 0; i < Effort.choose(100, 5000); i++)
-            {
-                makeAgents(i);
-                var structure:BoundingStructure = anyStructure();
-                var exact:Vector.<Agent> = find(EachCollider.make("triangles", sGreatLand), structure);
-                for each (var name:String in ["tightest fits", "hierarchies", "combinations"])
-                {
-                    var found:Vector.<Agent> = find(EachCollider.make(name, sGreatLand), structure);
-                    for each (var agent:Agent in exact)
-                    {
-                        assertTrue(name + " " + i + ": " + agent, found.indexOf(agent) >= 0);
-                    }
-                    _hits += exact.length;
-                    _misses += found.length - exact.length;
-                }
-            }
-            assertMixed();
-        }
-
-        // They touch to the last bit, beside the long side of the box, whichever that is.
-        [Test]
-        public function longBoxesTouchInEachDirection():void
-        {
-            var system:Collider = new TightestFitCollider(sGreatLand);
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var along:Array = [axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0];
-                var middle:Vector3D = new Vector3D(1000 * along[0], 1000 * along[1], 1000 * along[2]);
-                var box:Box = new Box(middle, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, along[0] ? 1000 : 0.5, along[1] ? 1000 : 0.5,
-                        along[2] ? 1000 : 0.5);
-                for each (var gap:Number in [0, 1e-6])
-                {
-                    var agent:Agent = new Agent("cube");
-                    agent.moveTo(axis == 0 ? 10 : 1 + gap, 10 * along[1], axis == 0 ? 0.5 + gap : 10 * along[2] - 0.5);
-                    _agents = new <Agent>[agent];
-                    assertEquals("along axis " + axis + ", a gap of " + gap, gap == 0 ? 1 : 0, find(system, box).length);
-                }
-            }
         }
 
         [Test]

@@ -49,6 +49,7 @@ package starlogo.queries
                 assertAllocatesNothing(name + ", moved", askAgain);
                 assertAllocatesNothing(name + ", rays", askWhatRaysMeet);
                 assertAllocatesNothing(name + ", motions", askHowFar);
+                assertAllocatesNothing(name + ", distances", askHowFarApart);
             }
         }
 
@@ -169,6 +170,15 @@ package starlogo.queries
             {
                 _queries.moved(agent);
             }
+        }
+
+        private function askHowFarApart(agent:Agent):void
+        {
+            for each (var guest:Agent in _guests)
+            {
+                _answers += agent != guest && _queries.distance(agent, guest, _point, _direction) < 20 ? 1 : 0;
+            }
+            _point.setTo(0, 0, 0);
         }
 
         // The agent asks from where it is, and is told to have moved.

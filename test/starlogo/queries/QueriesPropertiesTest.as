@@ -85,31 +85,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function touchingIsMutual():void
-        {
-            var touches:int = 0;
-            for each (var name:String in EachCollider.NAMES)
-            {
-                _queries = new AgentQueries(EachCollider.make(name, _greatLand));
-                _queries.update(_agents);
-                var lists:Array = [];
-                for (var i:int = 0; i < _agents.length; i++)
-                {
-                    lists[i] = _queries.touching(_agents[i]);
-                    touches += lists[i].length;
-                }
-                for (i = 0; i < _agents.length; i++)
-                {
-                    for each (var other:Agent in lists[i])
-                    {
-                        assertTrue(name + ": " + other + " touches " + _agents[i], lists[_agents.indexOf(other)].indexOf(_agents[i]) >= 0);
-                    }
-                }
-            }
-            assertTrue(touches + " touches", touches > 1000);
-        }
-
-        [Test]
         public function askingChangesNothing():void
         {
             var collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
@@ -213,27 +188,6 @@ package starlogo.queries
             {
                 new AgentQueries(source);
             }
-        }
-
-        // The settings of a collider hold at once, boxFacesOnly in the same way as for its searches.
-        [Test]
-        public function settingsHold():void
-        {
-            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
-            for each (var agent:Agent in _agents)
-            {
-                agent.shape = "cube";
-                agent.pitch = agent.id * 7 % 90;
-                agent.roll = agent.id * 13 % 90;
-            }
-            var queries:AgentQueries = new AgentQueries(collider);
-            queries.update(_agents);
-            var exact:int = countTouches(queries);
-            assertEquals(collider.findCollisions(_agents).length, exact);
-            collider.structureTests.boxFacesOnly = true;
-            var conservative:int = countTouches(queries);
-            assertEquals(collider.findCollisions(_agents).length, conservative);
-            assertTrue(conservative + " by faces, " + exact, conservative > exact);
         }
 
         [Test]
@@ -356,16 +310,6 @@ package starlogo.queries
                 touches.push(LoopedQuestions.numbers(queries.touching(agent)));
             }
             return touches.join(";");
-        }
-
-        private function countTouches(queries:AgentQueries):int
-        {
-            var touches:int = 0;
-            for each (var agent:Agent in _agents)
-            {
-                touches += queries.touching(agent).length;
-            }
-            return touches;
         }
     }
 }

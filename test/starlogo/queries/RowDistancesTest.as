@@ -14,7 +14,6 @@ package starlogo.queries
     import starlogo.search.ShapeChoice;
     import starlogo.search.TightestFits;
     import starlogo.search.Trees;
-    import starlogo.search.TreesAndFits;
     import starlogo.search.UnitSpheres;
     import support.AskedDistance;
     import support.DistanceReference;
@@ -146,75 +145,6 @@ package starlogo.queries
                 assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, PRECISION * sizeOf(a, b)));
             }
             assertMixed();
-        }
-
-        [Test]
-        public function aTreeAndAStructure():void
-        {
-            for each (var greatLand:GreatLand in sGreatLands)
-            {
-                var choice:ShapeChoice = new TreesAndFits(greatLand);
-                var trees:RowPairs = new RowPairs(choice);
-                var asked:AskedDistance = new AskedDistance(choice, trees);
-                var reference:DistanceReference = new DistanceReference(greatLand);
-                for (var i:int = 0; i < Effort.choose(60, 3000); i++)
-                {
-                    trees.trees.maxDepth = _random.integer(1, 6);
-                    var a:Agent = agent();
-                    var b:Agent = agent();
-                    a.hierarchical = true;
-                    check(asked, a, b, "pair " + i);
-                    if (!asked.areTouching)
-                    {
-                        var least:Number = reference.toTightestFit(a, trees.trees.maxDepth, b);
-                        assertNear("pair " + i, least, asked.closest.distance, a, b);
-                    }
-                }
-            }
-            assertMixed();
-        }
-
-        [Test]
-        public function neverMoreThanDeeperOrExactly():void
-        {
-            for each (var greatLand:GreatLand in sGreatLands)
-            {
-                var choice:ShapeChoice = new Trees(greatLand);
-                var trees:RowPairs = new RowPairs(choice);
-                var asked:AskedDistance = new AskedDistance(choice, trees);
-                choice = new TreesAndFits(greatLand);
-                var combined:RowPairs = new RowPairs(choice);
-                var askedCombined:AskedDistance = new AskedDistance(choice, combined);
-                choice = new TightestFits(greatLand);
-                var askedFit:AskedDistance = new AskedDistance(choice, new RowPairs(choice));
-                for (var i:int = 0; i < Effort.choose(60, 3000); i++)
-                {
-                    var a:Agent = agent();
-                    var b:Agent = agent();
-                    trees.trees.exact = true;
-                    var exact:Number = asked.between(a, b);
-                    trees.trees.exact = false;
-                    var what:String = "pair " + i + ", " + a.shape + " and " + b.shape;
-                    // of vertices alone nothing but the depth limit decides
-                    var isCloud:Boolean = a.shape == "cloud" || b.shape == "cloud";
-                    assertTrue(what + ": tightest", askedFit.between(a, b) <= exact || isCloud);
-                    for (var k:int = 1; k < 8; k++)
-                    {
-                        var before:Number = 0;
-                        b.traversalDepth = k;
-                        for each (var depth:int in [1, 2, 3, 4, 6, 10])
-                        {
-                            a.traversalDepth = depth;
-                            var distance:Number = asked.between(a, b);
-                            assertTrue(what + " at " + depth + ", " + k + ": " + distance + " after " + before, distance >= before);
-                            before = distance;
-                        }
-                        assertTrue(what + " at " + k + ": " + before + ", exactly " + exact, before <= exact || isCloud);
-                    }
-                    a.hierarchical = true;
-                    assertTrue(what + ": one tree", askedCombined.between(a, b) <= exact || isCloud);
-                }
-            }
         }
 
         // Two orders, touching, and the points.

@@ -111,55 +111,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function neverDeepInAnything():void
-        {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                var collider:Collider = EachCollider.make(name, sGreatLand);
-                var gone:Number = 0;
-                var steps:int = Effort.choose(name == "triangles" ? 150 : 400, 44100);
-                for (var world:int = 0; world < 3; world++)
-                {
-                    var agents:Vector.<Agent> = mixture(collider, world == 2);
-                    var mover:Agent = agents[0];
-                    var queries:AgentQueries = new AgentQueries(collider);
-                    queries.update(agents);
-                    var dx:Number = 0;
-                    var dy:Number = 0;
-                    var dz:Number = 0;
-                    for (var step:int = steps / 3; step > 0; step--)
-                    {
-                        if (step % 15 == 0 || dx == 0)
-                        {
-                            dx = _random.between(-0.4, 0.4);
-                            dy = _random.between(-0.4, 0.4);
-                            dz = _random.chance() ? 0 : _random.between(-0.1, 0.1);
-                        }
-                        gone += queries.slide(mover, dx, dy, dz);
-                        for each (var other:Agent in agents)
-                        {
-                            if (other !== mover && collider.areColliding(mover, other))
-                            {
-                                var depth:Number = collider.contactOf(mover, other).depth / Math.max(mover.size, other.size);
-                                if (depth > HAIR)
-                                {
-                                    _wrong.add(name + " " + world + " " + other.shape, String(depth));
-                                }
-                            }
-                        }
-                        if (Math.abs(mover.x) > 6 || Math.abs(mover.y) > 6 || Math.abs(mover.z) > 3)
-                        {
-                            putFree(collider, agents);
-                            queries.moved(mover);
-                        }
-                    }
-                }
-                assertTrue(name + ": " + gone / steps, gone > 0.2 * steps);
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
         public function theSameOnAllMachines():void
         {
             var hash:uint = 2166136261;

@@ -11,7 +11,6 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
-    import support.SolidModels;
 
     /**
      * Ways among things that touch exactly, in every system: floors, corridors and mazes of cubes side by side. A motion is stopped by what it would go into,
@@ -46,12 +45,9 @@ package starlogo.queries
                 land.addModel(BuiltInModel.cube());
                 land.addModel(BuiltInModel.sphere());
                 land.addModel(BuiltInModel.cylinder());
-                land.addModel(SolidModels.of("U", [[1, -1, 0, 0, false], [1, -1, 1, 0, false], [1, -1, -1, 0, false], [1, 0, 1, 0, false], [1, 0, -1, 0, false]]));
-                land.addModel(SolidModels.of("post", [[1, 0, 0, 0, false], [1, 0, 0, 1, false], [1, 0, 0, 2, false]]));
                 land.addModel(stretched("plate", 1, 1, 0.001));
                 land.addModel(stretched("sheet", 1, 1, 0));
                 land.addModel(stretched("board", 0.001, 1, 1));
-                land.addModel(plain(60));
                 sLands.push(land);
             }
         }
@@ -135,18 +131,6 @@ package starlogo.queries
                 });
         }
 
-        [Test]
-        public function inLongCorridors():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    for each (var pairs:int in Effort.isFull ? [200, 1000] : [_random.pick([200, 1000])])
-                    {
-                        expectCorridor(_random.pick(MOVERS), [0.3, 0.05, 0], pairs, isBins);
-                    }
-                });
-        }
-
         // From one end to the other, by steps, at once, and back.
         private function expectCorridor(shape:String, way:Array, pairs:int, isBins:Boolean):void
         {
@@ -176,198 +160,6 @@ package starlogo.queries
             mover.moveTo(last, 0, 0);
             step(mover, [-pairs - 20, 0, 0], 1);
             expect(isBins || mover.x < -19, "no way back", mover, []);
-        }
-
-        [Test]
-        public function throughMazes():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    for each (var shape:String in isBins ? [] : MOVERS)
-                    {
-                        for each (var tile:Number in [1, 0.1])
-                        {
-                            expectMaze(shape, tile, _random.pick([0, 30, 77]), _random.pick([0, 33.3, 1e6]));
-                        }
-                    }
-                });
-        }
-
-        // East, north and east again.
-        private function expectMaze(shape:String, tile:Number, heading:Number, far:Number):void
-        {
-            var cosine:Number = Math.cos(heading * Math.PI / 180);
-            var sine:Number = Math.sin(heading * Math.PI / 180);
-            var mover:Agent = put(shape, far, far, 0, heading);
-            mover.size = tile;
-            for (var i:int = -1; i <= 9; i++)
-            {
-                for (var k:int = -1; k <= 5; k++)
-                {
-                    var isOpen:Boolean = k == 0 && i >= 0 && i <= 4 || i == 4 && k >= 0 && k <= 4 || k == 4 && i >= 4 && i <= 8;
-                    if (!isOpen)
-                    {
-                        var wall:Agent = cube(far + tile * (i * cosine - k * sine), far + tile * (i * sine + k * cosine), 0);
-                        wall.size = tile;
-                        wall.heading = heading;
-                        add(wall);
-                    }
-                }
-            }
-            if (_collider.areColliding(mover, _agents[2]) && _collider.contactOf(mover, _agents[2]).depth > 1e-6 * tile)
-            {
-                return;
-            }
-            for each (var way:Array in [[0.3, 0.07], [0.05, 0.3], [0.3, 0.05]])
-            {
-                step(mover, [tile * (way[0] * cosine - way[1] * sine), tile * (way[0] * sine + way[1] * cosine), 0], 18);
-            }
-            var off:Number = Math.abs(mover.x - far - tile * (8 * cosine - 4 * sine)) + Math.abs(mover.y - far - tile * (8 * sine + 4 * cosine));
-            expect(off < 1e-3 * tile + 1e-12 * far, "lost", mover, [tile, heading, far]);
-        }
-
-        [Test]
-        public function overTerrainOfOneModel():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    if (_system != "triangles" && _system != "combinations, exact")
-                    {
-                        return;
-                    }
-                    for each (var shape:String in MOVERS)
-                    {
-                        var mover:Agent = put(shape, -20, -20, 0, _random.pick([0, 30]));
-                        add(new Agent("plain"), cube(-5, -20, 0));
-                        var way:Array = _random.pick([[0.3, 0.1, -0.1], [0.3, 0.3, -0.3], [0.31, 0.17, -1]]);
-                        step(mover, way, 30);
-                        expect(Math.abs(mover.x + 20 - 30 * way[0]) < 0.01, "stuck", mover, way);
-                        expectShallow(mover);
-                        mover.moveTo(-20, -20, 0);
-                        var part:Number = step(mover, [40, 0, 0], 1, false);
-                        expect(Math.abs(part - 14 / 40) < 0.02, "stops elsewhere", mover, [part]);
-                        expectShallow(mover);
-                    }
-                });
-        }
-
-        [Test]
-        public function exactlyRoundAPost():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    if (isBins || _system == "tightest fits")
-                    {
-                        // it has no U
-                        return;
-                    }
-                    for each (var post:String in ["cube", "post"])
-                    {
-                        for each (var heading:Number in [0, 30, 90])
-                        {
-                            expectRoundPost(post, heading, _random.pick([1, 3]), _random.pick([0, 7.7, 1000]));
-                        }
-                    }
-                });
-        }
-
-        private function expectRoundPost(shape:String, heading:Number, size:Number, far:Number):void
-        {
-            var cosine:Number = Math.cos(heading * Math.PI / 180);
-            var sine:Number = Math.sin(heading * Math.PI / 180);
-            var u:Agent = put("U", far, far, 0, heading);
-            var post:Agent = cube(far + size / 6 * cosine, far + size / 6 * sine, 0);
-            post.shape = shape;
-            post.heading = heading;
-            post.size = size / 3;
-            u.size = size;
-            add(post);
-            for each (var slides:Boolean in [false, true])
-            {
-                for each (var way:Array in [[-2, 0, 0, true], [2, 0, 0, false], [0, 2, 0, false], [0, -2, 0, false], [0, 0, 3, true]])
-                {
-                    for each (var sign:int in [1, -1])
-                    {
-                        var mover:Agent = sign > 0 ? u : post;
-                        var x:Number = mover.x;
-                        var y:Number = mover.y;
-                        var part:Number = step(mover, [sign * size * (way[0] * cosine - way[1] * sine), sign * size * (way[0] * sine + way[1] * cosine),
-                                    size * way[2]], 1, slides);
-                        expect(way[3] ? part > 0.999 : part < 1e-6, "a part of " + part, mover, way);
-                        mover.moveTo(x, y, 0);
-                    }
-                }
-            }
-        }
-
-        [Test]
-        public function thinAndWide():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    for each (var shape:String in isBins ? [] : ["plate", "sheet", "board"])
-                    {
-                        var size:Number = _random.pick([1, 30]);
-                        var way:Array = _random.pick([[0.3, 0, -0.1], [0.3, 0, 0], [0.3, 0.02, -1]]);
-                        var mover:Agent = put(shape, 0, 0, 0, _random.pick([0, 30]));
-                        mover.size = size;
-                        floor(8, 2);
-                        step(mover, way, 10);
-                        expect(Math.abs(mover.x - 3) < 1e-4 * size && mover.z > -1e-8 * size, "stuck", mover, way);
-                        expectShallow(mover);
-                        mover.moveTo(0, 0, 0);
-                        expect(step(mover, [4, 0.3, 0], 1, false) == 1, "stops", mover, [size]);
-                    }
-                    if (!isBins)
-                    {
-                        // in a slot exactly as thick
-                        mover = put("board", 0, 0, 0, 0);
-                        for (var k:int = -2; k < 8; k++)
-                        {
-                            add(cube(0.5005, k, 0), cube(-0.5005, k, 0));
-                        }
-                        step(mover, [0.02, 0.3, 0], 15);
-                        expect(Math.abs(mover.y - 4.5) < 1e-4 && Math.abs(mover.x) < 1e-9, "stuck in a slot", mover, []);
-                    }
-                });
-        }
-
-        [Test]
-        public function farOut():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    for each (var shape:String in isBins ? [] : MOVERS)
-                    {
-                        var far:Number = _random.pick([1e3, 1e6, 9e8, 12345678.9]);
-                        var mover:Agent = put(shape, far, -far, 0, 0);
-                        floor(8, 1);
-                        for (var i:int = 1; i < _agents.length; i++)
-                        {
-                            _agents[i].moveTo(_agents[i].x + far, _agents[i].y - far, -1);
-                        }
-                        step(mover, [0.3, 0, -0.1], 15);
-                        expect(Math.abs(mover.x - far - 4.5) < 1e-3 + 1e-12 * far && mover.z > -1e-8 - 1e-13 * far, "stuck", mover, [far]);
-                    }
-                });
-        }
-
-        [Test]
-        public function grazedAndDeflectedIntoIt():void
-        {
-            eachSystem(function(isBins:Boolean):void
-                {
-                    for (var i:int = 0; i < Effort.choose(8, 100); i++)
-                    {
-                        var mover:Agent = put("sphere", 0, 0, 0, 0);
-                        add(ball(2, 1), ball(_random.between(3, 4), _random.between(-1, -0.2)), ball(4.3, 0.9));
-                        for (var k:int = 0; k < 8; k++)
-                        {
-                            step(mover, [1, 0, 0], 1);
-                            expectShallow(mover);
-                        }
-                    }
-                });
         }
 
         [Test]
@@ -475,13 +267,6 @@ package starlogo.queries
             return made;
         }
 
-        private static function ball(x:Number, y:Number):Agent
-        {
-            var made:Agent = cube(x, y, 0);
-            made.shape = "sphere";
-            return made;
-        }
-
         // Cubes below z = 0.
         private function floor(length:int, side:int):void
         {
@@ -545,26 +330,6 @@ package starlogo.queries
                 vertices.push(x * cube.vertices[i], y * cube.vertices[i + 1], z * cube.vertices[i + 2]);
             }
             return new Model(name, vertices, cube.triangles, Model.AS_GIVEN);
-        }
-
-        // A level mesh of squares of two triangles each.
-        private static function plain(count:int):Model
-        {
-            var vertices:Vector.<Number> = new Vector.<Number>();
-            var triangles:Vector.<uint> = new Vector.<uint>();
-            for (var i:int = 0; i <= count; i++)
-            {
-                for (var k:int = 0; k <= count; k++)
-                {
-                    vertices.push(i - count / 2, k - count / 2, 0);
-                    if (i < count && k < count)
-                    {
-                        var corner:uint = i * (count + 1) + k;
-                        triangles.push(corner, corner + count + 1, corner + count + 2, corner, corner + count + 2, corner + 1);
-                    }
-                }
-            }
-            return new Model("plain", vertices, triangles, Model.AS_GIVEN);
         }
     }
 }

@@ -59,18 +59,6 @@ package starlogo.search
         }
 
         [Test]
-        public function usesTheirRowsAgain():void
-        {
-            for (var i:int = 0; i < 200; i++)
-            {
-                _agents[i % 20] = new Agent("cube");
-                _table.read(_agents);
-                assertHasOnly(_agents);
-            }
-            assertTrue(_table.agents.length + " rows", _table.agents.length <= 30);
-        }
-
-        [Test]
         public function hasNoneOfAListThatIsRefused():void
         {
             for (var i:int = 0; i < 50; i++)

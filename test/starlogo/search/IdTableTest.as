@@ -39,19 +39,6 @@ package starlogo.search
         }
 
         [Test]
-        public function idsNearOneAnother():void
-        {
-            playWith(1, 1);
-        }
-
-        // all of them have the same place at first
-        [Test]
-        public function idsFarFromOneAnother():void
-        {
-            playWith(1024, 5);
-        }
-
-        [Test]
         public function idsOfALongRun():void
         {
             playWith(1, 1000000000);

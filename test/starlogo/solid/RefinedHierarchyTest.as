@@ -1,6 +1,5 @@
 package starlogo.solid
 {
-    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
@@ -9,14 +8,10 @@ package starlogo.solid
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.libraries.cooked.TreeReader;
-    import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.models.cooked.CookedFile;
     import support.Effort;
     import support.Fixtures;
     import support.SolidModels;
@@ -82,22 +77,6 @@ package starlogo.solid
         }
 
         [Test]
-        public function whatIsStoredIsDividedAlike():void
-        {
-            for each (var model:Model in models())
-            {
-                var hierarchy:SolidHierarchy = hierarchyOf(model, BoundingStructure.BOX, 5);
-                var early:SolidHierarchy = readAgain(hierarchy, model);
-                hierarchy.prepare();
-                var late:SolidHierarchy = readAgain(hierarchy, model);
-                early.prepare();
-                late.prepare();
-                assertEquals(model.name, hierarchy.order.join(), late.order.join());
-                assertEquals(model.name, hierarchy.order.join(), early.order.join());
-            }
-        }
-
-        [Test]
         public function noDepthLimitReachesBelow():void
         {
             var bear:Model = read(FIXTURES[0]);
@@ -115,48 +94,11 @@ package starlogo.solid
             assertEquals(before, visitsOf(collider, agents));
         }
 
-        [Test]
-        public function leavesDecideWhereOneOfTwoHasNoTriangles():void
-        {
-            var bear:Model = read(FIXTURES[0]);
-            var whole:SolidHierarchy = hierarchyOf(bear, BoundingStructure.BOX, 3);
-            var cloud:SolidHierarchy = hierarchyOf(new Model("cloud", bear.vertices), BoundingStructure.BOX, 3);
-            var pair:TreePair = new TreePair();
-            var visits:Array = [];
-            for (var i:int = 0; i < 2; i++)
-            {
-                pair.resetCounts();
-                for (var x:Number = -1; x < 1; x += 0.1)
-                {
-                    var place:Placement = new Placement();
-                    place.x = x;
-                    place.setRotation(50 * x, 20, 30);
-                    pair.areOverlapping(whole, new Placement(), HierarchyNode.LARGEST_DEPTH, cloud, null, place, HierarchyNode.LARGEST_DEPTH, true);
-                }
-                visits.push(pair.nodeVisits);
-                whole.prepare();
-            }
-            assertTrue(visits[0] > 20);
-            assertEquals(visits[0], visits[1]);
-        }
-
         private static function visitsOf(collider:HierarchicalCollider, agents:Vector.<Agent>):int
         {
             collider.findCollisions(agents);
             assertTrue(collider.statistics.nodeVisits > 0);
             return collider.statistics.nodeVisits;
-        }
-
-        private static function readAgain(hierarchy:SolidHierarchy, model:Model):SolidHierarchy
-        {
-            var bytes:ByteArray = CookedFile.newBytes();
-            TreeWriter.write(hierarchy, bytes);
-            bytes.position = 0;
-            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, BoundingStructure.BOX, 5, 5, false);
-            builder.useStored(new TreeReader(bytes), null);
-            var read:SolidHierarchy = builder.finished;
-            assertTrue(builder.isTaken);
-            return read;
         }
 
         // How many leaves there are below a node.

@@ -24,38 +24,16 @@ package starlogo.solid
                 "/assets/tree.obj", "/assets/seagull.dae", "/assets/person.dae", "/assets/fireman.dae", "/assets/dragon.dae"];
 
         [Test]
-        public function smallModelsOfTheGameAreWellFormed():void
+        public function modelsOfTheGameAreWellFormed():void
         {
-            FIXTURES.slice(0, 5).forEach(checkModel);
+            FIXTURES.forEach(checkModel);
         }
 
         [Test]
-        public function largerModelsOfTheGameAreWellFormed():void
-        {
-            FIXTURES.slice(5, 8).forEach(checkModel);
-        }
-
-        [Test]
-        public function theDragonIsWellFormed():void
-        {
-            FIXTURES.slice(8).forEach(checkModel);
-        }
-
-        [Test]
-        public function knowsWhatIsInsideTheBear():void
+        public function knowsWhatIsInside():void
         {
             compareWithSolidAngles("/assets/bear.obj", 151);
-        }
-
-        [Test]
-        public function knowsWhatIsInsideTheFortress():void
-        {
             compareWithSolidAngles("/assets/fortress.obj", 152);
-        }
-
-        [Test]
-        public function knowsWhatIsInsideTheSeagull():void
-        {
             compareWithSolidAngles("/assets/seagull.dae", 153);
         }
 

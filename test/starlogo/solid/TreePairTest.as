@@ -64,48 +64,6 @@ package starlogo.solid
             }
         }
 
-        [Test]
-        public function deeperNeverFindsMoreWhateverTheDepthsAndStructures():void
-        {
-            var random:SeededRandom = new SeededRandom(172);
-            var bear:Model = new ObjModel("bear", Fixtures.text(FIXTURES[0]));
-            var changes:int = 0;
-            for (var i:int = 0; i < 240; i++)
-            {
-                var a:SolidHierarchy = hierarchyOf(random.pick([bear, BuiltInModel.cylinder()]), KINDS[i % 3]);
-                var b:SolidHierarchy = hierarchyOf(random.pick([bear, BuiltInModel.sphere()]), KINDS[int(i / 3) % 3]);
-                var placementA:Placement = placed(random.logBetween(0.5, 2), 0, 0, 0);
-                placementA.setRotation(random.between(0, 360), random.between(0, 360), random.between(0, 360));
-                var placementB:Placement = placed(random.logBetween(0.5, 2), random.normal(), random.normal(), random.normal());
-                placementB.setRotation(random.between(0, 360), random.between(0, 360), random.between(0, 360));
-                changes += checkDepths("pair " + i, a, placementA, b, placementB);
-            }
-            assertTrue("changes: " + changes, changes > 60);
-        }
-
-        // How many answers differ from the one of the roots.
-        private function checkDepths(pair:String, a:SolidHierarchy, placementA:Placement, b:SolidHierarchy, placementB:Placement):int
-        {
-            var answers:Array = [];
-            var changes:int = 0;
-            for (var i:int = 0; i < 7; i++)
-            {
-                answers.push([]);
-                for (var k:int = 0; k < 7; k++)
-                {
-                    var isHit:Boolean = treesOverlap(a, placementA, i + 1, b, placementB, k + 1, false);
-                    answers[i].push(isHit);
-                    changes += isHit == answers[0][0] ? 0 : 1;
-                    if (isHit)
-                    {
-                        assertTrue(pair + " at " + i + ", " + k, i == 0 || answers[i - 1][k]);
-                        assertTrue(pair + " at " + i + ", " + k, k == 0 || answers[i][k - 1]);
-                    }
-                }
-            }
-            return changes;
-        }
-
         /** Trees of boxes have a traversal written out for them, upright ones another: they find what the one for all structures does. */
         [Test]
         public function boxesFindWhatStructuresDo():void

@@ -33,13 +33,6 @@ package starlogo.steps
         }
 
         [Test]
-        public function nothingMadeIsNothingToDo():void
-        {
-            var work:StepSequence = new StepSequence().begin(makeNothing).call(note("a"));
-            assertEquals("nothing|a.", trail(work));
-        }
-
-        [Test]
         public function partsMayAddOthers():void
         {
             var work:StepSequence = new StepSequence();
@@ -65,15 +58,6 @@ package starlogo.steps
         {
             var work:StepSequence = new StepSequence().slices(5, 2, noteSlice).call(note("a"));
             assertEquals("0-2|2-4|4-5|a.", trail(work));
-        }
-
-        [Test]
-        public function whatIsDoneMayBeAskedAgainAndAddedTo():void
-        {
-            var work:StepSequence = new StepSequence().call(note("a"));
-            assertEquals("a.", trail(work));
-            assertEquals(".", trail(work));
-            assertEquals("b.", trail(work.call(note("b"))));
         }
 
         [Test]
@@ -111,12 +95,6 @@ package starlogo.steps
         {
             _log.push("made");
             return new StepSequence().call(note("one")).call(note("two"));
-        }
-
-        private function makeNothing():Steps
-        {
-            _log.push("nothing");
-            return null;
         }
 
         private function note(what:String):Function

@@ -1,40 +1,40 @@
 package standin
 {
     /**
-     * What the stand-ins need of the machine beneath: functions that whoever starts the program sets before anything else.
+     * The stand-ins' access to the machine: functions that must be set before the program starts.
      *
-     * <p>The first group is for every machine. The second is what Adobe's shell gives beyond it, for tests and benchmarks.</p>
+     * <p>The first group is for every machine. Only Adobe's shell has the second group, for tests and benchmarks.</p>
      */
     public final class Machine
     {
-        /** <code>():Number</code>: milliseconds from some moment on, with fractions. */
+        /** <code>():Number</code>: milliseconds since some fixed moment, with fractions. */
         public static var now:Function;
 
         /**
-         * <code>():int</code>: whole milliseconds; null is those of <code>now</code>. Adobe's VM puts each Number that a Function
-         * returns on the heap, and no int.
+         * <code>():int</code>: whole milliseconds; null to use <code>now</code>. Adobe's VM allocates memory for each Number that a
+         * Function returns, but not for an int.
          */
         public static var timer:Function = null;
 
-        /** <code>(callback:Function, ms:Number):uint</code>: calls back once, when so many milliseconds are over. */
+        /** <code>(callback:Function, ms:Number):uint</code>: calls the function once, after this time. */
         public static var setTimeout:Function;
 
-        /** <code>(id:uint):void</code>: takes back what setTimeout promised. */
+        /** <code>(id:uint):void</code>: cancels a setTimeout. */
         public static var clearTimeout:Function;
 
-        /** <code>(error:*):void</code>: told of what a listener threw, and of error events that nobody listens for. */
+        /** <code>(error:*):void</code>: called with errors that listeners threw, and with error events without a listener. */
         public static var uncaught:Function;
 
-        /** The error of an error event that nothing listens for. */
+        /** The error for an error event without a listener. */
         public static function unheard(type:String, text:String):Error
         {
             return new Error("Error #2044: Unhandled " + type + ":. text=" + text);
         }
 
-        /** <code>(url:String):ByteArray</code>: a file's bytes; null where there is none. */
+        /** <code>(url:String):ByteArray</code>: a file's bytes; null if there is no such file. */
         public static var readFile:Function;
 
-        /** <code>(file:String, text:String):void</code>: writes a file below the folder for what the run puts out. */
+        /** <code>(file:String, text:String):void</code>: writes a file to the run's output folder. */
         public static var writeFile:Function;
 
         /** <code>(status:int):void</code>: ends the program after this frame. */
@@ -46,22 +46,22 @@ package standin
         /** <code>():void</code>: collects garbage. */
         public static var collect:Function;
 
-        /** <code>(value:*):String</code>: its class's name, as getQualifiedClassName. */
+        /** <code>(value:*):String</code>: the name of a value's class, as getQualifiedClassName. */
         public static var className:Function;
 
-        /** <code>(name:String):Object</code>: the class of that name, as getDefinitionByName. */
+        /** <code>(name:String):Object</code>: the class with a name, as getDefinitionByName. */
         public static var definition:Function;
 
-        /** <code>(value:*):XML</code>: as describeType. */
+        /** <code>(value:*):XML</code>: a description, as describeType. */
         public static var describe:Function;
 
-        /** What it is, and which version of it. */
+        /** The name and version of the machine. */
         public static var player:String;
 
-        /** What the document class finds in loaderInfo.parameters. */
+        /** The content of the document class's loaderInfo.parameters. */
         public static var parameters:Object = {};
 
-        /** Who listens for frames: EventDispatchers, each once. */
+        /** The frame listeners: EventDispatchers, each once. */
         public static var frameListeners:Array = [];
     }
 }

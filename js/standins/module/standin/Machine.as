@@ -1,27 +1,27 @@
 package standin
 {
-    /** What the stand-ins need of the machine beneath; machine.mjs has how. */
+    /** The stand-ins' access to the machine. The code is in machine.mjs. */
     public final class Machine
     {
-        /** Milliseconds from some moment on, with fractions. */
+        /** Milliseconds since some fixed moment, with fractions. */
         public static native function now():Number;
 
-        /** Told of what a listener threw, and of error events that nothing listens for. */
+        /** Called with errors that listeners threw, and with error events without a listener. */
         public static native function uncaught(error:*):void;
 
-        /** The error of an error event that nothing listens for. */
+        /** The error for an error event without a listener. */
         public static native function unheard(type:String, text:String):Error;
 
-        /** Calls back once, when so many milliseconds are over. */
+        /** Calls a function once, after this time. */
         public static native function setTimeout(callback:Function, ms:Number):uint;
 
-        /** Takes back what setTimeout promised. */
+        /** Cancels a setTimeout. */
         public static native function clearTimeout(id:uint):void;
 
         /** The name of an object's class. */
         public static native function className(value:*):String;
 
-        /** Who listens for frames: EventDispatchers, each once. */
+        /** The frame listeners: EventDispatchers, each once. */
         public static native function get frameListeners():Array;
     }
 }

@@ -1,6 +1,6 @@
 package standin
 {
-    /** Fetches files; machine.mjs has how. */
+    /** Fetches files. The code is in machine.mjs. */
     public final class Network
     {
         /**

@@ -3,18 +3,17 @@ package starlogo.fitting.minimal
     import starlogo.geometry.ConvexHull;
 
     /**
-     * The smallest box with one axis along a given direction, exactly: its other axes lie along the sides of the smallest
-     * rectangle around the hull's outline seen along that direction, one side of which lies on a side of the outline
-     * (Freeman, Shapira, "Determining the Minimum-Area Encasing Rectangle for an Arbitrary Closed Curve", Communications of the
-     * ACM 18(7), 1975).
+     * Finds the smallest box with one axis along a given direction, exactly. Its other axes are those of the smallest rectangle around the
+     * hull's outline as seen along the direction. One side of this rectangle lies on a side of the outline (Freeman, Shapira, "Determining
+     * the Minimum-Area Encasing Rectangle for an Arbitrary Closed Curve", Communications of the ACM 18(7), 1975).
      *
-     * <p>One object is good for many directions; those close to the one before are the fastest (see HullOutline).</p>
+     * <p>One object can measure many directions. A direction close to the one before is fastest (see HullOutline).</p>
      *
      * @private
      */
     public final class BoxAlongAxis
     {
-        /** Unit vector along one side of the box last measured, perpendicular to the direction; the third follows. */
+        /** Unit vector along one side of the last box, perpendicular to the direction. The third axis follows from both. */
         public var sideX:Number = 0;
 
         /** @copy #sideX */
@@ -23,10 +22,10 @@ package starlogo.fitting.minimal
         /** @copy #sideX */
         public var sideZ:Number = 0;
 
-        /** The corner of the hull that is farthest along the direction last measured. */
+        /** The corner of the hull that is farthest along the last direction. */
         public var highest:int = 0;
 
-        /** The corner that is farthest against it. */
+        /** The corner of the hull that is farthest against the last direction. */
         public var lowest:int = 0;
 
         private var _hull:ConvexHull;
@@ -36,7 +35,7 @@ package starlogo.fitting.minimal
         private var _v:Vector.<Number>;
 
         /**
-         * @param hull of the vertices
+         * @param hull the hull of the vertices
          */
         public function BoxAlongAxis(hull:ConvexHull)
         {
@@ -48,13 +47,14 @@ package starlogo.fitting.minimal
         }
 
         /**
-         * The volume of the smallest box with an axis along a direction; its sides are in <code>sideX</code> and so on then.
+         * The volume of the smallest box with an axis along a direction. Sets <code>sideX</code>, <code>sideY</code> and
+         * <code>sideZ</code>.
          *
          * @param x of the direction, a unit vector
          * @param y of the direction
          * @param z of the direction
-         * @param enough a volume from which on the box is of no interest: if it cannot be smaller, the result may be any volume from this one to
-         *        that of the box, and its sides are not computed
+         * @param enough boxes of this volume or more are of no interest. If the box cannot be smaller, the result may be any volume from
+         *     this one to the box's, and the sides are not computed
          */
         public function measure(x:Number, y:Number, z:Number, enough:Number = Infinity):Number
         {
@@ -68,8 +68,8 @@ package starlogo.fitting.minimal
             return atLeast >= enough ? atLeast : Math.max(0, thickness * turnCalipers());
         }
 
-        // The area of the smallest rectangle around the outline; sets the side. Three corners are followed while the side turns:
-        // the farthest along it, away from it, and against it.
+        // The area of the smallest rectangle around the outline. Sets the side. Three corners are followed while the side turns: the
+        // farthest along it, away from it, and against it.
         private function turnCalipers():Number
         {
             var count:int = _u.length;
@@ -107,7 +107,7 @@ package starlogo.fitting.minimal
             return count < 3 ? 0 : least;
         }
 
-        // On around the outline for as long as that leads farther in a direction.
+        // Continues around the outline as long as that leads farther in a direction.
         private function advance(from:int, alongU:Number, alongV:Number):int
         {
             var count:int = _u.length;

@@ -3,12 +3,12 @@ package starlogo.fitting.minimal
     import starlogo.geometry.ConvexHull;
 
     /**
-     * Descends from a direction to a box that no small change makes smaller: a part of MinimalBoxFitter.
+     * Descends from a direction to a box that no small change makes smaller. It is a part of MinimalBoxFitter.
      *
-     * <p>As a function of the direction of its side, a box's volume has creases along the arcs of directions perpendicular to an
-     * edge of the hull, and is smallest on such a crease, if not where two meet. So beside steps to all sides it tries steps
-     * on and along the creases of the edges at the two corners that hold the box; and the directions of the box's other sides,
-     * which the volume depends on just as well.</p>
+     * <p>A box's volume is a function of the direction of its side. This function has creases along the arcs of directions perpendicular to
+     * an edge of the hull. Its minimum is on a crease, or where two creases meet. So the descent tries steps to all sides, and also steps
+     * onto and along the creases of the edges at the two corners that touch the box. It also tries the directions of the box's other sides,
+     * because the volume depends on these in the same way.</p>
      *
      * @private
      */
@@ -17,7 +17,7 @@ package starlogo.fitting.minimal
         private static const FIRST_STEP:Number = 0.05;
         private static const LAST_STEP:Number = 1e-10;
         private static const SHRINK:Number = 0.4;
-        // a relative gain below this share of the step is not worth another step of that length
+        // If the relative gain is below this share of the step, no further step of that length is tried.
         private static const GAIN:Number = 1e-3;
 
         /** The axes of the smallest box so far: three unit vectors, nine numbers. */
@@ -28,7 +28,7 @@ package starlogo.fitting.minimal
         private var _leastMeasured:Number = Infinity;
         private var _least:Number = Infinity;
 
-        // the volume of the box under way, its direction, one side, and the two corners that hold the box along the direction
+        // The current box: its volume, its direction, one side, and the two corners that touch it along the direction.
         private var _volume:Number;
         private var _x:Number;
         private var _y:Number;
@@ -40,7 +40,7 @@ package starlogo.fitting.minimal
         private var _lowest:int;
 
         /**
-         * @param hull of the vertices
+         * @param hull the hull of the vertices
          */
         public function BoxDescent(hull:ConvexHull)
         {
@@ -101,7 +101,7 @@ package starlogo.fitting.minimal
             _lowest = _box.lowest;
         }
 
-        // To the crease of each edge at the corner that is within a step, and a step along it in both directions.
+        // Tries the crease of each edge at the corner, if it is within a step. From there, tries a step along it in both directions.
         private function slideAt(corner:int, step:Number):void
         {
             var points:Vector.<Number> = _hull.convexPoints;

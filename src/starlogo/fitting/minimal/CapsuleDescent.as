@@ -5,15 +5,14 @@ package starlogo.fitting.minimal
     import starlogo.fitting.EnclosingStructures;
 
     /**
-     * Moves the ends of a capsule until no small move makes it smaller while it holds all points: a part of
-     * MinimalCapsuleFitter.
+     * Moves the ends of a capsule until no small move makes it smaller while it encloses all points. It is a part of MinimalCapsuleFitter.
      *
-     * <p>The volume is smooth in the six coordinates of the ends and the radius; what makes it hard is that the radius is the
-     * largest of many distances. Each step replaces distances and volume by their tangents, takes the best of the changes that
-     * then hold the points that are nearly the farthest, with a price on the length of the change, and keeps the change if the
-     * true volume shrinks; if not, the price goes up (the minimax method of Pshenichny and Danilin, "Numerical
-     * Methods in Extremal Problems", 1978). The small quadratic program is solved in its dual, one multiplier after the other
-     * (Hildreth, "A Quadratic Programming Procedure", Naval Research Logistics Quarterly 4(1), 1957).</p>
+     * <p>The volume is a smooth function of the ends' six coordinates and the radius. But the radius is the largest of many distances, so
+     * it is not smooth. Each step replaces the distances and the volume by their tangents. It finds the best change that keeps the nearly
+     * farthest points inside, with a price on the length of the change. If the true volume shrinks, the change is kept. If not, the price
+     * goes up (the minimax method of Pshenichny and Danilin, "Numerical Methods in Extremal Problems", 1978). The small quadratic program
+     * is solved in its dual, one multiplier after the other (Hildreth, "A Quadratic Programming Procedure", Naval Research Logistics
+     * Quarterly 4(1), 1957).</p>
      *
      * @private
      */
@@ -21,12 +20,12 @@ package starlogo.fitting.minimal
     {
         private static const STEPS:int = 60;
         private static const SWEEPS:int = 60;
-        // points whose distance is less than the radius by more than this share of it cannot matter in one step
+        // Points that are nearer than the radius by more than this share of it cannot matter in one step.
         private static const ACTIVE:Number = 0.15;
         private static const MOST_ACTIVE:int = 48;
         private static const GAIN:Number = 1e-7;
 
-        // radii to try, as multiples of the circle's
+        // The radii to try, as multiples of the circle's radius.
         private static const RADII:Vector.<Number> = new <Number>[1, 1.02, 1.05, 1.1, 1.2, 1.35];
 
         /** The smallest capsule so far. */
@@ -35,21 +34,21 @@ package starlogo.fitting.minimal
         private var _vertices:Vector.<Number>;
         private var _points:Vector.<Number>;
         private var _distances:Vector.<Number>;
-        // the ends, x, y, z of each, the radius that holds all points, and the volume
+        // The ends, x, y, z of each; the radius that encloses all points; and the volume.
         private var _ends:Vector.<Number> = new Vector.<Number>(6);
         private var _radius:Number;
         private var _volume:Number;
         private var _trial:Vector.<Number> = new Vector.<Number>(6);
         private var _change:Vector.<Number> = new Vector.<Number>(7);
 
-        // of each active point: the tangent of its distance by the ends' coordinates and the radius, and what is left to the radius
+        // For each active point, the tangent of its distance by the ends' coordinates and the radius, and the radius minus its distance.
         private var _tangents:Vector.<Number> = new Vector.<Number>();
         private var _room:Vector.<Number> = new Vector.<Number>();
         private var _multipliers:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * @param vertices x, y, z each
-         * @param points those on their hull
+         * @param vertices x, y, z of each
+         * @param points the vertices on the hull
          * @param best a capsule around the vertices
          */
         public function CapsuleDescent(vertices:Vector.<Number>, points:Vector.<Number>, best:Capsule)
@@ -89,7 +88,8 @@ package starlogo.fitting.minimal
             }
         }
 
-        // Its axis goes through the smallest circle around the points seen along a unit vector. Of some radii it has the best.
+        // Finds the best capsule along a unit vector, trying several radii. Its axis goes through the smallest circle around the points as
+        // seen along the vector.
         private function capsuleAlong(axis:Vector3D):Capsule
         {
             var seen:Vector.<Number> = new Vector.<Number>(_points.length);
@@ -114,7 +114,7 @@ package starlogo.fitting.minimal
             return smallest;
         }
 
-        // Moves the ends that are set.
+        // Moves the ends until nothing is gained. They must be set before.
         private function descend():void
         {
             var reach:Number = 0.1;
@@ -192,7 +192,7 @@ package starlogo.fitting.minimal
             return Math.sqrt(most);
         }
 
-        // The tangents at the points that may become the farthest.
+        // Computes the tangents for the points that may become the farthest.
         private function linearise():void
         {
             farthest(_ends);
@@ -215,7 +215,7 @@ package starlogo.fitting.minimal
                 var t:Number = square > 0 ? (x * alongX + y * alongY + z * alongZ) / square : 0;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
                 var distance:Number = Math.sqrt(_distances[i]);
-                // moving the nearest point of the segment towards the point shortens the distance
+                // Moving the segment's nearest point towards the point shortens the distance.
                 x = (t * alongX - x) / distance;
                 y = (t * alongY - y) / distance;
                 z = (t * alongZ - z) / distance;
@@ -224,7 +224,7 @@ package starlogo.fitting.minimal
             }
         }
 
-        // The squared distance from which a point is active; higher if that makes too many.
+        // The smallest squared distance of an active point. It is increased if too many points are active.
         private function activeFrom():Number
         {
             var share:Number = ACTIVE;
@@ -243,8 +243,8 @@ package starlogo.fitting.minimal
             return least;
         }
 
-        // Minimises gradient * change + |change|^2 / (2 reach) with tangents * change <= room. In units of the radius and of
-        // its derivative, so that the reach is a share of the radius whatever the model's size.
+        // Minimises gradient * change + |change|^2 / (2 reach), with tangents * change <= room. The units are the radius and its
+        // derivative, so that the reach is a share of the radius for models of any size.
         private function solve(reach:Number):void
         {
             var gradient:Vector.<Number> = gradientOfVolume();

@@ -3,7 +3,7 @@ package starlogo.fitting.minimal
     import starlogo.geometry.Tolerances;
 
     /**
-     * The smallest ball with one to four points on its surface: a part of SmallestEnclosingBall.
+     * The smallest ball with one to four given points on its surface. It is a part of SmallestEnclosingBall.
      *
      * @private
      */
@@ -21,24 +21,24 @@ package starlogo.fitting.minimal
         /** The square of the radius. */
         public var square:Number;
 
-        /** The points, x, y, z each. */
+        /** The points, x, y, z of each. */
         public var points:Vector.<Number>;
 
-        /** Made by through(). */
+        /** Not to be called: through() makes balls. */
         public function CircumscribedBall()
         {
         }
 
         /**
-         * The ball of some points.
+         * Finds the ball of one to four points.
          *
-         * @param points x, y, z each
-         * @return null if they are not independent: of four in a plane, three on a line, or two in a point
+         * @param points x, y, z of each
+         * @return null if the points are not independent: four in a plane, three on a line, or two in one place
          */
         public static function through(points:Vector.<Number>):CircumscribedBall
         {
-            // Each point after the first adds a direction, perpendicular to those before (Gram and Schmidt), and moves the centre along it until
-            // the point is as far away as the first.
+            // Each point after the first adds a direction that is perpendicular to the earlier ones (Gram and Schmidt). The centre moves
+            // along it until the point is as far away as the first one.
             var axes:Vector.<Number> = new Vector.<Number>();
             var shiftX:Number = 0;
             var shiftY:Number = 0;
@@ -85,7 +85,7 @@ package starlogo.fitting.minimal
             return pointX * pointX + pointY * pointY + pointZ * pointZ;
         }
 
-        /** Whether the ball holds some points, x, y, z each, but for rounding. */
+        /** Whether the ball contains some points, x, y, z of each, except for rounding. */
         public function holds(others:Vector.<Number>):Boolean
         {
             for (var i:int = 0; i < others.length; i += 3)

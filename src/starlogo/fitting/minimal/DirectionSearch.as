@@ -1,7 +1,7 @@
 package starlogo.fitting.minimal
 {
     /**
-     * A search for the smallest structure over all directions. It measures many directions, and descends from the best of them. The subclass
+     * Searches all directions for the smallest structure. It measures many directions, and descends from the best of them. The subclass
      * measures and descends.
      *
      * @private
@@ -16,10 +16,10 @@ package starlogo.fitting.minimal
         }
 
         /**
-         * Measures directions, and descends from the best.
+         * Measures directions, and descends from the best ones.
          *
-         * @param directions unit vectors, x, y, z each; opposite ones count as one
-         * @param apart how far the directions to descend from are from each other, in radians, small
+         * @param directions unit vectors, x, y, z of each; opposite ones count as one
+         * @param apart the smallest angle between two directions to descend from: radians, small
          */
         public function search(directions:Vector.<Number>, apart:Number):void
         {
@@ -42,13 +42,13 @@ package starlogo.fitting.minimal
             }
         }
 
-        /** The volume of the smallest structure along a direction, or more if that is far from the best. */
+        /** The volume of the smallest structure along a direction. It may be larger if it is far from the best. */
         protected function measure(x:Number, y:Number, z:Number):Number
         {
             return Infinity;
         }
 
-        /** Makes the structure along a direction smaller until no small change does, and keeps the smallest of all. */
+        /** Makes the structure along a direction smaller until no small change does, and keeps the smallest of all structures. */
         protected function descendFrom(x:Number, y:Number, z:Number):void
         {
         }

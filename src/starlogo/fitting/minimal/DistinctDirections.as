@@ -1,7 +1,7 @@
 package starlogo.fitting.minimal
 {
     /**
-     * Directions without regard to sign, at most one of those that are close to each other.
+     * A set of directions. Opposite directions are the same, and of several that are close together only one is kept.
      *
      * @private
      */
@@ -12,20 +12,20 @@ package starlogo.fitting.minimal
         private var _cellsPerUnit:Number;
 
         /**
-         * @param spacing how close, about, in radians
+         * @param spacing the approximate angle below which directions are close, in radians
          */
         public function DistinctDirections(spacing:Number)
         {
             _cellsPerUnit = 1 / spacing;
         }
 
-        /** The directions kept: unit vectors, x, y, z each. */
+        /** The directions kept: unit vectors, x, y, z of each. */
         public function get directions():Vector.<Number>
         {
             return _directions;
         }
 
-        /** Keeps a direction, a vector of any length but 0, unless one close to it was kept before. */
+        /** Keeps a direction, unless a close one was kept before. The vector may have any length but 0. */
         public function add(x:Number, y:Number, z:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);

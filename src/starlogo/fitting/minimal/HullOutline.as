@@ -4,9 +4,9 @@ package starlogo.fitting.minimal
     import starlogo.geometry.Tolerances;
 
     /**
-     * The outline of a hull seen along a direction, found by walking along the hull's edges: the next corner is the neighbour
-     * that leaves all others to the left. So it costs about the square root of the number of corners, not the number itself. One
-     * object is good for many directions; those close to the one before are the fastest.
+     * The outline of a hull as seen along a direction. It is found by walking along the hull's edges: the next corner is the neighbour that
+     * leaves all others on its left. So the cost is about the square root of the number of corners. One object can look along many
+     * directions. A direction close to the one before is fastest.
      *
      * @private
      */
@@ -15,13 +15,13 @@ package starlogo.fitting.minimal
         private static const BACK:Number = Tolerances.OUTLINE_BACK;
         private static const LEVEL:Number = Tolerances.OUTLINE_LEVEL;
 
-        /** The outline's corners, counter-clockwise, along the picture's first axis; as many as in <code>v</code>. */
+        /** The outline's corners, counter-clockwise: their coordinates along the picture's first axis. */
         public var u:Vector.<Number> = new Vector.<Number>();
 
-        /** The same along its second axis. */
+        /** The corners' coordinates along the picture's second axis. */
         public var v:Vector.<Number> = new Vector.<Number>();
 
-        /** The picture's first axis, a unit vector across the direction; the others alike. */
+        /** The picture's first axis, a unit vector perpendicular to the direction. */
         public var uX:Number;
 
         /** @copy #uX */
@@ -30,7 +30,7 @@ package starlogo.fitting.minimal
         /** @copy #uX */
         public var uZ:Number;
 
-        /** The picture's second axis. */
+        /** The picture's second axis, a unit vector perpendicular to the direction and the first axis. */
         public var vX:Number;
 
         /** @copy #vX */
@@ -48,7 +48,7 @@ package starlogo.fitting.minimal
         private var _cluster:Vector.<int> = new Vector.<int>();
 
         /**
-         * @param hull the hull of which outlines are wanted
+         * @param hull the hull whose outlines are found
          */
         public function HullOutline(hull:ConvexHull)
         {
@@ -61,7 +61,7 @@ package starlogo.fitting.minimal
         }
 
         /**
-         * Looks along a direction: <code>u</code>, <code>v</code> and the picture's axes are those of this outline then.
+         * Looks along a direction: sets <code>u</code>, <code>v</code> and the picture's axes.
          *
          * @param x of the direction, a unit vector
          * @param y of the direction
@@ -87,7 +87,7 @@ package starlogo.fitting.minimal
             walk();
         }
 
-        /** What the outline encloses. */
+        /** The area that the outline encloses. */
         public function get area():Number
         {
             var count:int = u.length;
@@ -149,7 +149,7 @@ package starlogo.fitting.minimal
                 alongV = toV - fromV;
                 if (goesDown && alongU > 0 && alongV >= -LEVEL * alongU)
                 {
-                    // at the bottom again, without having met the start, which is inside of a side and was skipped
+                    // The walk is at the bottom again without having met the start. The start is inside of a side and was skipped.
                     return;
                 }
                 goesDown = goesDown || alongV < 0 || alongU < 0 && alongV <= -LEVEL * alongU;
@@ -158,7 +158,7 @@ package starlogo.fitting.minimal
             }
         }
 
-        // The neighbour that leaves all others to the left of the line to it; -1 if the picture is a point.
+        // Finds the neighbour that leaves all others to the left of the line to it. Returns -1 if the picture is a point.
         private function next(corner:int, fromU:Number, fromV:Number, alongU:Number, alongV:Number):int
         {
             var best:int = -1;
@@ -182,7 +182,8 @@ package starlogo.fitting.minimal
                     var square:Number = toU * toU + toV * toV;
                     if (square <= _same)
                     {
-                        // in line with this corner, farther or nearer along the direction of view: its neighbours count too
+                        // The neighbour is at the same place in the picture, farther or nearer along the direction of view. So its
+                        // neighbours count too.
                         if (_cluster.indexOf(neighbor) < 0)
                         {
                             _cluster.push(neighbor);
@@ -190,7 +191,7 @@ package starlogo.fitting.minimal
                         continue;
                     }
                     var turn:Number = alongU * toV - alongV * toU;
-                    // straight back, or by rounding a little past that
+                    // straight back, or slightly beyond that by rounding
                     if (turn <= -BACK * (alongU * toU + alongV * toV))
                     {
                         continue;

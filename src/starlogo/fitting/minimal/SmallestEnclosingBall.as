@@ -3,27 +3,26 @@ package starlogo.fitting.minimal
     import starlogo.geometry.Tolerances;
 
     /**
-     * The smallest ball around points, exactly: the one through at most four of them that holds all (Welzl, "Smallest
-     * Enclosing Disks (Balls and Ellipsoids)", 1991).
+     * Finds the smallest ball around points, exactly (Welzl, "Smallest Enclosing Disks (Balls and Ellipsoids)", 1991). At most four points
+     * on its surface determine it. With z = 0 for all points it finds the smallest circle.
      *
-     * <p>It grows from a single point: the point farthest outside joins, with Gaertner's pivot rule ("Fast and Robust Smallest
-     * Enclosing Balls", ESA 1999), and the smallest ball around the points that held the ball so far and this one takes its
-     * place. There are at most fifteen to choose from, each through a few points: those are tried one by one, which no
-     * degenerate position of the points can lead astray. The ball only grows, so it ends; usually after five to fifteen
-     * passes over the points. With z = 0 throughout it finds the smallest circle.</p>
+     * <p>The ball grows from a single point. In each round the point that is farthest outside joins, by Gaertner's pivot rule ("Fast and
+     * Robust Smallest Enclosing Balls", ESA 1999). The next ball is the smallest one around this point and the points that determined the
+     * ball so far. At most fifteen balls are possible, each through a few points. They are tried one by one, so degenerate positions of the
+     * points do no harm. The ball only grows, so the search ends, usually after five to fifteen passes over the points.</p>
      *
      * @private
      */
     public final class SmallestEnclosingBall
     {
-        // The ball so far, seen from the first point: far from the origin nothing is lost to rounding.
+        // The ball so far, relative to the first point, because rounding would lose digits far from the origin.
         private var _originX:Number;
         private var _originY:Number;
         private var _originZ:Number;
         private var _ball:CircumscribedBall = CircumscribedBall.through(new <Number>[0, 0, 0]);
 
         /**
-         * @param points x, y, z each, at least one
+         * @param points x, y, z of each, at least one
          */
         public function SmallestEnclosingBall(points:Vector.<Number>)
         {
@@ -58,9 +57,9 @@ package starlogo.fitting.minimal
         }
 
         /**
-         * Grows to the smallest ball around these points and all those before.
+         * Grows to the smallest ball around these points and all earlier ones.
          *
-         * @param points x, y, z each
+         * @param points x, y, z of each
          */
         public function enclose(points:Vector.<Number>):void
         {
@@ -103,7 +102,7 @@ package starlogo.fitting.minimal
             return result;
         }
 
-        // The smallest ball around the points held and this one, through this one; false if it does not grow any more.
+        // Finds the smallest ball through this point and around the points held. Returns false if the ball does not grow any more.
         private function hold(pointX:Number, pointY:Number, pointZ:Number):Boolean
         {
             var held:Vector.<Number> = _ball.points;

@@ -3,13 +3,12 @@ package starlogo.geometry.hull
     import starlogo.geometry.Tolerances;
 
     /**
-     * A triangle of a hull that QuickHull is building: its corners counter-clockwise seen from outside, its
-     * neighbours, its plane, and the list of points beyond that plane that are still to be dealt with.
-     * Coordinates are those of QuickHull's grid.
+     * A triangle of the hull that QuickHull is building: its corners counter-clockwise seen from outside, its neighbours, its plane, and
+     * the list of points beyond that plane that QuickHull has not processed yet. Coordinates are those of QuickHull's grid.
      */
     internal final class HullFace
     {
-        // Where a normal's components are split for exact products.
+        // The number at which a normal's components are split for exact products.
         private static const SPLIT:Number = 67108864;
         private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
@@ -22,16 +21,16 @@ package starlogo.geometry.hull
         /** @copy #a */
         public var c:int;
 
-        /** The face across the edge from a to b; the other two alike. */
+        /** The face across the edge from a to b. */
         public var acrossAB:HullFace;
 
-        /** @copy #acrossAB */
+        /** The face across the edge from b to c. */
         public var acrossBC:HullFace;
 
-        /** @copy #acrossAB */
+        /** The face across the edge from c to a. */
         public var acrossCA:HullFace;
 
-        /** The outward normal (b - a) x (c - a): whole numbers below 2^53, hence exact. */
+        /** The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53. */
         public var exactX:Number;
 
         /** @copy #exactX */
@@ -52,19 +51,19 @@ package starlogo.geometry.hull
         /** The plane's distance from the grid's origin along the unit normal. */
         public var offset:Number;
 
-        /** The first point of the list of points beyond this face, -1 when there is none. */
+        /** The first point on the list of points beyond this face, or -1 if there is none. */
         public var firstOutside:int = -1;
 
-        /** The point of that list farthest from the plane, -1 when there is none. */
+        /** The point on that list that is farthest from the plane, or -1 if there is none. */
         public var farthest:int = -1;
 
-        /** Its distance from the plane. */
+        /** The farthest point's distance from the plane. */
         public var farthestDistance:Number = 0;
 
-        /** Whether a vertex that was added later lies beyond this face, which then is no longer part of the hull. */
+        /** Whether a vertex that was added later lies beyond this face. Then the face is no longer part of the hull. */
         public var isBuried:Boolean = false;
 
-        /** Whether a walk over the finished hull has been here. */
+        /** Whether a walk over the finished hull has visited this face. */
         public var isVisited:Boolean = false;
 
         /**
@@ -120,7 +119,7 @@ package starlogo.geometry.hull
             }
         }
 
-        /** On which side of the face's plane a point is: positive beyond it, negative behind it, 0 exactly in it. */
+        /** On which side of the face's plane a point is: positive beyond it, negative behind it, and 0 if it is exactly in the plane. */
         public function side(points:Vector.<Number>, point:int):Number
         {
             var x:Number = points[3 * point];

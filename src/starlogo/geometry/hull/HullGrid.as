@@ -3,8 +3,8 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * Vertices rounded to QuickHull's grid: whole numbers along three axes, in steps. The vertices of a plane are on the grid's floor. One more
-     * point, the last, is above them, so that all span a volume.
+     * Rounds vertices to QuickHull's grid: whole numbers along three axes, in steps. The vertices of a plane are on the grid's floor. Then
+     * one more point, the last one, is above them, so that all points span a volume.
      *
      * @private
      */
@@ -12,20 +12,20 @@ package starlogo.geometry.hull
     {
         private static const VERTICES_PER_STEP:int = 4000;
 
-        /** When no step is left: the vertices on the grid, three whole numbers each, from 0 to QuickHull.GRID. */
+        /** The vertices on the grid, three whole numbers each, from 0 to QuickHull.GRID. Complete after the last step. */
         public var points:Vector.<Number>;
 
         private var _vertices:Vector.<Number>;
         private var _axes:Vector.<Number>;
         private var _isPlane:Boolean;
 
-        // where the vertices begin and end on each axis, and the axis under way
+        // The smallest and the largest place of the vertices on each axis, and the current axis.
         private var _lows:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity];
         private var _highs:Vector.<Number> = new <Number>[-Infinity, -Infinity, -Infinity];
         private var _axis:int = -1;
 
         /**
-         * @param vertices x, y, z each; along each of the axes they differ
+         * @param vertices x, y, z of each; they must differ along each of the axes
          * @param axes perpendicular unit vectors, three numbers each
          * @param isPlane whether the vertices are in the plane of the first two axes
          */
@@ -47,9 +47,9 @@ package starlogo.geometry.hull
         }
 
         /**
-         * Where some of the points are in the vertices' space, x, y, z each.
+         * Some of the grid's points in the vertices' space, x, y, z of each.
          *
-         * @param indices which
+         * @param indices the indices of these points
          */
         public function placesOf(indices:Vector.<int>):Vector.<Number>
         {
@@ -74,7 +74,7 @@ package starlogo.geometry.hull
             return placed;
         }
 
-        // Writes the vertices' positions along the next axis, before they are rounded.
+        // Writes the vertices' places along the next axis, before rounding.
         private function measure(first:int, end:int):void
         {
             if (first == 0)

@@ -3,13 +3,13 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * How the corners of a hull are joined. ConvexHull says what each result is; they are there when no step is left.
+     * The corners of a hull, and how they are connected. ConvexHull describes the results. They are complete after the last step.
      *
      * @private
      */
     public final class HullMesh extends StepSequence
     {
-        /** See ConvexHull, here as below. */
+        /** See the property of ConvexHull with the same name. */
         public var indices:Vector.<int> = new Vector.<int>();
 
         /** @copy #indices */
@@ -28,14 +28,14 @@ package starlogo.geometry.hull
         private var _corners:Vector.<int>;
         private var _apex:int;
 
-        // where each vertex is among the corners; and each corner beside a neighbour of it, in pairs
+        // The position of each vertex among the corners. Pairs of a corner and a neighbour of it.
         private var _place:Vector.<int>;
         private var _pairs:Vector.<int> = new Vector.<int>();
 
         /**
-         * @param vertices x, y, z each
-         * @param corners of triangles, as positions among the vertices. The position after the last vertex is a point outside of a set without
-         *        volume: triangles and edges that lead there do not count
+         * @param vertices x, y, z of each
+         * @param corners the triangles' corners, as indices of vertices. The index after the last vertex is a point outside of vertices
+         *     without volume: triangles and edges with this point are ignored
          */
         public function HullMesh(vertices:Vector.<Number>, corners:Vector.<int>)
         {
@@ -92,7 +92,7 @@ package starlogo.geometry.hull
             }
         }
 
-        // Where each corner's neighbours are to be: there are pairs of a corner and a neighbour of it.
+        // Finds where each corner's neighbours begin, from the pairs of a corner and a neighbour.
         private function countNeighbors():void
         {
             var pairs:Vector.<int> = _pairs;

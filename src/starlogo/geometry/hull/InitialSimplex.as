@@ -6,9 +6,9 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * Up to four vertices of a set that are far from each other, how many dimensions they span, and axes along them. Every
-     * other vertex lies in the point, on the line or in the plane of fewer than four, up to Tolerances.HULL_FLAT and
-     * HULL_ROUNDING. Each takes a pass over the vertices, in steps.
+     * Finds up to four vertices that are far from each other, the number of dimensions that they span, and axes along them. If they span
+     * fewer than three dimensions, all other vertices lie in the same plane, line or place, up to Tolerances.HULL_FLAT and HULL_ROUNDING.
+     * Each of the four takes a pass over the vertices, in steps.
      *
      * @private
      */
@@ -16,29 +16,29 @@ package starlogo.geometry.hull
     {
         private static const VERTICES_PER_STEP:int = 4000;
 
-        /** The longest side of the axis-aligned box around the vertices; this and all others when no step is left. */
+        /** The longest side of the axis-aligned box around the vertices. All results are complete after the last step. */
         public var extent:Number = 0;
 
-        /** 3 for a set that spans a volume, 2 for one in a plane, 1 on a line, 0 in a point. */
+        /** 3 if the vertices span a volume, 2 if they are in a plane, 1 if they are on a line, 0 if they are in one place. */
         public var dimension:int = 0;
 
         /** Three perpendicular unit vectors: see ConvexHull. */
         public var axes:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-        /** The vertices, by their numbers: at least one more than dimensions. */
+        /** The vertices found, by their indices: at least one more than dimensions. */
         public var corners:Vector.<int> = new Vector.<int>();
 
         private var _vertices:Vector.<Number>;
         private var _bounds:VertexBounds = new VertexBounds();
         private var _flat:Number;
 
-        // the vertex that is farthest from what is spanned so far, and the square of its distance
+        // The vertex that is farthest from the space spanned so far, and the square of its distance.
         private var _farthest:int;
         private var _most:Number;
 
         /**
-         * @param vertices x, y, z each; the steps throw an ArgumentError if they are null or empty, their number of coordinates is no
-         *        multiple of 3, or one is not finite or beyond 1e100
+         * @param vertices x, y, z of each. The steps throw an ArgumentError if they are null or empty, if the number of coordinates is not
+         *     a multiple of 3, or if a coordinate is not finite or beyond 1e100
          */
         public function InitialSimplex(vertices:Vector.<Number>)
         {
@@ -47,8 +47,8 @@ package starlogo.geometry.hull
         }
 
         /**
-         * Whether a set of three dimensions is thin across the coordinate axes, so that on a grid along those it would lose
-         * precision.
+         * Whether vertices of three dimensions are thin in a direction between the coordinate axes. A grid along the coordinate axes would
+         * lose precision then.
          */
         public function get isThin():Boolean
         {
@@ -86,7 +86,7 @@ package starlogo.geometry.hull
             _flat = Tolerances.HULL_FLAT * extent + Tolerances.HULL_ROUNDING * _bounds.largest;
         }
 
-        // Adds the steps of finding the next corner.
+        // Adds the steps that find the next corner.
         private function findCorner():void
         {
             _most = -1;
@@ -102,7 +102,8 @@ package starlogo.geometry.hull
             }
         }
 
-        // Looks for the vertex that is farthest from the box's middle, then from the first corner, from the line and from the plane.
+        // Looks for the vertex that is farthest: first from the box's middle, then from the first corner, then from the line, then from the
+        // plane.
         private function look(first:int, end:int):void
         {
             var vertices:Vector.<Number> = _vertices;
@@ -116,7 +117,7 @@ package starlogo.geometry.hull
                 fromZ = vertices[3 * corners[0] + 2];
             }
             var i:int;
-            // only the axes that are not spanned count
+            // Only distances perpendicular to the axes found so far count.
             var across:Vector.<Number> = axes.concat();
             for (i = 0; i < 3 * dimension; i++)
             {
@@ -149,14 +150,14 @@ package starlogo.geometry.hull
             }
         }
 
-        // Whether a vertex is outside of what is spanned so far. Then that has one dimension more, and an axis towards the vertex.
+        // Whether a vertex is outside of the space spanned so far. If so, the space has one dimension more, and an axis towards the vertex.
         private function spans(vertex:int):Boolean
         {
             var from:int = 3 * corners[0];
             var x:Number = _vertices[3 * vertex] - _vertices[from];
             var y:Number = _vertices[3 * vertex + 1] - _vertices[from + 1];
             var z:Number = _vertices[3 * vertex + 2] - _vertices[from + 2];
-            // twice: what rounding leaves along the axes counts if the vertex is close to them
+            // This is done twice, because the rounding left along the axes matters if the vertex is close to them.
             for (var i:int = 0; i < 2 * dimension; i++)
             {
                 var axis:int = 3 * (i % dimension);
@@ -183,7 +184,7 @@ package starlogo.geometry.hull
             return true;
         }
 
-        // Turns the second axis across the first, and across the coordinate axis that the first is farthest from.
+        // Sets the second axis perpendicular to the first, and to the coordinate axis that is farthest from the first.
         private function setAxisAcross(alongX:Number, alongY:Number, alongZ:Number):void
         {
             if (alongX <= alongY && alongX <= alongZ)

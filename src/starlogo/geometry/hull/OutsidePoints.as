@@ -3,7 +3,7 @@ package starlogo.geometry.hull
     import starlogo.geometry.Tolerances;
 
     /**
-     * The points that are outside of a hull that QuickHull is building: each is on the list of a face that it lies beyond, as long as it may
+     * The points outside of the hull that QuickHull is building. Each point is on the list of a face that it lies beyond, as long as it may
      * become a vertex.
      */
     internal final class OutsidePoints
@@ -13,11 +13,11 @@ package starlogo.geometry.hull
 
         private var _points:Vector.<Number>;
 
-        // For each point the next one on its face's list, or -1; and the faces that have got a list.
+        // For each point, the next point on its face's list, or -1. The faces that have received a list.
         private var _next:Vector.<int>;
         private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
 
-        // The lists that are dealt out again, all but one point: the next of them, and the next point of the one before it, or -1.
+        // The current redistribution: the lists, the next list, the next point on the list before it or -1, and the point that is left out.
         private var _lists:Vector.<HullFace> = null;
         private var _nextList:int;
         private var _point:int;
@@ -32,7 +32,7 @@ package starlogo.geometry.hull
             _next = new Vector.<int>(points.length / 3);
         }
 
-        /** A face of the hull that has points beyond it, and is not returned again; null if there is none. */
+        /** Returns a face of the hull that has points beyond it, each face once. Returns null if there is none. */
         public function nextFace():HullFace
         {
             while (_pending.length > 0)
@@ -46,13 +46,18 @@ package starlogo.geometry.hull
             return null;
         }
 
-        /** Whether lists are being dealt out again. */
+        /** Whether lists are being redistributed. */
         public function get isDealing():Boolean
         {
             return _lists != null;
         }
 
-        /** Begins to deal out the lists of faces to others. They are kept until that is done. @param except a point to leave out */
+        /**
+         * Begins to redistribute the lists of faces to other faces. The arguments are kept until that is done.
+         *
+         * @param faces the faces whose lists are redistributed
+         * @param except a point to leave out
+         */
         public function deal(faces:Vector.<HullFace>, except:int):void
         {
             _lists = faces;
@@ -62,11 +67,11 @@ package starlogo.geometry.hull
         }
 
         /**
-         * Goes on with it.
+         * Continues the redistribution.
          *
-         * @param faces the faces that get the points
-         * @param most how many points to look at
-         * @return how many there were
+         * @param faces the faces that receive the points
+         * @param most the largest number of points to look at
+         * @return the number of points looked at
          */
         public function dealSome(faces:Vector.<HullFace>, most:int):int
         {
@@ -98,7 +103,7 @@ package starlogo.geometry.hull
             return count;
         }
 
-        /** Puts a point on the list of the face that it lies beyond; one that lies beyond none is inside for good. */
+        /** Puts a point on the list of the face that it lies beyond. If it lies beyond none, it is inside of the hull for good. */
         public function assign(point:int, faces:Vector.<HullFace>):void
         {
             var x:Number = _points[3 * point];
@@ -147,7 +152,7 @@ package starlogo.geometry.hull
             }
             else if (distance >= face.farthestDistance - CERTAIN && outness(point) > outness(face.farthest))
             {
-                // of points on a side parallel to the face, one at its rim
+                // If several points are equally far, they are on a side parallel to the face. Then the outermost one is taken.
                 face.farthest = point;
             }
         }

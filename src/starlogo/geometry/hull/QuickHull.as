@@ -3,26 +3,25 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * The convex hull of points on a grid of whole numbers, by quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull
-     * Algorithm for Convex Hulls", ACM Transactions on Mathematical Software 22(4), 1996) without its merging of facets.
+     * Finds the convex hull of points on a grid of whole numbers, by quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull Algorithm for
+     * Convex Hulls", ACM Transactions on Mathematical Software 22(4), 1996) without its merging of facets.
      *
-     * <p>Merging is what makes quickhull over rounded numbers survive coplanar points. Here no decision is ever rounded:
-     * coordinates are whole numbers up to 2^25, so a face's normal is exact in a double, and the side of the
-     * face on which a point lies is exact in two. Coplanar, collinear and duplicate points therefore need no special case:
-     * a point in a face's plane does not see that face.</p>
+     * <p>Quickhull over rounded numbers needs merging, because coplanar points break it otherwise. Here no decision is rounded: coordinates
+     * are whole numbers up to 2^25, so a face's normal is exact in one double, and a point's side of the face is exact in two. So coplanar,
+     * collinear and duplicate points need no special case: a point in a face's plane does not see that face.</p>
      *
-     * <p>Cost: about n log n for n points; the worst case, which no model comes near, is quadratic. A step takes a
-     * millisecond or two.</p>
+     * <p>The cost is about n log n for n points. The worst case is quadratic, but no model comes near it. A step takes one or two
+     * milliseconds.</p>
      *
      * @private
      */
     public final class QuickHull extends StepSequence
     {
-        /** The largest coordinate of the grid: with it a normal stays below 2^51, and its halves' products below 2^53. */
+        /** The largest coordinate of the grid. With it, a normal stays below 2^51, and the products of its halves stay below 2^53. */
         public static const GRID:Number = 33554432;
 
-        // About how much a step does: points put on lists, and points looked at for each new face; and to how many points looked at the making of a
-        // face is equal in time.
+        // The approximate work of a step: points put on lists, and points looked at for each new face. Making a face counts as
+        // LOOKS_PER_FACE points looked at.
         private static const POINTS_PER_STEP:int = 500;
         private static const LOOKS_PER_STEP:int = 3000;
         private static const LOOKS_PER_FACE:int = 12;
@@ -31,18 +30,18 @@ package starlogo.geometry.hull
         private var _points:Vector.<Number>;
         private var _simplex:Vector.<int>;
 
-        // the points to build the hull of: those listed, or all where that is null
+        // The indices of the points to build the hull of; null for all points.
         private var _among:Vector.<int>;
         private var _outside:OutsidePoints;
-        // By point: of the faces that a new vertex adds, the one whose edge on the horizon begins there.
+        // For each point, the face of a new vertex whose edge on the horizon begins there.
         private var _faceFrom:Vector.<HullFace>;
 
-        // For the vertex under way: the faces that it sees, and the new faces.
+        // For the current vertex, the faces that it sees and the new faces.
         private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();
 
-        // When the hull is built: all of its faces, those up to a number walked on from, and how many edges meet at each point, those inside of a
-        // flat side not counted.
+        // After the hull is built: all of its faces, how many of them the walk has passed, and how many edges meet at each point. Edges
+        // inside of a flat side are not counted.
         private var _faces:Vector.<HullFace>;
         private var _walked:int;
         private var _edges:Vector.<int>;
@@ -59,8 +58,8 @@ package starlogo.geometry.hull
         }
 
         /**
-         * The hull's triangles, three indices of points each, counter-clockwise seen from outside, each vertex a corner of the hull
-         * (no vertex inside an edge or a flat side); when no step is left.
+         * The hull's triangles, three indices of points each, counter-clockwise seen from outside. Each vertex is a corner of the hull, and
+         * not inside of an edge or a flat side. Complete after the last step.
          */
         public function get triangles():Vector.<int>
         {
@@ -81,13 +80,13 @@ package starlogo.geometry.hull
             build(_simplex[0], _simplex[1], _simplex[2], _simplex[3], null);
         }
 
-        // Adds the steps of building the hull of all points, or of those listed, from a tetrahedron of four.
+        // Adds the steps that build the hull from a tetrahedron of four points: of all points, or of those listed.
         private function build(a:int, b:int, c:int, d:int, among:Vector.<int>):void
         {
             var count:int = _points.length / 3;
             _outside = new OutsidePoints(_points);
             _faceFrom = new Vector.<HullFace>(count);
-            // a triangle with two sides; one of them sees the fourth corner
+            // A triangle with two sides. One of them sees the fourth corner.
             var front:HullFace = new HullFace(_points, a, b, c);
             var back:HullFace = new HullFace(_points, a, c, b);
             front.acrossAB = front.acrossBC = front.acrossCA = back;
@@ -187,7 +186,7 @@ package starlogo.geometry.hull
             visit(_created[0]);
         }
 
-        // From face to neighbour.
+        // Walks from faces to their neighbours.
         private function walk():Boolean
         {
             for (var end:int = _walked + FACES_PER_STEP; _walked < _faces.length && _walked < end; _walked++)
@@ -235,8 +234,8 @@ package starlogo.geometry.hull
             }
         }
 
-        // A vertex may have been taken that is inside of an edge or a flat side once later vertices are added: fewer than three edges meet there.
-        // Then the hull of the others alone is built. A closed surface of triangles has two vertices more than half as many triangles.
+        // Later vertices may put an earlier one inside of an edge or a flat side. Then fewer than three edges meet at it, and the hull of
+        // the other vertices alone is built. A closed surface of triangles has two more vertices than half the number of triangles.
         private function restartIfFlat():void
         {
             var corners:Vector.<int> = new Vector.<int>();

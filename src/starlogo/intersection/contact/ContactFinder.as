@@ -5,46 +5,49 @@ package starlogo.intersection.contact
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * Where two structures touch, or how they overlap.
+     * Finds the contact of two structures: where they touch, or how they overlap.
      *
-     * <p>The normal points along the shortest displacement that separates the first from the second, and the depth is its length: moved by as much,
-     * the first just touches. Where spheres and capsules have gone no deeper than to their centres and axes, that is the line between the points of
-     * these, or of the box, that are nearest to each other. Deeper than that, and for boxes, it is the direction at right angles to a face or to an
-     * edge of each along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996). Of several that are equally short, one is chosen:
-     * centres that coincide are parted along z; a sphere or capsule on the axis of a capsule parallel to it, or in line, leaves it at right angles
-     * and as upright as can be; in the middle of a box any of the faces will do.</p>
+     * <p>The normal is the direction of the shortest displacement that separates the first structure from the second. The depth is its
+     * length: after that displacement the two just touch. The point is in the middle of the overlap along the normal. If two boxes touch
+     * along an edge or a face, it is in the middle of that edge or face too. The same holds for a box and a capsule's axis inside of it.
+     * The result is exact except for rounding. Allocates nothing.</p>
      *
-     * <p>The point is in the middle of the overlap along the normal; of two boxes that touch in an edge or a face, and of a box with a
-     * capsule's axis in it, in the middle of that too. Exact but for rounding; allocates nothing.</p>
+     * <p>A structure's core is a sphere's centre, a capsule's axis or a whole box. If the cores are apart, the normal is along the line
+     * between their closest points. If they overlap, and for two boxes, the normal is perpendicular to a face of one or to an edge of each:
+     * the direction along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996).</p>
+     *
+     * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is
+     * on a capsule's axis, or two capsules are parallel, the normal is perpendicular to the axis and points upwards as far as possible. In
+     * the middle of a box any face is chosen.</p>
      *
      * @private
      */
     public final class ContactFinder
     {
-        /** How far the first structure is displaced from where it stands: to the start of this motion, which is none otherwise. */
+        /** Moves the first structure from its stored place to the start of this motion. The motion's other fields must be 0. */
         public var displacement:RelativeMotion = new RelativeMotion();
 
         private var _turned:RelativeMotion = new RelativeMotion();
 
-        /** No contact yet. */
+        /** Creates a finder without a displacement. */
         public function ContactFinder()
         {
             displacement.time = 0;
         }
 
         /**
-         * Finds the contact of two structures, of which the first is displaced.
+         * Finds the contact of two structures. The first one is displaced.
          *
          * @param a a Sphere, Capsule or Box
-         * @param b likewise, in the same space
-         * @param out takes the result
-         * @throws ArgumentError when there is no test for the pair
+         * @param b a Sphere, Capsule or Box, in the same space
+         * @param out receives the contact
+         * @throws ArgumentError if there is no test for the pair
          */
         public function find(a:BoundingStructure, b:BoundingStructure, out:ContactPoint):void
         {
             if (a.kind > b.kind)
             {
-                // in the other order, and turned back
+                // The kernel takes the pair in the other order, so the contact is turned back.
                 _turned.turn(displacement);
                 PairTable.KERNELS[b.kind << 2 | a.kind].findContact(b, a, _turned, out);
                 out.turn(displacement);

@@ -5,13 +5,13 @@ package starlogo.intersection.contact
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * Where two structures touch, or how they overlap: the point, the normal, and how deep. Plain fields, for reuse.
+     * The contact of two structures: the point, the normal and the depth. It has plain fields, so that it can be reused.
      *
      * @private
      */
     public final class ContactPoint
     {
-        /** In the middle of the overlap, in the structures' space. */
+        /** The middle of the overlap, in the structures' space. */
         public var x:Number = 0;
 
         /** @copy #x */
@@ -20,7 +20,7 @@ package starlogo.intersection.contact
         /** @copy #x */
         public var z:Number = 0;
 
-        /** The direction in which the first would have to be moved to get free, a unit vector. */
+        /** The direction that separates the first structure from the second: a unit vector. */
         public var normalX:Number = 0;
 
         /** @copy #normalX */
@@ -29,21 +29,21 @@ package starlogo.intersection.contact
         /** @copy #normalX */
         public var normalZ:Number = 1;
 
-        /** How far, not negative: 0 if they just touch. */
+        /** The length of the overlap along the normal, at least 0. It is 0 if the structures just touch. */
         public var depth:Number = 0;
 
-        /** How long the vector was that the normal was made of. */
+        /** The length that the normal had before <code>normalise()</code>. */
         public var length:Number = 1;
 
-        /** How far the first structure reaches from its core, for <code>place()</code>. */
+        /** Input of <code>place()</code>: how far the first structure's surface is from its core. */
         public var radius:Number = 0;
 
-        /** At the origin, upright. */
+        /** Creates a contact at the origin with an upward normal. */
         public function ContactPoint()
         {
         }
 
-        /** Takes over all of another. */
+        /** Copies all fields of another contact. */
         public function copyFrom(other:ContactPoint):void
         {
             x = other.x;
@@ -56,9 +56,10 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Makes it the contact of the same structures in the other order: then the other structure is displaced, and in the opposite direction.
+         * Turns this into the contact of the same structures in the other order. In that order the other structure is displaced, in the
+         * opposite direction.
          *
-         * @param motion of that structure, which is where it is at the motion's time
+         * @param motion the other structure's motion; the structure is where it is at the motion's time
          */
         public function turn(motion:RelativeMotion):void
         {
@@ -71,7 +72,7 @@ package starlogo.intersection.contact
             normalZ = -normalZ;
         }
 
-        /** Sets the normal to a vector, which is not made a unit vector. Short, so that V8 makes no objects of the Numbers. */
+        /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */
         public function setNormal(x:Number, y:Number, z:Number):void
         {
             normalX = x;
@@ -79,7 +80,7 @@ package starlogo.intersection.contact
             normalZ = z;
         }
 
-        /** Makes the normal, of any length but 0, a unit vector; <code>length</code> is how long it was. */
+        /** Makes the normal a unit vector, and sets <code>length</code> to its old length, which must not be 0. */
         public function normalise():void
         {
             length = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ);
@@ -88,7 +89,7 @@ package starlogo.intersection.contact
             normalZ /= length;
         }
 
-        /** How far a vector goes along the normal. */
+        /** The component of a vector along the normal. */
         public function along(vector:Vector3D):Number
         {
             return normalX * vector.x + normalY * vector.y + normalZ * vector.z;
@@ -102,14 +103,17 @@ package starlogo.intersection.contact
             place.z += by * normalZ;
         }
 
-        /** Sets the normal to the opposite of a motion's direction. */
+        /** Sets the normal to the opposite of the motion's direction. */
         public function pointAgainst(motion:RelativeMotion):void
         {
             setNormal(-motion.x, -motion.y, -motion.z);
             normalise();
         }
 
-        /** Turns the normal to be at right angles to what it is: as upright as can be; where it is upright, or has no length, along x or z. */
+        /**
+         * Replaces the normal by a unit vector perpendicular to it that points upwards as far as possible. If the normal is vertical or 0,
+         * the new one points along x or z.
+         */
         public function pointAcross():void
         {
             var axisX:Number = normalX;
@@ -133,8 +137,8 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Moves the point, one of the first structure's core that the normal points away from, to the middle of the overlap. Normal, depth and radius
-         * are there; a depth that is below 0 by rounding becomes 0.
+         * Moves the point from the first structure's core to the middle of the overlap, against the normal. Normal, depth and radius must
+         * be set. A depth that rounding has made negative becomes 0.
          */
         public function place():void
         {

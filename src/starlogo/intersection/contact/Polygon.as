@@ -3,14 +3,14 @@ package starlogo.intersection.contact
     import starlogo.geometry.Tolerances;
 
     /**
-     * A corner, an edge or a face in a plane where something else touches it: one point, two, or a convex polygon. Of two that touch
-     * it finds a point that both have.
+     * The feature of a shape that touches another shape: a point, a segment or a convex polygon. Finds a point that two touching features
+     * have in common.
      *
      * @private
      */
     public final class Polygon
     {
-        // four corners against four planes
+        // Room for four corners, one more corner for each of four clips, and a spare one.
         private static const MOST_NUMBERS:int = 3 * 9;
 
         /** The common point. */
@@ -22,12 +22,12 @@ package starlogo.intersection.contact
         /** @copy #x */
         public var z:Number;
 
-        // The step of the next call: of Numbers that are passed V8 would make objects.
+        // Arguments of the next call. Fields, because V8 would allocate objects for Numbers that are passed.
         private var _stepX:Number = 0;
         private var _stepY:Number = 0;
         private var _stepZ:Number = 0;
 
-        // The plane of the next cut.
+        // The plane of the next clip.
         private var _inX:Number = 0;
         private var _inY:Number = 0;
         private var _inZ:Number = 0;
@@ -37,18 +37,18 @@ package starlogo.intersection.contact
         private var _end:int = 0;
         private var _clipped:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
 
-        /** No points yet. */
+        /** Creates a polygon without points. */
         public function Polygon()
         {
         }
 
-        /** Takes all points away. */
+        /** Removes all points. */
         public function clear():void
         {
             _end = 0;
         }
 
-        /** Sets the vector of the next calls. */
+        /** Sets the vector that the next calls use. */
         public function setStep(x:Number, y:Number, z:Number):void
         {
             _stepX = x;
@@ -56,7 +56,7 @@ package starlogo.intersection.contact
             _stepZ = z;
         }
 
-        /** Adds a corner after the others, where the vector says. */
+        /** Adds the vector's end as a corner after the others. */
         public function add():void
         {
             _points[_end] = _stepX;
@@ -76,7 +76,7 @@ package starlogo.intersection.contact
             }
         }
 
-        /** A point becomes a segment, a segment a parallelogram: by the vector to both sides. */
+        /** Extends the polygon by the vector to both sides: a point becomes a segment, and a segment becomes a parallelogram. */
         public function widen():void
         {
             var points:Vector.<Number> = _points;
@@ -93,10 +93,9 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Finds a point that this and another have in common, seen along a normal: the middle of what they have in common, and half way
-         * between the two.
+         * Finds the middle of the area that two polygons share when seen along a normal. The point is halfway between the two polygons.
          *
-         * @param other in the same plane, or in one parallel to it
+         * @param other in the same plane, or in a parallel one
          * @param contact has the normal
          */
         public function findCommonPoint(other:Polygon, contact:ContactPoint):void
@@ -147,8 +146,8 @@ package starlogo.intersection.contact
             z *= 3 / end;
         }
 
-        // Sets the point to the middle of a segment or polygon, clipped to another polygon (Sutherland and Hodgman, "Reentrant polygon
-        // clipping", 1974).
+        // Sets the point to the middle of a segment or polygon after clipping it to another polygon (Sutherland and Hodgman, "Reentrant
+        // polygon clipping", 1974).
         private function setMiddleWithin(inner:Polygon, outer:Polygon, contact:ContactPoint):void
         {
             var normalX:Number = contact.normalX;
@@ -168,7 +167,7 @@ package starlogo.intersection.contact
                 var edgeX:Number = edges[at] - edges[last];
                 var edgeY:Number = edges[int(at + 1)] - edges[int(last + 1)];
                 var edgeZ:Number = edges[int(at + 2)] - edges[int(last + 2)];
-                // inwards, in the plane
+                // The vector points inwards, in the plane.
                 _inX = edgeY * normalZ - edgeZ * normalY;
                 _inY = edgeZ * normalX - edgeX * normalZ;
                 _inZ = edgeX * normalY - edgeY * normalX;
@@ -191,14 +190,14 @@ package starlogo.intersection.contact
             inner._clipped = kept;
             if (end == 0)
             {
-                // they do not touch
+                // The polygons do not overlap.
                 setMiddle(edges, outer._end);
                 return;
             }
             setMiddle(points, end);
         }
 
-        // Keeps what lies beyond the plane; returns the end of it.
+        // Keeps the part beyond the plane. Returns the index after its last number.
         private function cut(points:Vector.<Number>, end:int, kept:Vector.<Number>):int
         {
             var inX:Number = _inX;
@@ -208,7 +207,7 @@ package starlogo.intersection.contact
             var count:int = 0;
             var last:int = end - 3;
             var lastBeyond:Number = inX * points[last] + inY * points[int(last + 1)] + inZ * points[int(last + 2)] - from;
-            // a segment is no closed line
+            // A segment is not a closed outline.
             var isSegment:Boolean = end == 6;
             for (var at:int = 0; at < end; at += 3)
             {
@@ -234,7 +233,7 @@ package starlogo.intersection.contact
             return count;
         }
 
-        // Where two segments cross; the middle of what they have in common where they are parallel.
+        // Sets the point to where two segments cross. If they are parallel, sets it to the middle of the part that they share.
         private function setCrossing(a:Vector.<Number>, b:Vector.<Number>):void
         {
             var ux:Number = a[3] - a[0];

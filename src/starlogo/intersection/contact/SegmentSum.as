@@ -8,7 +8,7 @@ package starlogo.intersection.contact
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * A box or a capsule's axis as the sum of three segments, or one, about a middle.
+     * A box, or a capsule's axis, as a sum of segments about a middle: three segments for a box, one for an axis.
      *
      * @private
      */
@@ -23,27 +23,27 @@ package starlogo.intersection.contact
         /** @copy #x */
         public var z:Number;
 
-        /** The segments' directions, unit vectors; 0 for a segment without length. */
+        /** The segments' directions: unit vectors, or 0 for a segment without length. */
         public var directions:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The index after the last number of these. */
+        /** The index after the last number of the directions. */
         public var end:int;
 
-        /** How far it reaches from its middle in the direction that was measured last. */
+        /** How far the sum extends from its middle in the direction of the last <code>measure()</code>. */
         public var reach:Number = 0;
 
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
 
-        /** No sum yet. */
+        /** Creates an empty sum. */
         public function SegmentSum()
         {
         }
 
         /**
-         * Sets the sum to that of a structure.
+         * Sets the sum to a structure.
          *
-         * @param structure a Box, or a Capsule of which the axis counts
-         * @param displacement where it is, from where it stands
+         * @param structure a Box, or a Capsule whose axis is taken
+         * @param displacement moves the structure from its stored place
          */
         public function setTo(structure:BoundingStructure, displacement:RelativeMotion):void
         {
@@ -78,7 +78,7 @@ package starlogo.intersection.contact
             end = 3;
         }
 
-        /** Finds how far it reaches in a direction, a unit vector. */
+        /** Measures how far the sum extends in a direction, which must be a unit vector. */
         public function measure(direction:Vector3D):void
         {
             var toX:Number = direction.x;
@@ -93,7 +93,7 @@ package starlogo.intersection.contact
             reach = sum;
         }
 
-        /** Writes the feature that is farthest out in a direction: a corner, an edge or a face. */
+        /** Writes the feature that is farthest in a direction: a corner, an edge or a face. */
         public function supportInto(polygon:Polygon, direction:Vector3D):void
         {
             polygon.clear();

@@ -3,14 +3,14 @@ package starlogo.intersection.distance
     import starlogo.geometry.Placement;
 
     /**
-     * How far two shapes are apart, and the two points that are as near to each other: one on each, or, where the shapes touch, twice a point of
-     * both. Plain fields, for reuse; also what a kernel starts from.
+     * The distance of two shapes, and their closest points. If the shapes touch, both points are one point of both shapes. It has plain
+     * fields, so that it can be reused, and the kernels put their input into it.
      *
      * @private
      */
     public final class ClosestPair
     {
-        /** How far the points are apart: 0 if the shapes touch. */
+        /** The distance of the two points: 0 if the shapes touch. */
         public var distance:Number = 0;
 
         /** The point of the first shape. */
@@ -31,7 +31,7 @@ package starlogo.intersection.distance
         /** @copy #bX */
         public var bZ:Number = 0;
 
-        /** For separate: from the second core's closest point to the first's, which is aX, aY, aZ. */
+        /** Input of separate: the vector from the second core's closest point to the first core's, which is aX, aY, aZ. */
         public var gapX:Number = 0;
 
         /** @copy #gapX */
@@ -40,20 +40,21 @@ package starlogo.intersection.distance
         /** @copy #gapX */
         public var gapZ:Number = 0;
 
-        /** For separate: how far the first shape reaches from its core. */
+        /** Input of separate: how far the first shape's surface is from its core. */
         public var radiusA:Number = 0;
 
-        /** For separate: how far the second does. */
+        /** Input of separate: how far the second shape's surface is from its core. */
         public var radiusB:Number = 0;
 
-        /** At the origin, touching. */
+        /** Creates a pair at the origin with distance 0. */
         public function ClosestPair()
         {
         }
 
         /**
-         * Sets distance and points from the gap between the cores and the radii around these. Where shapes overlap, the point is in the middle of
-         * what both cover of the line through the closest points of the cores. Numbers are fields, because V8 makes an object of each that is passed.
+         * Sets the distance and the points from the gap between the cores and from the radii. If the shapes overlap, both points lie on the
+         * line through the cores' closest points, in the middle of the part inside of both shapes. The inputs are fields, because V8 would
+         * allocate an object for each Number that is passed.
          */
         public function separate():void
         {
@@ -86,7 +87,7 @@ package starlogo.intersection.distance
             aZ -= atA * z;
         }
 
-        /** Makes it that of the same shapes in the other order. */
+        /** Exchanges the two shapes. */
         public function turn():void
         {
             var x:Number = aX;
@@ -101,8 +102,8 @@ package starlogo.intersection.distance
         }
 
         /**
-         * Says whether the shapes touch, in spite of what rounding has made of the distance: if they do, it is 0, and the point in the middle of
-         * the gap; if not, it is more than 0.
+         * Corrects what rounding has made of the distance, when another test knows whether the shapes touch. If they touch, the distance
+         * becomes 0 and both points move to the middle of the gap. If not, the distance becomes more than 0.
          */
         public function settle(areTouching:Boolean):void
         {
@@ -119,7 +120,7 @@ package starlogo.intersection.distance
             }
         }
 
-        /** Takes the points to where a placement puts the space that they are in. */
+        /** Transforms the points by a placement. */
         public function place(placement:Placement):void
         {
             var size:Number = placement.size;
@@ -137,7 +138,7 @@ package starlogo.intersection.distance
             bZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
         }
 
-        /** Takes over the points of another. */
+        /** Copies the points of another pair, but not the distance. */
         public function copyPoints(other:ClosestPair):void
         {
             aX = other.aX;

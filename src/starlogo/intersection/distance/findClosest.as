@@ -4,14 +4,16 @@ package starlogo.intersection.distance
     import starlogo.intersection.PairTable;
 
     /**
-     * How far two structures are apart, and between which points: 0 if they overlap, and then both points are one that is in both. Exact but for
-     * rounding, 1e-15 of their sizes and of the distance; what just touches may be as far apart. Symmetric to the last bit; allocates nothing.
+     * Finds the distance of two structures and their closest points. If the structures overlap, the distance is 0, and both points are one
+     * point inside of both.
+     *
+     * <p>The result is exact except for rounding, which is 1e-15 of their sizes and of the distance. So structures that just touch may have
+     * a distance as small as that. Symmetric to the last bit. Allocates nothing.</p>
      *
      * @param a a Sphere, Capsule or Box; a radius, length or half-extent may be 0
-     * @param b likewise, in the same space
-     * @param out takes the distance and the points
-     * @throws ArgumentError when there is no test for the pair: cylinders are never collided
-     *
+     * @param b a Sphere, Capsule or Box, in the same space
+     * @param out receives the distance and the points
+     * @throws ArgumentError if there is no test for the pair, because cylinders are never collided
      * @private
      */
     public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void

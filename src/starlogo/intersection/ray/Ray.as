@@ -4,17 +4,18 @@ package starlogo.intersection.ray
     import starlogo.geometry.Placement;
 
     /**
-     * A part of a line, which the kernels narrow to what is inside of a shape.
+     * A part of a line. The kernels narrow it to the part inside of a shape.
      *
-     * <p>A place on the line is a number: how far along the direction, which is of length 1, it is from (x, y, z). That point should be close to the
-     * shapes that are asked about, wherever the part begins: rounding goes with its distance. Fields, because V8 makes an object of each Number that
-     * it passes.</p>
+     * <p>A number stands for a place on the line: its distance along the direction from the point (x, y, z). The direction has length 1.
+     * That point should be near the shapes that are asked about, because the rounding error grows with their distance from it. The part may
+     * begin far from that point. All inputs are fields, because V8 would allocate an object for each Number that is passed.</p>
      *
      * @private
      */
     public final class Ray
     {
-        // two to the power of 400, beyond which squares are not to be had, and to that of 600
+        // LARGE is 2 to the power of 400: above this length a square is infinite, and below 1 / LARGE it is 0. SCALE is 2 to the power of
+        // 600.
         private static const LARGE:Number = 2.582249878086909e120;
         private static const SCALE:Number = 4.149515568880993e180;
 
@@ -36,13 +37,16 @@ package starlogo.intersection.ray
         /** @copy #directionX */
         public var directionZ:Number = 0;
 
-        /** Where the part begins: at a shape's surface, or where the ray does. */
+        /** Where the part begins: on a shape's surface, or at the ray's origin. */
         public var from:Number = 0;
 
         /** Where the part ends. */
         public var to:Number = Infinity;
 
-        /** Of length 1, out of the surface that the part begins at; against the ray if it begins where the ray does. */
+        /**
+         * The unit normal of the surface on which the part begins. If the part begins at the ray's origin, the opposite of the ray's
+         * direction.
+         */
         public var normalX:Number = 0;
 
         /** @copy #normalX */
@@ -51,33 +55,33 @@ package starlogo.intersection.ray
         /** @copy #normalX */
         public var normalZ:Number = 0;
 
-        /** Where the line enters a shape; see narrow. */
+        /** Where the line enters a shape. Input of narrow. */
         public var near:Number = 0;
 
-        /** Where the line leaves the shape. */
+        /** Where the line leaves the shape. Input of narrow. */
         public var far:Number = 0;
 
-        /** The radius of balls; see addBall. */
+        /** The radius of balls. Input of addBall. */
         public var radius:Number = 0;
 
-        /** Of a slab, which is between two parallel planes: how far the point of the line is from the middle; see cut. */
+        /** Input of cut: how far the line's point is from the middle of a slab. A slab is the space between two parallel planes. */
         public var offset:Number = 0;
 
-        /** How far the line goes across the slab in a length of 1; may be 0. */
+        /** Input of cut: how far the line goes across the slab in a length of 1. May be 0. */
         public var speed:Number = 0;
 
-        /** How far each plane is from the middle. */
+        /** Input of cut: the distance of each plane from the middle of the slab. */
         public var half:Number = 0;
 
-        // not the constant: where one was written before, V8 makes an object of the next Number
+        // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
         private var _infinity:Number = Infinity;
 
-        /** A ray that leads nowhere. */
+        /** Creates a ray without a direction. */
         public function Ray()
         {
         }
 
-        /** Takes over the line of another ray as it is seen in the space of a model. Its part is to be set then. */
+        /** Sets the line to another ray's line, transformed into a model's space. The part has to be set after that. */
         public function bringInto(placement:Placement, line:Ray):void
         {
             scale(line, placement.size);
@@ -95,7 +99,7 @@ package starlogo.intersection.ray
             directionZ = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
         }
 
-        /** Takes over the line of another ray in a space whose unit is a length in the other's. */
+        /** Sets the line to another ray's line, divided by a size. */
         public function scale(line:Ray, size:Number):void
         {
             x = line.x / size;
@@ -106,13 +110,17 @@ package starlogo.intersection.ray
             directionZ = line.directionZ;
         }
 
-        /** Whether products of the line's numbers are numbers. */
+        /** Whether the products of the line's numbers are finite. */
         public function get isFinite():Boolean
         {
             return x * x + y * y + z * z < Infinity;
         }
 
-        /** Makes it the ray from a point in a direction of any length. @throws ArgumentError if one is null or not finite, or the direction is 0 */
+        /**
+         * Sets the ray to begin at a point in a direction of any length.
+         *
+         * @throws ArgumentError if one of them is null or not finite, or if the direction is 0
+         */
         public function aim(origin:Vector3D, direction:Vector3D):void
         {
             if (origin == null || direction == null)
@@ -129,7 +137,7 @@ package starlogo.intersection.ray
             {
                 throw new ArgumentError("a ray needs a direction, finite and not 0: " + direction);
             }
-            // squares neither overflow nor vanish
+            // The direction is scaled so that its square is neither infinite nor 0.
             var scale:Number = 1;
             if (largest > LARGE)
             {
@@ -154,7 +162,7 @@ package starlogo.intersection.ray
             faceBack();
         }
 
-        /** Turns the normal round if it is along the ray. */
+        /** Reverses the normal if it points along the ray. */
         public function turnNormal():void
         {
             if (normalX * directionX + normalY * directionY + normalZ * directionZ > 0)
@@ -165,7 +173,7 @@ package starlogo.intersection.ray
             }
         }
 
-        /** Makes the normal the ray's direction turned round: for where it begins inside of a shape. */
+        /** Sets the normal to the opposite of the ray's direction, for a ray that begins inside of a shape. */
         public function faceBack():void
         {
             normalX = -directionX;
@@ -173,21 +181,21 @@ package starlogo.intersection.ray
             normalZ = -directionZ;
         }
 
-        /** Makes near and far those of the whole line. */
+        /** Sets near and far to the whole line. */
         public function beginWhole():void
         {
             near = -_infinity;
             far = _infinity;
         }
 
-        /** Makes near and far those of nothing. */
+        /** Sets near and far to an empty part. */
         public function beginEmpty():void
         {
             near = _infinity;
             far = -_infinity;
         }
 
-        /** Narrows near and far to where the line is between the two planes of a slab; returns whether near has changed. */
+        /** Narrows near and far to the part between the two planes of a slab. Returns whether near has changed. */
         public function cut():Boolean
         {
             if (speed == 0)
@@ -213,7 +221,7 @@ package starlogo.intersection.ray
             return false;
         }
 
-        /** Widens near and far to where the line is in a ball with the radius. */
+        /** Widens near and far to include the part in a ball with the radius. */
         public function addBall(middle:Vector3D):void
         {
             var toX:Number = middle.x - x;
@@ -232,7 +240,7 @@ package starlogo.intersection.ray
             }
         }
 
-        /** Narrows the part to what is between near and far; returns whether anything is left. */
+        /** Narrows the ray's part to the part between near and far. Returns whether anything is left. */
         public function narrow():Boolean
         {
             if (near > from)

@@ -3,32 +3,36 @@ package starlogo.intersection.ray
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds the first of some triangles that a ray meets, from either side: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal of
-     * Computer Graphics Techniques 2(1), 2013, in double precision.
+     * Finds the first triangle that a ray meets, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal
+     * of Computer Graphics Techniques 2(1), 2013, in double precision).
      *
-     * <p>Corners are sheared so that the ray runs along an axis; the side on which it passes an edge is then the sign of one expression, which for
-     * the two triangles of an edge comes to opposite numbers, or to 0 for both, to the last bit: no ray slips through between them. A ray that
-     * passes a triangle no farther than the gap across which surfaces still touch (Tolerances.SURFACES) meets it, so that one towards a silhouette does.
-     * Then the point must be within the triangle's extents, as much wider: a hierarchy's boxes hold it.</p>
+     * <p>The corners are sheared so that the ray runs along an axis. Then the sign of one expression says on which side the ray passes an
+     * edge. For the two triangles of an edge the two values are opposite, or both 0, to the last bit. So no ray slips through between the
+     * triangles.</p>
+     *
+     * <p>A ray also meets a triangle that it passes within the gap across which surfaces still touch (Tolerances.SURFACES). So a ray
+     * towards a silhouette finds it. In this case the point must lie within the triangle's extents, enlarged by the gap, because the
+     * hierarchy's boxes contain only such points.</p>
      *
      * @private
      */
     public final class TriangleRay
     {
-        /** Where the ray meets the nearest triangle so far, as in Ray; before there is one, where it ends. */
+        /** The place on the ray where it meets the nearest triangle so far. Before the first triangle, the end of the ray. */
         public var at:Number = Infinity;
 
-        /** The nearest triangle so far, or -1. */
+        /** The index of the nearest triangle so far, or -1. */
         public var triangle:int = -1;
 
         private var _ray:Ray = null;
 
-        // The axes, that along which the ray goes fastest last.
+        // The axes, ordered so that the ray goes fastest along the last.
         private var _u:int;
         private var _v:int;
         private var _w:int;
 
-        // A point of the line, and how far it goes along the first two in a length of 1 along the last; 1 over how fast it goes along that.
+        // A point of the line. The line's slopes: how far it goes along the first two axes while it goes 1 along the last. 1 over its speed
+        // along the last axis.
         private var _x:Number = 0;
         private var _y:Number = 0;
         private var _z:Number = 0;
@@ -36,11 +40,11 @@ package starlogo.intersection.ray
         private var _shearY:Number = 0;
         private var _stretch:Number = 0;
 
-        // How far a ray may pass a triangle, and twice the area of one as wide as all and as high as that.
+        // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
         private var _gap:Number = 0;
         private var _sliver:Number = 0;
 
-        /** Nothing to find yet. */
+        /** Creates a test without a ray. */
         public function TriangleRay()
         {
         }
@@ -48,8 +52,8 @@ package starlogo.intersection.ray
         /**
          * Begins with a ray.
          *
-         * @param ray in the space of the triangles; is kept
-         * @param radius of a sphere around all of them
+         * @param ray in the space of the triangles; the object is kept
+         * @param radius of a sphere around all triangles
          */
         public function begin(ray:Ray, radius:Number):void
         {
@@ -99,17 +103,17 @@ package starlogo.intersection.ray
                 _shearY = speedY / speedZ;
             }
             _gap = Tolerances.SURFACES * radius;
-            // a side may be longer than the diameter once it is sheared: by the root of eight at most
+            // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
             _sliver = 6 * _gap * radius;
         }
 
         /**
-         * Looks for a nearer triangle among some. The arithmetic of each, in this order: its corners as seen from the line, sheared; the
-         * sides on which the ray passes the edges; where it crosses the plane.
+         * Looks for a nearer triangle in a range. For each triangle, it shears the corners as seen from the line, finds the sides on which
+         * the ray passes the edges, and finds where the ray crosses the plane.
          *
-         * @param corners nine numbers a triangle
-         * @param first the first triangle
-         * @param end the one after the last
+         * @param corners nine numbers for each triangle
+         * @param first the first triangle's index
+         * @param end the index after the last triangle
          */
         public function look(corners:Vector.<Number>, first:int, end:int):void
         {
@@ -148,7 +152,7 @@ package starlogo.intersection.ray
                 }
                 var sum:Number = sideA + sideB + sideC;
                 var crossing:Number = _stretch * (sideA * aZ + sideB * bZ + sideC * cZ) / sum;
-                // false for NaN too: seen edge on, it is no more than its edges, which others have
+                // NaN is skipped too. A triangle seen edge on gives NaN, and the triangles next to it have its edges.
                 if (!(crossing >= _ray.from && crossing <= at) || (crossing == at && triangle >= 0))
                 {
                     continue;
@@ -166,7 +170,7 @@ package starlogo.intersection.ray
             }
         }
 
-        // Whether the ray passes an edge on the triangle's side, or no farther away than the gap.
+        // Whether the ray passes an edge on the triangle's side, or within the gap.
         private function isOver(fromX:Number, fromY:Number, toX:Number, toY:Number, side:Number, sum:Number):Boolean
         {
             toX -= fromX;
@@ -174,7 +178,7 @@ package starlogo.intersection.ray
             return side == 0 || side > 0 == sum > 0 || side * side <= _gap * _gap * (toX * toX + toY * toY);
         }
 
-        // Whether a point of the ray is within a triangle's extents, or no farther away than the gap.
+        // Whether a point of the ray is within a triangle's extents, enlarged by the gap.
         private function isIn(corners:Vector.<Number>, corner:int, crossing:Number):Boolean
         {
             return isBetween(_ray.x + crossing * _ray.directionX, corners, corner)

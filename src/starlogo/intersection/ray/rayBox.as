@@ -4,13 +4,12 @@ package starlogo.intersection.ray
     import starlogo.bounding.Box;
 
     /**
-     * Narrows a ray to what is inside of a box: between its three pairs of faces (Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986).
-     * Its surface counts. Allocates nothing.
+     * Narrows a ray to the part inside of a box, which is the part between its three pairs of faces (Kay and Kajiya, "Ray tracing complex
+     * scenes", SIGGRAPH 1986). The box's surface counts as inside. Allocates nothing.
      *
-     * @param ray in the space of the box; its part is narrowed, and its normal set if it enters
+     * @param ray in the space of the box; its part is narrowed, and its normal is set if it enters the box
      * @param box half-extents may be 0
      * @return whether the ray meets the box
-     *
      * @private
      */
     public function rayBox(ray:Ray, box:Box):Boolean

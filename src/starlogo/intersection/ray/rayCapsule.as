@@ -5,16 +5,15 @@ package starlogo.intersection.ray
     import starlogo.geometry.Tolerances;
 
     /**
-     * Narrows a ray to what is inside of a capsule: two balls, and what is between them of a cylinder about the segment. Its surface
-     * counts. Allocates nothing.
+     * Narrows a ray to the part inside of a capsule: two balls, and the cylinder between them. The capsule's surface counts as inside.
+     * Allocates nothing.
      *
-     * <p>The arithmetic, in this order: the balls; line and segment across the segment, where the cylinder is a circle; where the line enters
-     * and leaves it, between the ends of the segment; the normal, from the nearest point of the segment.</p>
+     * <p>The steps are: widen the part by the two balls; project the line across the segment, where the cylinder is a circle; find where
+     * the line enters and leaves the circle between the ends of the segment; find the normal from the nearest point of the segment.</p>
      *
-     * @param ray in the space of the capsule; its part is narrowed, and its normal set if it enters
-     * @param capsule the radius may be 0, and the ends one
+     * @param ray in the space of the capsule; its part is narrowed, and its normal is set if it enters the capsule
+     * @param capsule the radius and the length may be 0
      * @return whether the ray meets the capsule
-     *
      * @private
      */
     public function rayCapsule(ray:Ray, capsule:Capsule):Boolean
@@ -35,7 +34,7 @@ package starlogo.intersection.ray
         var z:Number = ray.z - start.z;
         if (squared > 0)
         {
-            // shares of the segment: where the point of the line is, and how far the line goes along it in a length of 1
+            // As shares of the segment: the place of the line's point, and how far the line goes along the segment in a length of 1.
             var share:Number = (x * alongX + y * alongY + z * alongZ) / squared;
             var speed:Number = (ray.directionX * alongX + ray.directionY * alongY + ray.directionZ * alongZ) / squared;
             var acrossX:Number = ray.directionX - speed * alongX;

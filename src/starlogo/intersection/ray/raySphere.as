@@ -5,13 +5,12 @@ package starlogo.intersection.ray
     import starlogo.geometry.Tolerances;
 
     /**
-     * Narrows a ray to what is inside of a sphere. The distance of the centre from the line is computed across the line, so that nothing cancels.
-     * Touching counts, to within Tolerances.TOUCHING. Allocates nothing.
+     * Narrows a ray to the part inside of a sphere. Touching counts, to within Tolerances.TOUCHING. The distance of the centre is computed
+     * perpendicular to the line, so that no digits cancel. Allocates nothing.
      *
-     * @param ray in the space of the sphere; its part is narrowed, and its normal set if it enters
+     * @param ray in the space of the sphere; its part is narrowed, and its normal is set if it enters the sphere
      * @param sphere a radius of 0 makes it a point
      * @return whether the ray meets the sphere
-     *
      * @private
      */
     public function raySphere(ray:Ray, sphere:Sphere):Boolean

@@ -6,13 +6,12 @@ package starlogo.intersection.ray
     import starlogo.bounding.Sphere;
 
     /**
-     * Narrows a ray to what is inside of a structure. Allocates nothing.
+     * Narrows a ray to the part inside of a structure. Allocates nothing.
      *
-     * @param ray in the space of the structure; its part is narrowed, and its normal set if it enters
+     * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
      * @param structure a sphere, a capsule or a box
-     * @return whether the ray meets it
+     * @return whether the ray meets the structure
      * @throws ArgumentError for any other structure
-     *
      * @private
      */
     public function rayStructure(ray:Ray, structure:BoundingStructure):Boolean

@@ -3,20 +3,24 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * When boxes that pass each other touch: separating axes over time. While no axis separates them they touch, and each axis
-     * gives an interval of time; they first touch when the last interval begins, if that is before the first ends.
+     * Finds when two moving boxes first touch, by separating axes over time. Boxes touch while no axis separates them. Each axis gives an
+     * interval of time during which it does not separate them. The boxes first touch when the last interval begins, if that is before the
+     * first one ends.
      *
-     * <p>All is in the axes of the one box, a. For many pairs of boxes that are turned alike and move alike, what they have in
-     * common is prepared once.</p>
+     * <p>All numbers are in the axes of box a. Many pairs of boxes may have the same rotation and motion. Then <code>prepare()</code>
+     * computes once what the pairs have in common.</p>
      *
      * @private
      */
     public final class BoxSweep
     {
-        /** For tests that are over before the next begins. */
+        /** For tests that end before the next one begins. */
         internal static const SCRATCH:BoxSweep = new BoxSweep();
 
-        /** The axes of b in those of a, entry by entry: the first is of b's axisX along a's axisX, the next of b's axisY along a's axisX. */
+        /**
+         * The axes of b in the axes of a. The first letter is a's axis, the second is b's: xy is the component of b's axisY along a's
+         * axisX.
+         */
         public var xx:Number = 1;
 
         /** @copy #xx */
@@ -43,7 +47,7 @@ package starlogo.intersection.sweep
         /** @copy #xx */
         public var zz:Number = 1;
 
-        /** How b moves, as seen from a, between times 0 and 1, in a's axes. */
+        /** The motion of b from time 0 to 1 as seen from a, in a's axes. */
         public var motionX:Number = 0;
 
         /** @copy #motionX */
@@ -52,10 +56,10 @@ package starlogo.intersection.sweep
         /** @copy #motionX */
         public var motionZ:Number = 0;
 
-        /** The gap across which they still touch. */
+        /** The gap across which the boxes still touch. */
         public var gap:Number = 0;
 
-        /** From a's middle to b's at time 0, in a's axes. */
+        /** The vector from a's middle to b's at time 0, in a's axes. */
         public var x:Number = 0;
 
         /** @copy #x */
@@ -82,13 +86,13 @@ package starlogo.intersection.sweep
         /** @copy #bX */
         public var bZ:Number = 0;
 
-        /** The latest time that is of interest. */
+        /** The latest time to look at. */
         public var latest:Number = 1;
 
-        /** When they begin not to be separated by what was tried; or RelativeMotion.NEVER. */
+        /** The result: the time from which the axes tried do not separate the boxes, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
 
-        // The absolute values of the entries.
+        // The absolute values of the rotation's entries.
         private var _absXx:Number = 1;
         private var _absXy:Number = 0;
         private var _absXz:Number = 0;
@@ -99,7 +103,7 @@ package starlogo.intersection.sweep
         private var _absZy:Number = 0;
         private var _absZz:Number = 1;
 
-        // An edge of b, and half of each of its others.
+        // An edge of b, and half of each of its other two edges.
         private var _pX:Number = 0;
         private var _pY:Number = 0;
         private var _pZ:Number = 0;
@@ -112,12 +116,12 @@ package starlogo.intersection.sweep
 
         private var _times:TouchingTimes = new TouchingTimes();
 
-        /** Nothing prepared yet. */
+        /** Creates a sweep that is not prepared. */
         public function BoxSweep()
         {
         }
 
-        /** Prepares what boxes have in common: b's axes, which are set. */
+        /** Prepares what many pairs have in common. The axes of b must be set. */
         public function prepare():void
         {
             _absXx = xx < 0 ? -xx : xx;
@@ -131,7 +135,10 @@ package starlogo.intersection.sweep
             _absZz = zz < 0 ? -zz : zz;
         }
 
-        /** Finds when two boxes begin not to be separated by any face: not after they touch; NEVER if that is not until the latest time. */
+        /**
+         * Finds the time from which no face separates two boxes. The boxes touch at that time or later. It is NEVER if it is after the
+         * latest time.
+         */
         public function meetFaces():void
         {
             time = RelativeMotion.NEVER;
@@ -190,10 +197,10 @@ package starlogo.intersection.sweep
         }
 
         /**
-         * Finds when the same two boxes touch, after meetFaces.
+         * Finds when the boxes touch. Call meetFaces first, with the same boxes.
          *
-         * <p>The cross products of an edge of each are projected on in full: however short one is because the edges are nearly parallel,
-         * it is an axis like any other, and no identity between axes has to hold for more digits than it does.</p>
+         * <p>The boxes are projected in full on the cross product of an edge of each. So even a short cross product of nearly parallel
+         * edges is an axis like any other. The test uses no identity between axes, because rounding would break it.</p>
          */
         public function meetEdges():void
         {
@@ -239,7 +246,7 @@ package starlogo.intersection.sweep
             }
         }
 
-        // Whether the cross product of edge p of b and one of a's separates all the time; q and r are b's other edges, half of each.
+        // Whether the cross product of edge p of b and an edge of a separates the boxes all the time. q and r are half of b's other edges.
         private function isSeparatedAcross():Boolean
         {
             var times:TouchingTimes = _times;
@@ -294,7 +301,7 @@ package starlogo.intersection.sweep
             return times.areSeparated();
         }
 
-        // The length below which a cross product is rounding: the edges are parallel (Tolerances.PARALLEL).
+        // Below this length a cross product is only rounding, because the edges are parallel (Tolerances.PARALLEL).
         private static const SHORTEST:Number = Math.sqrt(Tolerances.PARALLEL);
     }
 }

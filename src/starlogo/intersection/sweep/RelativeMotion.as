@@ -3,9 +3,9 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * How one structure moves while another stands still: along a straight line, from time 0 to time 1, neither turning nor growing.
-     * Where both move, it is the motion of the first less that of the second. Plain fields, because the pair tests read them, and write their
-     * result: of Numbers that are passed or returned V8 makes objects.
+     * The motion of one structure while another stands still: along a straight line from time 0 to time 1, without rotation or growth. If
+     * both move, it is the first structure's motion minus the second's. It has plain fields, which the pair tests read and write, because
+     * V8 would allocate objects for Numbers that are passed or returned.
      *
      * @private
      */
@@ -19,7 +19,7 @@ package starlogo.intersection.sweep
 
         private static const TURNED:RelativeMotion = new RelativeMotion();
 
-        /** From where the structure stands to where it is at time 0. */
+        /** The vector from the structure's stored place to its place at time 0. */
         public var startX:Number = 0;
 
         /** @copy #startX */
@@ -28,7 +28,7 @@ package starlogo.intersection.sweep
         /** @copy #startX */
         public var startZ:Number = 0;
 
-        /** From where it is at time 0 to where it is at time 1. */
+        /** The vector from the structure's place at time 0 to its place at time 1. */
         public var x:Number = 0;
 
         /** @copy #x */
@@ -37,18 +37,21 @@ package starlogo.intersection.sweep
         /** @copy #x */
         public var z:Number = 0;
 
-        /** When the structures touch for the first time that were asked about, from 0 to 1, or NEVER. What asks how they touch asks about then. */
+        /**
+         * The time of impact: when the structures first touch, from 0 to 1, or NEVER. For contacts it is an input: the time at which they
+         * touch.
+         */
         public var time:Number = NEVER;
 
-        /** How much farther apart than standing structures those on this motion may be and still touch, as of <code>findRounding()</code>. */
+        /** The extra gap across which moving structures still touch, because of rounding. Set by <code>findRounding()</code>. */
         public var rounding:Number = 0;
 
-        /** No motion. */
+        /** Creates a motion of length 0. */
         public function RelativeMotion()
         {
         }
 
-        /** Makes it the motion that has brought the structure to where it stands: that is its end. */
+        /** Makes this the motion that has brought the structure to its stored place, where it is at time 1. */
         public function endAfter(x:Number, y:Number, z:Number):void
         {
             this.x = x;
@@ -59,7 +62,7 @@ package starlogo.intersection.sweep
             startZ = -z;
         }
 
-        /** Makes it a displacement: its start is where another motion is at its time. It has to be none otherwise. */
+        /** Makes this a displacement to where another motion is at its time. This motion's x, y and z must be 0. */
         public function stopAt(motion:RelativeMotion):void
         {
             var at:Number = motion.time;
@@ -68,7 +71,7 @@ package starlogo.intersection.sweep
             startZ = motion.startZ + at * motion.z;
         }
 
-        /** Makes it the way back of another motion. */
+        /** Makes this the way back along another motion. */
         public function reverse(motion:RelativeMotion):void
         {
             startX = motion.startX + motion.x;
@@ -79,7 +82,7 @@ package starlogo.intersection.sweep
             z = -motion.z;
         }
 
-        /** Makes it the motion of the other structure, while this one stands still, at the same time. */
+        /** Makes this the motion of the other structure while the first one stands still, with the same time. */
         public function turn(motion:RelativeMotion):void
         {
             x = -motion.x;
@@ -91,17 +94,17 @@ package starlogo.intersection.sweep
             time = motion.time;
         }
 
-        /** The motion of the other structure, while this one stands still; the next call overwrites it. */
+        /** Returns the motion of the other structure while the first one stands still. The next call overwrites it. */
         public static function turned(motion:RelativeMotion):RelativeMotion
         {
             TURNED.turn(motion);
             return TURNED;
         }
 
-        /** Finds the rounding error of the motion. */
+        /** Computes the rounding error of the motion. */
         public function findRounding():void
         {
-            // not with Math.abs, which would be a call for each
+            // Math.abs would be a call for each number.
             var sum:Number = startX < 0 ? -startX : startX;
             sum = startY < 0 ? sum - startY : sum + startY;
             sum = startZ < 0 ? sum - startZ : sum + startZ;

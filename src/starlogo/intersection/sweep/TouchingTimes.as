@@ -3,56 +3,59 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * The interval of time in which no axis tried so far separates two shapes that pass each other. Whether they touch at all is decided with a gap
-     * for rounding, the time of impact without one.
+     * The interval of time in which no axis tried so far separates two moving shapes. A gap for rounding is included in the decision
+     * whether they touch at all. The time of impact does not include it.
      *
      * @private
      */
     public final class TouchingTimes
     {
-        /** Where on the axis that is tried next the one's middle is, from the other's, at time 0. */
+        /** The next axis to try: the place of one middle on it at time 0, as seen from the other middle. */
         public var at:Number = 0;
 
-        /** How far it moves along it till time 1. */
+        /** How far that middle moves along the axis until time 1. */
         public var speed:Number = 0;
 
-        /** How far the two reach along it together. */
+        /** The sum of how far both shapes extend along the axis. */
         public var reach:Number = 0;
 
-        /** The gap across which they still touch. */
+        /** The gap across which the shapes still touch. */
         public var gap:Number = 0;
 
-        /** The end of the interval, with the gap. */
+        /** The end of the interval, with the gap included. */
         public var last:Number = 1;
 
-        /** When the last axis ceases to separate them, without the gap. If that is not after the end, they touch then. */
+        /**
+         * The time from which the last axis no longer separates the shapes, without the gap. If it is not after the end of the interval,
+         * the shapes touch then.
+         */
         public var touch:Number = 0;
 
-        // The beginning, with the gap.
+        // The beginning of the interval, with the gap included.
         private var _first:Number = 0;
 
-        /** No time yet. */
+        /** Creates an empty interval. */
         public function TouchingTimes()
         {
         }
 
-        /** Begins with no axis tried: <code>last</code> is the latest time that is of interest. */
+        /** Begins again with no axis tried. <code>last</code> must be the latest time to look at. */
         public function reset():void
         {
             _first = touch = 0;
         }
 
         /**
-         * Tries the axis that the fields describe: of arguments V8 would make objects.
+         * Tries the axis that the fields describe. They are fields, because V8 would allocate objects for arguments.
          *
-         * @return whether it separates them all the time
+         * @return whether the axis separates the shapes all the time
          */
         public function areSeparated():Boolean
         {
             var from:Number = at;
             var rate:Number = speed;
             var near:Number = reach;
-            // mirrored, so that it moves up
+            // mirrored, so that the motion is upwards
             if (rate < 0)
             {
                 rate = -rate;

@@ -1,27 +1,29 @@
 package starlogo.intersection.sweep
 {
     /**
-     * The separating axes of two triangles: the two normals, the nine cross products of an edge of each, and the six directions in the plane of
-     * one at right angles to an edge (Ericson, "Real-Time Collision Detection", §5.2.1). The last six are for triangles that are nearly in
-     * one plane.
+     * The separating axes of two triangles (Ericson, "Real-Time Collision Detection", §5.2.1): the two normals, the nine cross products of
+     * an edge of each, and six directions that lie in the plane of a triangle and are perpendicular to an edge. The last six are for
+     * triangles that are nearly in one plane.
      *
-     * <p>Both triangles are projected on each axis in full. So an axis separates only triangles that have a gap, however short and imprecise it
-     * is: nearly parallel edges and needles need no cases of their own.</p>
+     * <p>Both triangles are projected in full on each axis. So an axis separates only triangles that have a gap, even if the axis is short
+     * and imprecise. Nearly parallel edges and needles need no special case.</p>
      *
      * @private
      */
     internal class TriangleAxes
     {
-        /** The first triangle's edges: from the first corner to the second, from the first to the third, and from the second to the third. */
+        /**
+         * The first triangle's edges: from its first corner to the second, from the first to the third, and from the second to the third.
+         */
         protected var edgesA:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The second triangle's, in the same order. */
+        /** The second triangle's edges, in the same order. */
         protected var edgesB:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The second triangle's corners, from the first one's first corner. */
+        /** The second triangle's corners, relative to the first triangle's first corner. */
         protected var cornersB:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The axis that is tried, of any length: of Numbers that are passed V8 makes objects. */
+        /** The axis to try, of any length. Fields, because V8 would allocate objects for Numbers that are passed. */
         protected var axisX:Number = 0;
 
         /** @copy #axisX */
@@ -30,13 +32,13 @@ package starlogo.intersection.sweep
         /** @copy #axisX */
         protected var axisZ:Number = 0;
 
-        /** Where the second triangle's middle is on the axis, from the first's. */
+        /** The place of the second triangle's middle on the axis, as seen from the first triangle's middle. */
         protected var at:Number = 0;
 
-        /** How far the two reach along the axis together. */
+        /** The sum of how far both triangles extend along the axis. */
         protected var reach:Number = 0;
 
-        /** No triangles yet. */
+        /** Creates a test without triangles. */
         public function TriangleAxes()
         {
         }
@@ -44,10 +46,10 @@ package starlogo.intersection.sweep
         /**
          * Sets the two triangles.
          *
-         * @param a has nine numbers of a triangle: x, y, z of each corner
-         * @param atA where in a they begin
-         * @param b has nine numbers of the other
-         * @param atB where in b they begin
+         * @param a nine numbers of the first triangle: x, y, z of each corner
+         * @param atA index of the first of them in a
+         * @param b nine numbers of the second triangle, in the same space
+         * @param atB index of the first of them in b
          */
         public final function relate(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):void
         {
@@ -62,13 +64,13 @@ package starlogo.intersection.sweep
             setEdges(edgesB, cornersB, 0);
         }
 
-        /** Tries the axes at right angles to a triangle until one separates the two; the other methods like this try other axes. */
+        /** Tries the normals of both triangles until one separates the two. */
         protected final function areSeparatedByNormal():Boolean
         {
             return isNormal(edgesA) || isNormal(edgesB);
         }
 
-        /** Tries the axes at right angles to an edge of each. */
+        /** Tries the axes perpendicular to an edge of each triangle until one separates the two. */
         protected final function areSeparatedAcrossEdges():Boolean
         {
             var a:Vector.<Number> = edgesA;
@@ -92,7 +94,10 @@ package starlogo.intersection.sweep
             return false;
         }
 
-        /** Tries the axes in the plane of the triangle whose edges are given, at right angles to an edge: of the one whose normal is the more precise. */
+        /**
+         * Tries the axes in a triangle's plane that are perpendicular to an edge until one separates the two. The given edges should be
+         * those of the triangle whose normal is more precise.
+         */
         protected final function areSeparatedInPlane(edges:Vector.<Number>):Boolean
         {
             setNormal(edges);
@@ -102,16 +107,13 @@ package starlogo.intersection.sweep
             return isAcross(edgesA, x, y, z) || isAcross(edgesB, x, y, z);
         }
 
-        /** Whether the axis, on which the triangles are projected, separates them. */
+        /** Whether the axis separates the triangles. They have been projected on it. */
         protected function isSeparating():Boolean
         {
             return false;
         }
 
-        /**
-         * The squared height of a triangle over its longest edge, as a fraction of that edge squared; 0 for a point. It says how precise the normal
-         * is.
-         */
+        /** The squared ratio of a triangle's height to its longest edge; 0 for a point. It says how precise the normal is. */
         protected static function squaredHeight(edges:Vector.<Number>):Number
         {
             var longest:Number = 0;
@@ -157,7 +159,7 @@ package starlogo.intersection.sweep
             axisZ = edges[0] * edges[4] - edges[1] * edges[3];
         }
 
-        // Projects the triangles on the axis.
+        // Projects the triangles on the axis, and tests it.
         private function isAxis():Boolean
         {
             var x:Number = axisX;

@@ -5,20 +5,21 @@ package starlogo.intersection.sweep
     import starlogo.intersection.contact.Polygon;
 
     /**
-     * Where two triangles touch: the direction, at right angles to one or to an edge of each, along which they overlap least. Allocates nothing.
+     * Finds the contact of two triangles. The normal is perpendicular to a triangle or to an edge of each, and is the direction along which
+     * they overlap least. Allocates nothing.
      *
      * @private
      */
     public final class TriangleOverlap extends TriangleAxes
     {
-        /** The gap that still counts as touching, a distance. */
+        /** The largest gap that still counts as touching. */
         public var tolerance:Number = 0;
 
         private var _motion:RelativeMotion;
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
 
-        // Of the first triangle, from its first corner.
+        // The first triangle's corners, relative to its first corner.
         private var _cornersA:Vector.<Number> = new Vector.<Number>(9, true);
 
         // The shortest separating displacement so far.
@@ -27,16 +28,17 @@ package starlogo.intersection.sweep
         private var _y:Number;
         private var _z:Number;
 
-        /** No triangles yet. */
+        /** Creates a test without triangles. */
         public function TriangleOverlap()
         {
         }
 
         /**
-         * Finds the contact of the two triangles that were related.
+         * Finds the contact of the two triangles that were set by <code>relate()</code>.
          *
-         * @param motion displaces the second to where it is at the motion's time
-         * @param out takes it, from the first triangle's first corner on; the normal points from the second triangle to the first
+         * @param motion displaces the second triangle to where it is at the motion's time
+         * @param out receives the contact, relative to the first triangle's first corner; the normal points from the second triangle to the
+         *     first
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -67,19 +69,19 @@ package starlogo.intersection.sweep
             out.z = _polygonA.z;
         }
 
-        /** Keeps the shortest separating displacement, and goes on. */
+        /** Keeps the displacement if it is the shortest so far. Always returns false, so that all axes are tried. */
         override protected function isSeparating():Boolean
         {
             var length:Number = Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
             var depth:Number = (reach - Math.abs(at)) / length;
-            // false for NaN
+            // The comparison is false for NaN too.
             if (depth < _depth - Tolerances.ROUNDING * reach / length)
             {
                 var side:Number = at > 0 ? -1 : 1;
                 var speed:Number = axisX * _motion.x + axisY * _motion.y + axisZ * _motion.z;
                 if (speed != 0 && _motion.time > 0 && Math.abs(at) < tolerance * length)
                 {
-                    // rounding decides on which side a triangle in the other's plane is; but it touches from the side that it comes from
+                    // For a triangle in the other's plane, rounding decides the side. So the side that it comes from is taken.
                     side = speed > 0 ? 1 : -1;
                 }
                 _depth = depth;
@@ -90,7 +92,7 @@ package starlogo.intersection.sweep
             return false;
         }
 
-        // Finds the corners that are farthest out along the normal, or on side -1 against it.
+        // Finds the corners that are farthest along the normal, or against it if side is -1.
         private function findFarthest(out:Polygon, corners:Vector.<Number>, edges:Vector.<Number>, side:int):void
         {
             var farthest:Number = -Infinity;

@@ -5,32 +5,33 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * When triangles that pass each other touch: separating axes over time (see BoxSweep). Allocates nothing.
+     * Finds when two moving triangles first touch, by separating axes over time (see BoxSweep). Allocates nothing.
      *
      * @private
      */
     public final class TriangleSweep extends TriangleAxes
     {
-        /** The gap that still counts as touching, a distance. */
+        /** The largest gap that still counts as touching. */
         public var tolerance:Number = 0;
 
         private var _times:TouchingTimes = new TouchingTimes();
         private var _motion:RelativeMotion;
 
-        // The longest edges of two triangles without area, the first with the tolerance as its radius.
+        // The longest edges of two triangles without area. The first has the tolerance as its radius.
         private var _edgeA:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
         private var _edgeB:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
 
-        /** No triangles yet. */
+        /** Creates a test without triangles. */
         public function TriangleSweep()
         {
         }
 
         /**
-         * Finds when the two triangles that were related touch for the first time. Of two triangles without area the longest edges are compared.
+         * Finds when the two triangles that were set by <code>relate()</code> first touch. If both triangles have no area, their longest
+         * edges are compared.
          *
-         * @param motion of the second, which is where it is at time 0; its time is the latest that is of interest, and becomes the time, from 0 on, or
-         *     RelativeMotion.NEVER
+         * @param motion the second triangle's motion, which places it at time 0; its time is the latest one to look at, and becomes the
+         *     result: 0 or later, or RelativeMotion.NEVER
          */
         public function findTime(motion:RelativeMotion):void
         {
@@ -69,7 +70,7 @@ package starlogo.intersection.sweep
             return times.areSeparated();
         }
 
-        // Compares the longest edges.
+        // Finds when the longest edges touch.
         private function findTimeOfEdges():void
         {
             setLongest(_edgeA, edgesA, 0, 0, 0);
@@ -82,7 +83,7 @@ package starlogo.intersection.sweep
             }
         }
 
-        // From the first corner on, which is given; the third edge begins where the first ends.
+        // Sets a segment to the longest edge. x, y, z is the first corner. The third edge begins where the first one ends.
         private static function setLongest(segment:Capsule, edges:Vector.<Number>, x:Number, y:Number, z:Number):void
         {
             var longest:Number = -1;

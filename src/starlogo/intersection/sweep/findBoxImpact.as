@@ -4,13 +4,12 @@ package starlogo.intersection.sweep
     import starlogo.bounding.Box;
 
     /**
-     * Finds when a box touches another that it moves past: separating axes over time, see BoxSweep.
+     * Finds when a moving box first touches another box, by separating axes over time (see BoxSweep).
      *
      * @param a moves; half-extents may be 0
-     * @param b in the space of a; likewise
-     * @param motion of a; takes the time, from 0 to 1, or RelativeMotion.NEVER
+     * @param b in the space of a; half-extents may be 0
+     * @param motion the motion of a; receives the time, from 0 to 1, or RelativeMotion.NEVER
      * @param faceAxesOnly leaves out the axes of the edges, as boxBox does
-     *
      * @private
      */
     public function findBoxImpact(a:Box, b:Box, motion:RelativeMotion, faceAxesOnly:Boolean = false):void

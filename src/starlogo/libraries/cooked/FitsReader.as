@@ -19,8 +19,8 @@ package starlogo.libraries.cooked
     use namespace engine;
 
     /**
-     * Reads what FitsWriter wrote. Sections of other settings, or that hold impossible numbers, are left out. Whether the geometry is that of the
-     * model is not checked: the file's seal stands for it.
+     * Reads fits that FitsWriter wrote. It ignores sections of other settings and sections with impossible numbers. It does not check
+     * whether the geometry is the model's, because the file's checksum guarantees that.
      *
      * @private
      */
@@ -28,21 +28,21 @@ package starlogo.libraries.cooked
     {
         private static const KINDS:int = 7;
 
-        // The numbers of a structure are at most the coordinates of the model times this, or 1.
+        // A structure's numbers are at most this factor times the model's largest coordinate. Numbers up to 1 are always allowed.
         private static const LARGEST_FACTOR:Number = 10;
 
-        /** All is static. */
+        /** Has only static members. */
         public function FitsReader()
         {
         }
 
         /**
-         * Reads what is for some settings.
+         * Reads the fits for certain settings.
          *
-         * @param file all steps of which are done
+         * @param file all its steps must be done
          * @param model the model
-         * @param settings what is wanted
-         * @param fits gets what is read; what it has already stays
+         * @param settings the settings of the wanted fits
+         * @param fits takes the results; it keeps what it already has
          */
         public static function read(file:CookedFile, model:Model, settings:FitSettings, fits:ModelFits):void
         {
@@ -50,7 +50,7 @@ package starlogo.libraries.cooked
             bounds.add(model.vertices, 0, model.vertices.length / 3);
             if (bounds.largest > VertexBounds.LARGEST_COORDINATE)
             {
-                // no fitter takes such a model, so this is no true record
+                // no fitter accepts such a model, so the record is wrong
                 return;
             }
             var triangleCount:int = model.triangles == null ? 0 : model.triangles.length / 3;
@@ -100,12 +100,12 @@ package starlogo.libraries.cooked
             }
             catch (error:Error)
             {
-                // the constructors refuse what is no structure
+                // the constructors refuse numbers that make no structure
             }
             return null;
         }
 
-        // The constructor straightens the axes once more, which may change their last bits.
+        // The constructor orthonormalises the axes again, which may change their last bits. So they are set as they were written.
         private static function readBox(bytes:ByteArray):Box
         {
             var center:Vector3D = CookedNumbers.readVector(bytes);
@@ -115,7 +115,7 @@ package starlogo.libraries.cooked
             var box:Box = new Box(center, axisX, axisY, axisZ, bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
             if (areApart(box.axisX, axisX) || areApart(box.axisY, axisY) || areApart(box.axisZ, axisZ))
             {
-                throw new ArgumentError("axes that were written are straight: " + [axisX, axisY, axisZ]);
+                throw new ArgumentError("the axes of a written box are orthonormal, not " + [axisX, axisY, axisZ]);
             }
             box.axisX = axisX;
             box.axisY = axisY;

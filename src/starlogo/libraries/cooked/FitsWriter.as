@@ -21,18 +21,18 @@ package starlogo.libraries.cooked
      */
     public final class FitsWriter
     {
-        /** All is static. */
+        /** Has only static members. */
         public function FitsWriter()
         {
         }
 
         /**
-         * A whole file.
+         * Makes the bytes of a cooked file.
          *
-         * @param fits what it keeps
-         * @param settings what it was computed with
-         * @param wanted what the model is for
-         * @param shape the section of the model; null where it is read from elsewhere
+         * @param fits the fits
+         * @param settings the settings with which they were computed
+         * @param wanted the fingerprint of the model's arguments
+         * @param shape the section of the model; null if the model is read from elsewhere
          */
         public static function write(fits:ModelFits, settings:FitSettings, wanted:Fingerprint, shape:ByteArray = null):ByteArray
         {
@@ -55,7 +55,7 @@ package starlogo.libraries.cooked
                     new <ByteArray>[shape == null ? CookedFile.newBytes() : shape, structures, tree, surface]);
         }
 
-        // For each kind whether there is one, then their numbers.
+        // For each kind first whether there is one, then the structures' numbers.
         private static function writeStructures(structures:Vector.<BoundingStructure>, out:ByteArray):void
         {
             var sphere:Sphere = structures[BoundingStructure.SPHERE] as Sphere;

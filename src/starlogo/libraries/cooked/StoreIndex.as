@@ -6,7 +6,7 @@ package starlogo.libraries.cooked
     import starlogo.models.cooked.CookedFile;
 
     /**
-     * Which entries a FitStore has, and how long each is: a list that is itself kept as bytes.
+     * The list of the entries of a FitStore, with the length of each. It is stored as bytes too.
      *
      * @private
      */
@@ -16,17 +16,17 @@ package starlogo.libraries.cooked
         private static const NAME_LENGTH:int = 32;
         private static const ENTRY_LENGTH:int = 40;
 
-        /** The names, the least recently used first: 32 hexadecimal digits each. */
+        /** The names, the least recently used first. Each has 32 hexadecimal digits. */
         public var names:Vector.<String> = new Vector.<String>();
 
         private var _lengths:Vector.<int> = new Vector.<int>();
 
-        /** An index of nothing. */
+        /** Creates an empty list. */
         public function StoreIndex()
         {
         }
 
-        /** Reads what toBytes made; an empty index if the bytes are none. */
+        /** Reads bytes that toBytes made. Returns an empty list if the bytes are no list. */
         public static function read(bytes:ByteArray):StoreIndex
         {
             if (bytes == null || bytes.length % ENTRY_LENGTH != Fingerprint.LENGTH)
@@ -40,7 +40,7 @@ package starlogo.libraries.cooked
             return whole.isNextOf(bytes) ? readEntries(bytes) : new StoreIndex();
         }
 
-        /** The index as bytes. */
+        /** The list as bytes. */
         public function toBytes():ByteArray
         {
             var bytes:ByteArray = CookedFile.newBytes();
@@ -54,7 +54,7 @@ package starlogo.libraries.cooked
             return bytes;
         }
 
-        /** How many bytes all entries have. */
+        /** The number of bytes of all entries. */
         public function get total():Number
         {
             var sum:Number = 0;
@@ -65,7 +65,7 @@ package starlogo.libraries.cooked
             return sum;
         }
 
-        /** Puts an entry last, whether it is new or not. */
+        /** Adds an entry, or moves it to the end if it is present. */
         public function put(name:String, length:int):void
         {
             remove(name);
@@ -73,7 +73,7 @@ package starlogo.libraries.cooked
             _lengths.push(length);
         }
 
-        /** Takes an entry out, if it is there. */
+        /** Removes an entry, if it is present. */
         public function remove(name:String):void
         {
             var at:int = names.indexOf(name);

@@ -15,9 +15,9 @@ package starlogo.libraries.cooked
     use namespace engine;
 
     /**
-     * Makes a hierarchy again of what TreeWriter wrote. Only how the items are divided is read; the boxes are put around
-     * them anew, which takes a fraction of the time that dividing takes: whatever the bytes are, the hierarchy encloses
-     * the model, and that of a true record is the same to the last bit as the one that was built.
+     * Restores a hierarchy from the bytes of a TreeWriter. Only the division of the items is read. The boxes are computed again, in a
+     * fraction of the time that dividing takes. So the hierarchy encloses the model, even if the bytes are wrong. If they are right, it
+     * equals the one that was written to the last bit.
      *
      * @private
      */
@@ -27,7 +27,7 @@ package starlogo.libraries.cooked
         private static const NODES_PER_STEP:int = 300;
         private static const NUMBERS_PER_NODE:int = 5;
 
-        // Added to the axis of a node that is divided below the thesis's tree.
+        // This is added to the axis of a node that is divided below the thesis's tree.
         private static const BELOW:int = 3;
 
         private var _bytes:ByteArray;
@@ -40,12 +40,13 @@ package starlogo.libraries.cooked
         private var _work:StepSequence;
         private var _isRefused:Boolean = false;
 
-        // Of each node: its first item, the one after its last, its level, the number of its right child (the left one comes
-        // next; 0 for a leaf), its axis and whether it is divided below the thesis's tree. And of each node, its extents.
+        // _plan has five numbers for each node: its first item, the end of its items, its level, its right child (0 for a leaf), and its
+        // axis, plus BELOW if the node is divided below the thesis's tree. The left child is the next node. _extents has the extents of
+        // each node.
         private var _plan:Vector.<int> = new Vector.<int>();
         private var _extents:Vector.<Number>;
 
-        // the nodes whose right child is to come
+        // the nodes whose right child has not come yet
         private var _open:Vector.<int> = new Vector.<int>();
 
         // the node that was measured or made last
@@ -53,9 +54,7 @@ package starlogo.libraries.cooked
         private var _nodes:Vector.<HierarchyNode> = null;
         private var _maker:NodeMaker;
 
-        /**
-         * @param bytes the record, read from its position on
-         */
+        /** @param bytes the record, read from its position on */
         public function TreeReader(bytes:ByteArray)
         {
             _bytes = bytes;
@@ -102,7 +101,7 @@ package starlogo.libraries.cooked
             return _maker;
         }
 
-        // Every item has to come once.
+        // Every item must come exactly once.
         private function readOrder(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;
@@ -127,7 +126,7 @@ package starlogo.libraries.cooked
             _plan.push(first, end, level, 0, 0);
         }
 
-        // The nodes have to divide the items among them.
+        // The children of a node must divide its items between them.
         private function readDivisions():Boolean
         {
             for (var i:int = 0; i < NODES_PER_STEP; i++)
@@ -166,7 +165,7 @@ package starlogo.libraries.cooked
             return true;
         }
 
-        // From the last node up: children come after their parents.
+        // Goes from the last node to the first, because children come after their parents.
         private function measureNodes():Boolean
         {
             var items:int = 0;
@@ -210,7 +209,7 @@ package starlogo.libraries.cooked
             }
         }
 
-        // The last extents of all are those of one item.
+        // The last entry of _extents holds the extents of one item.
         private function measureLeaf(at:int, first:int, end:int):void
         {
             var extents:Vector.<Number> = _extents;

@@ -9,30 +9,30 @@ package starlogo.libraries.cooked
     use namespace engine;
 
     /**
-     * Writes down how a hierarchy divides its items; the boxes follow from that. See TreeReader.
+     * Writes how a hierarchy divides its items. A TreeReader computes the boxes from that.
      *
      * @private
      */
     public final class TreeWriter
     {
-        /** All is static. */
+        /** Has only static members. */
         public function TreeWriter()
         {
         }
 
-        /** How many bytes the number of an item takes among so many. */
+        /** The number of bytes for the index of an item. @param count the number of items */
         public static function widthFor(count:int):int
         {
             return count <= 0x100 ? 1 : (count <= 0x10000 ? 2 : 4);
         }
 
         /**
-         * Writes the order of the items, each in as few bytes as their number needs, then the nodes from the root down, low
-         * before high: 0 for a node without children, else 1 + axis + 3 if the node is a leaf of the thesis's tree or below one + 6 times the number
-         * of items that go to the low side.
+         * Writes the order of the items, each in as few bytes as their number requires. Then it writes the nodes from the root down, low
+         * before high. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of the thesis's
+         * tree or below one; 6 times the number of items on its low side.
          *
          * @param hierarchy of boxes, spheres or capsules
-         * @param out gets the bytes, at its position; has the lowest byte of a number first
+         * @param out takes the bytes, at its position; little-endian
          */
         public static function write(hierarchy:Hierarchy, out:ByteArray):void
         {

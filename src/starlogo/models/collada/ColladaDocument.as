@@ -5,15 +5,15 @@ package starlogo.models.collada
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
 
-    /** A COLLADA document: its elements found by id, their numbers read, and their places named in errors. */
+    /** A COLLADA document. It finds elements by id, reads their numbers, and names their places in errors. */
     internal final class ColladaDocument
     {
         private static const MAX_POINTS_READ:int = 4000000;
 
-        /** The element COLLADA. */
+        /** The root element, COLLADA. */
         public var root:ColladaElement;
 
-        /** Cuts all the document's polygons. */
+        /** Cuts all polygons of the document into triangles. */
         public var triangulator:Triangulator = new Triangulator();
 
         /** The model's name. */
@@ -24,7 +24,7 @@ package starlogo.models.collada
 
         /**
          * @param modelName the model's name
-         * @param xml has read the document's text
+         * @param xml has read the document's text; all its steps must be done
          * @throws ModelError if it is no COLLADA document
          */
         public function ColladaDocument(modelName:String, xml:XmlReader)
@@ -35,12 +35,12 @@ package starlogo.models.collada
             refuseIf(root.name != "COLLADA", modelName, "expected a COLLADA document, but its root element is <" + root.name + ">");
             for each (var element:ColladaElement in xml.identified)
             {
-                var key:String = element.name + "#" + element.id; // never the name of a property that each Object has
+                var key:String = element.name + "#" + element.id; // the "#" keeps the key different from every property that each Object has
                 _elementsById[key] = _elementsById[key] || element;
             }
         }
 
-        /** The first element of a name within an element, which has to be there. */
+        /** The first child element with a name. @throws ModelError if there is none */
         public function requiredChild(element:ColladaElement, name:String):ColladaElement
         {
             var found:ColladaElement = element.child(name);
@@ -48,7 +48,7 @@ package starlogo.models.collada
             return found;
         }
 
-        /** The first input of a semantic in an element, or null. */
+        /** The first input with a semantic in an element, or null. */
         public function input(element:ColladaElement, semantic:String):ColladaElement
         {
             for each (var candidate:ColladaElement in element.childrenNamed("input"))
@@ -62,12 +62,12 @@ package starlogo.models.collada
         }
 
         /**
-         * The element that an attribute of another one refers to.
+         * The element that an attribute refers to.
          *
          * @param element has the attribute
-         * @param attribute its name: "url" or "source"
-         * @param names the names that the element may have, the wanted one first
-         * @param scope where it is looked for first, or null: some exporters use an id again in each mesh
+         * @param attribute the attribute's name: "url" or "source"
+         * @param names the names that the target may have, the wanted one first
+         * @param scope is searched first, because some exporters repeat ids in each mesh; null for no scope
          */
         public function target(element:ColladaElement, attribute:String, names:Array, scope:ColladaElement = null):ColladaElement
         {
@@ -87,9 +87,9 @@ package starlogo.models.collada
         }
 
         /**
-         * An element's text as finite numbers.
+         * The numbers in an element's text. @throws ModelError if one is not finite
          *
-         * @param count how many there must be
+         * @param count the number of numbers that there must be
          */
         public function numbers(element:ColladaElement, count:int):Vector.<Number>
         {
@@ -104,7 +104,7 @@ package starlogo.models.collada
             return result;
         }
 
-        /** The finite number that a word of an element's text is. */
+        /** The number that a word of an element's text stands for. @throws ModelError if it is not finite */
         public function toNumber(element:ColladaElement, word:String):Number
         {
             var number:Number = TextTokens.toNumber(word);
@@ -116,9 +116,9 @@ package starlogo.models.collada
         }
 
         /**
-         * An attribute that is a whole number, not negative.
+         * The value of an attribute that must be a whole number, 0 or more.
          *
-         * @param missing what it is if it is not there
+         * @param missing the result if there is no such attribute
          */
         public function integer(element:ColladaElement, attribute:String, missing:Number):Number
         {
@@ -129,7 +129,7 @@ package starlogo.models.collada
             return number;
         }
 
-        /** Checks an element's attribute <code>count</code>, if there is one, against what was counted. */
+        /** Checks an element's attribute <code>count</code>, if there is one. @param counted the value that it must have */
         public function checkCount(element:ColladaElement, counted:int, what:String):void
         {
             refuseIf(integer(element, "count", counted) != counted, modelName, "its count is " +
@@ -137,15 +137,15 @@ package starlogo.models.collada
         }
 
         /**
-         * Counts points that are read: each mesh counts the points that it reads, also if several read the same source.
+         * Counts points that are read. If several meshes read the same source, each counts its points.
          *
-         * @throws ModelError if they are more than a file of any use has
+         * @throws ModelError if there are more than a useful file has
          */
         public function countPoints(element:ColladaElement, count:int):void
         {
             _pointsRead += count;
             refuseIf(_pointsRead > MAX_POINTS_READ, modelName, "its geometries have more than " + MAX_POINTS_READ +
-                    " points, those of a source counted for each", element);
+                    " points (a shared source counts for each of them)", element);
         }
 
         private static function childWithId(element:ColladaElement, name:String, id:String):ColladaElement

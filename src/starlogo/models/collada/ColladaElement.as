@@ -2,27 +2,27 @@ package starlogo.models.collada
 {
     import starlogo.models.TextTokens;
 
-    /** An element of a COLLADA document. Its name and those of its attributes are without the prefix of a namespace. */
+    /** An element of a COLLADA document. Its name and its attributes' names have no namespace prefix. */
     internal final class ColladaElement
     {
-        /** Its name. */
+        /** The element's name. */
         public var name:String;
 
-        /** The element that it is in; null for the root. */
+        /** The element around this one; null for the root. */
         public var parent:ColladaElement;
 
-        /** The elements in it. */
+        /** The elements directly inside. */
         public var children:Vector.<ColladaElement> = new Vector.<ColladaElement>();
 
-        /** The pieces of its own text, which comments and elements may divide. */
+        /** The pieces of the element's own text. Comments and elements may divide it. */
         public var texts:Array = [];
 
-        // by "@" and the name, which is never the name of a property that each Object has
+        // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
 
         /**
-         * @param name its name
-         * @param parent the element that it is in, which gets it as a child; null for the root
+         * @param name the element's name
+         * @param parent the element around it, which takes it as a child; null for the root
          */
         public function ColladaElement(name:String, parent:ColladaElement)
         {
@@ -34,25 +34,25 @@ package starlogo.models.collada
             }
         }
 
-        /** Its id; "" if it has none. */
+        /** The element's id; "" if it has none. */
         public function get id():String
         {
             return attribute("id");
         }
 
-        /** The value of an attribute; "" if it is not there. */
+        /** The value of an attribute; "" if there is none. */
         public function attribute(name:String):String
         {
             return _attributes["@" + name] || "";
         }
 
-        /** Gives it an attribute. */
+        /** Sets an attribute. */
         public function setAttribute(name:String, value:String):void
         {
             _attributes["@" + name] = value;
         }
 
-        /** The elements of a name in it. */
+        /** The child elements with a name. */
         public function childrenNamed(name:String):Vector.<ColladaElement>
         {
             var found:Vector.<ColladaElement> = new Vector.<ColladaElement>();
@@ -66,20 +66,20 @@ package starlogo.models.collada
             return found;
         }
 
-        /** The first element of a name in it, or null. */
+        /** The first child element with a name, or null. */
         public function child(name:String):ColladaElement
         {
             var found:Vector.<ColladaElement> = childrenNamed(name);
             return found.length > 0 ? found[0] : null;
         }
 
-        /** The words of its own text. ColladaWords does the same in steps, for long texts. */
+        /** The words of the element's own text. For long texts, ColladaWords does the same in steps. */
         public function get words():Array
         {
             return TextTokens.of(texts.join(" "));
         }
 
-        /** The way to it from the root: names, with ids or, among several without, with numbers from 1. */
+        /** The path from the root: names, with ids. Elements without an id that have siblings of the same name get numbers from 1. */
         public function toString():String
         {
             var places:Array = [];

@@ -5,28 +5,28 @@ package starlogo.models.collada
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** Reads a COLLADA geometry, in small steps. Splines, solids and lines have no surface here. */
+    /** Reads a COLLADA geometry, in small steps. Splines, solids and lines count as having no surface. */
     internal final class ColladaMesh extends StepSequence
     {
-        /** When it is read: the points that its surfaces use, or all if it has none. */
+        /** When all is read: the points that its surfaces use, or all points if it has no surface. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** When it is read: three indices of points per triangle. */
+        /** When all is read: three point indices per triangle. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
-        /** When it is read: whether there are surfaces, even if they have no area. */
+        /** When all is read: whether there are surfaces. They may have no area. */
         public var hasSurfaces:Boolean = false;
 
         private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
         private var _primitives:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-        private var _sources:Object = {}; // of positions, by the address that an input has; "#" is in front
+        private var _sources:Object = {}; // of positions; the key is "#" and the source's id
         private var _points:Object = {};
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
 
         /**
          * @param document the document
-         * @param geometry the element
+         * @param geometry the geometry's element
          */
         public function ColladaMesh(document:ColladaDocument, geometry:ColladaElement)
         {
@@ -48,7 +48,7 @@ package starlogo.models.collada
             begin(droppingUnused).call(letGo);
         }
 
-        /** The work on a primitive, after that on its source, if that was not read yet. */
+        /** The work on a primitive. The work on its source comes first, if the source is not read yet. */
         private function readingPrimitive():Steps
         {
             var element:ColladaElement = _primitives.shift();
@@ -60,7 +60,7 @@ package starlogo.models.collada
                 });
         }
 
-        /** Where there are no surfaces, the points are all that there is. */
+        /** If there are no surfaces, reads the points alone. */
         private function readingPoints():Steps
         {
             var work:StepSequence = new StepSequence();
@@ -72,7 +72,7 @@ package starlogo.models.collada
             return work;
         }
 
-        /** The source that an input leads to, directly or through an element "vertices". */
+        /** The source that an input refers to, directly or through an element "vertices". */
         private function positionSource(input:ColladaElement):ColladaElement
         {
             var url:String = input.attribute("source");
@@ -91,10 +91,10 @@ package starlogo.models.collada
             return _document.target(input, "source", ["source"], _mesh);
         }
 
-        /** A source; the work of reading it is added, once, however many primitives have its points. */
+        /** The points of a source. If the source is new, adds the work of reading it. Several primitives may share a source. */
         private function pointsOf(source:ColladaElement, work:StepSequence):ColladaSource
         {
-            var key:String = "#" + source.id; // an id may be the name of a property that each Object has
+            var key:String = "#" + source.id; // the "#" keeps the key different from every property that each Object has
             var points:ColladaSource = _points[key];
             if (points == null)
             {

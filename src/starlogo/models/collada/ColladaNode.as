@@ -2,29 +2,29 @@ package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
 
-    /** A node of a COLLADA scene as it is visited, or a geometry that it places. One element may be visited often, through instance_node. */
+    /** A node of a COLLADA scene during the visit, or a geometry in the scene. One element may be visited often, through instance_node. */
     internal final class ColladaNode
     {
-        /** The element. */
+        /** The node's element. */
         public var element:ColladaElement;
 
-        /** What it is in, or null. */
+        /** The node around this one, or null. */
         public var parent:ColladaNode;
 
-        /** Where its parent is in the scene, then where it is itself. */
+        /** First the parent's transform in the scene, later this node's own. */
         public var transform:AffineTransform;
 
-        /** The geometry that it places; null for a node. */
+        /** The geometry that is placed; null for a node. */
         public var geometry:ColladaElement;
 
-        /** How many nodes it is in. */
+        /** The number of nodes around it. */
         public var depth:int;
 
         /**
-         * @param element the element
-         * @param parent what it is in, or null
-         * @param transform where that is in the scene
-         * @param geometry the geometry that it places; null for a node
+         * @param element the node's element
+         * @param parent the node around it, or null
+         * @param transform the parent's transform in the scene
+         * @param geometry the geometry that is placed; null for a node
          */
         public function ColladaNode(element:ColladaElement, parent:ColladaNode, transform:AffineTransform, geometry:ColladaElement = null)
         {
@@ -35,7 +35,7 @@ package starlogo.models.collada
             depth = parent == null ? 0 : parent.depth + 1;
         }
 
-        /** Whether it is, or is in, a node of an element. */
+        /** Whether this node, or one around it, has the given element. */
         public function isWithin(element:ColladaElement):Boolean
         {
             for (var node:ColladaNode = this; node != null; node = node.parent)

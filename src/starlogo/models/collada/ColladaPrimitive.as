@@ -8,9 +8,7 @@ package starlogo.models.collada
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /**
-     * Reads one element of a COLLADA mesh that carries surfaces: triangles, polylist, polygons, tristrips or trifans.
-     */
+    /** Reads one COLLADA primitive that has a surface: triangles, polylist, polygons, tristrips or trifans. */
     internal final class ColladaPrimitive extends StepSequence
     {
         private static const CORNERS_PER_STEP:int = 1500;
@@ -25,18 +23,18 @@ package starlogo.models.collada
         private var _triangles:Vector.<uint>;
         private var _triangulator:Triangulator;
 
-        // where corners find their position's index: every _stride words, from the word _offset
+        // A corner takes _stride words. The index of its position is the word at _offset.
         private var _stride:int = 1;
         private var _offset:int;
 
-        // the lists of corners (p or ph), and how far they and the present one are read
+        // the lists of corners (p or ph), and the place reached in them
         private var _lists:Vector.<ColladaElement>;
         private var _list:int = 0;
         private var _text:ColladaWords;
         private var _words:Array = [];
         private var _word:int = 0;
 
-        // of a polylist: how many corners each polygon has
+        // for a polylist: the number of corners of each polygon
         private var _sizeText:ColladaWords;
         private var _sizes:Array;
         private var _size:int = 0;
@@ -45,10 +43,10 @@ package starlogo.models.collada
 
         /**
          * @param document the document
-         * @param element the primitive
-         * @param positions its points, which are read
-         * @param isUsed a number for each point of the mesh; set to 1 where a corner is
-         * @param triangles where the triangles go
+         * @param element the primitive's element
+         * @param positions its points; all steps must be done
+         * @param isUsed a number for each point of the mesh; set to 1 for points that have a corner
+         * @param triangles takes the triangles
          */
         public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaSource,
                 isUsed:Vector.<uint>, triangles:Vector.<uint>)
@@ -64,14 +62,14 @@ package starlogo.models.collada
             addParts();
         }
 
-        /** Whether an element is a primitive with surfaces; some programs write empty ones, without inputs. */
+        /** Whether an element is a primitive with a surface. Some programs write empty primitives without inputs. These do not count. */
         internal static function isSurface(element:ColladaElement):Boolean
         {
             return NAMES.indexOf(element.name) >= 0 && element.attribute("count") != "0";
         }
 
         /**
-         * The input of a primitive that places its corners.
+         * The input with the positions of a primitive's corners.
          *
          * @throws ModelError if there is none
          */
@@ -152,7 +150,7 @@ package starlogo.models.collada
                 var size:Number = Number(_sizes[i]);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
-                    throw new ModelError(_document.modelName, String(_element.child("vcount")), "expected how many corners a polygon has, but found \"" +
+                    throw new ModelError(_document.modelName, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
                             TextTokens.shorten(_sizes[i]) + "\"");
                 }
                 _sum += size;
@@ -224,7 +222,7 @@ package starlogo.models.collada
             return loop;
         }
 
-        // Fills a loop with corners.
+        // Fills a loop with corners, from a word on.
         private function readCorners(word:int, loop:Vector.<uint>):void
         {
             var count:int = loop.length;
@@ -235,7 +233,7 @@ package starlogo.models.collada
             }
         }
 
-        // How many corners the words are.
+        // The number of corners in the words.
         private function get cornerCount():int
         {
             if (_words.length % _stride != 0)
@@ -246,7 +244,7 @@ package starlogo.models.collada
             return _words.length / _stride;
         }
 
-        /** The point of the corner whose indices begin at a word. */
+        /** The point of a corner. The corner's indices begin at the given word. */
         private function cornerAt(word:int):uint
         {
             var value:Number = Number(_words[int(word + _offset)]);

@@ -9,7 +9,7 @@ package starlogo.models.collada
     import starlogo.steps.Steps;
 
     /**
-     * Reads a COLLADA document; ColladaModel says what of it.
+     * Reads a COLLADA document. ColladaModel says which parts.
      *
      * @private
      */
@@ -24,14 +24,14 @@ package starlogo.models.collada
         private var _instance:int = 0;
         private var _meshes:Object = {};
 
-        // the mesh of the instance that is next, if it is read already or being read, and the work on it
+        // the mesh of the next instance, if it is read or being read, and the work on it
         private var _mesh:ColladaMesh = null;
         private var _reading:Steps = null;
 
         /**
          * @param name the model's name
          * @param source the document's text
-         * @param upAxis "x", "y" or "z", or a ModelTransform, for which the document is left as it is; null for what it says
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          */
         public function ColladaReader(name:String, source:String, upAxis:Object)
         {
@@ -65,7 +65,7 @@ package starlogo.models.collada
             return _reading != null;
         }
 
-        // Of each instance the mesh, then its place; null when there are no more.
+        // For each instance first the mesh, then its transform. Null when there are no more.
         private function nextReading():Steps
         {
             if (_instance == _scene.instances.length)
@@ -85,7 +85,9 @@ package starlogo.models.collada
             return placing(mesh, instance, mesh.hasSurfaces ? vertices : loosePoints);
         }
 
-        /** The work that adds a mesh where an instance has it. The instance's transform decides which way round triangles are. */
+        /**
+         * The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
+         */
         private function placing(mesh:ColladaMesh, instance:ColladaNode, out:Vector.<Number>):Steps
         {
             var firstVertex:int = out.length / 3;
@@ -98,7 +100,7 @@ package starlogo.models.collada
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var areFinite:Boolean = instance.transform.place(mesh.vertices, first, end, out, firstVertex + first);
-                    refuseIf(!areFinite, name, "its transformed coordinates are too large to be finite numbers", instance.element);
+                    refuseIf(!areFinite, name, "its transformed coordinates are too large: they are not finite numbers", instance.element);
                 }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
                     addTriangles(mesh.triangles, 3 * first, 3 * end, firstVertex, firstCorner, instance.transform.isMirror);
@@ -120,10 +122,10 @@ package starlogo.models.collada
             }
         }
 
-        /** A geometry is read once, however often it is in the scene. */
+        /** Reads each geometry once, even if it is in the scene many times. */
         private function meshOf(geometry:ColladaElement):ColladaMesh
         {
-            var key:String = "#" + geometry.id; // an id may be the name of a property that each Object has
+            var key:String = "#" + geometry.id; // the "#" keeps the key different from every property that each Object has
             if (key == "#" || _meshes[key] == null)
             {
                 _meshes[key] = new ColladaMesh(_document, geometry);

@@ -5,29 +5,26 @@ package starlogo.models.collada
     import starlogo.models.TextTokens;
     import starlogo.steps.StepSequence;
 
-    /**
-     * Walks through the scene of a COLLADA document and finds the geometries in it; without a scene, all geometries of
-     * the library as they are.
-     */
+    /** Visits the nodes of a COLLADA scene and finds their geometries. If there is no scene, it takes all geometries of the library. */
     internal final class ColladaScene extends StepSequence
     {
         private static const PARTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
         private static const MAX_CONTROLLERS:int = 16;
 
-        /** How many nodes a scene may have: with nodes that place others twice, a small file may have any number. */
+        /** The most nodes of a scene. A node may place another one twice, so a small file can have any number. */
         internal static const MAX_NODES:int = 50000;
 
-        /** How many elements its nodes may have in them: each transform, instance and controller counts as often as it is placed. */
+        /** The most elements inside nodes. Each transform, instance and controller counts as often as it is placed. */
         internal static const MAX_PARTS:int = 250000;
 
-        /** When no step is left: the geometries, in the document's order. */
+        /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaNode> = new Vector.<ColladaNode>();
 
         private var _document:ColladaDocument;
         private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
 
-        // the one that is walked through, the next element in it, and the nodes in it so far
+        // the node that is visited, the next element in it, and the nodes found in it so far
         private var _node:ColladaNode = null;
         private var _child:int = 0;
         private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
@@ -36,6 +33,7 @@ package starlogo.models.collada
 
         /**
          * @param document the document
+         * @param up turns the scene to z up
          */
         public function ColladaScene(document:ColladaDocument, up:AffineTransform)
         {
@@ -87,7 +85,7 @@ package starlogo.models.collada
         private function enter(node:ColladaNode):void
         {
             refuseIf(++_visited > MAX_NODES, _document.modelName, "the scene has more than " + MAX_NODES +
-                    " nodes, those of each instance_node counted", node.element);
+                    " nodes, including those of each instance_node", node.element);
             refuseIf(node.depth > MAX_DEPTH, _document.modelName, "its nodes are nested more than " + MAX_DEPTH + " deep", node.element);
             countParts(node.element, 1 + node.element.children.length);
             _node = node;
@@ -141,7 +139,7 @@ package starlogo.models.collada
             return target;
         }
 
-        /** A skin at rest, where its bind shape is, and a morph as its base: what they deform, down to the geometry. */
+        /** Follows controllers down to the geometry. A skin is at rest, where its bind shape is. A morph is its base shape. */
         private function addController(element:ColladaElement, transform:AffineTransform):void
         {
             var target:ColladaElement = _document.target(element, "url", ["controller"]);
@@ -154,7 +152,7 @@ package starlogo.models.collada
                 transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
                 target = _document.target(deformer, "source", ["geometry", "controller"]);
                 refuseIf(i > MAX_CONTROLLERS, _document.modelName, "more than " + MAX_CONTROLLERS +
-                        " controllers deform each other, or they do in a circle", element);
+                        " controllers follow one another, or they refer to each other in a circle", element);
             }
             instances.push(new ColladaNode(element, null, transform, target));
         }

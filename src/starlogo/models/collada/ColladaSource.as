@@ -6,15 +6,15 @@ package starlogo.models.collada
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** Reads the points of a COLLADA source, its array as its accessor sees it, in small steps. */
+    /** Reads the points of a COLLADA source, in small steps. The source's accessor says which numbers of its array they are. */
     internal final class ColladaSource extends StepSequence
     {
         private static const POINTS_PER_STEP:int = 2000;
 
-        /** The index of the first of its points, when no step is left. */
+        /** The index of its first point, when no step is left. */
         public var first:int;
 
-        /** How many points it has, when no step is left. */
+        /** The number of its points, when no step is left. */
         public var count:int;
 
         private var _document:ColladaDocument;
@@ -29,8 +29,8 @@ package starlogo.models.collada
 
         /**
          * @param document the document
-         * @param source the element
-         * @param points where its points go, after those that are there: x, y, z, ...
+         * @param source the source's element
+         * @param points takes its points after those already present: x, y, z, ...
          */
         public function ColladaSource(document:ColladaDocument, source:ColladaElement, points:Vector.<Number>)
         {
@@ -89,7 +89,7 @@ package starlogo.models.collada
             count = wanted;
         }
 
-        /** Which of an accessor's parameters are x, y and z: by their names, else the first three. */
+        /** The indices of an accessor's parameters x, y and z: found by name, otherwise the first three. */
         private function columnsOf(accessor:ColladaElement, stride:Number):Vector.<int>
         {
             var names:Array = [];

@@ -5,20 +5,20 @@ package starlogo.models.collada
     import starlogo.models.refuseIf;
 
     /**
-     * The elements of a COLLADA scene that say where a node is. They are those of the COLLADA 1.4 and 1.5 specifications; a skew is
-     * RenderMan's, to which these refer.
+     * Reads the transform elements of a COLLADA node, as the COLLADA 1.4 and 1.5 specifications define them. For skew they refer to
+     * RenderMan.
      */
     internal final class ColladaTransform
     {
-        /** All is static. */
+        /** Has only static members. */
         public function ColladaTransform()
         {
         }
 
         /**
-         * The transform of an element of a node.
+         * The transform of an element in a node.
          *
-         * @return null if the element is none that transforms
+         * @return null if the element is no transform
          */
         internal static function of(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
@@ -44,7 +44,7 @@ package starlogo.models.collada
             }
         }
 
-        /** The transform of 16 numbers in rows. */
+        /** The transform with 16 numbers, row by row. */
         internal static function matrix(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var m:Vector.<Number> = document.numbers(element, 16);
@@ -53,7 +53,7 @@ package starlogo.models.collada
             return new AffineTransform(m.slice(0, 12));
         }
 
-        /** About an axis (three numbers) by degrees (the fourth); no axis at all is taken for no rotation. */
+        /** A rotation about an axis (three numbers) by degrees (the fourth). An axis of length 0 means no rotation. */
         private static function rotation(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = document.numbers(element, 4);
@@ -75,7 +75,7 @@ package starlogo.models.collada
                         t * x * z - s * y, t * y * z + s * x, t * z * z + c, 0]);
         }
 
-        /** Stands at the first point and looks along -z at the second; the third vector points up. */
+        /** The node stands at the first point, and its -z axis points at the second. The third vector points up. */
         private static function lookAt(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = document.numbers(element, 9);
@@ -83,14 +83,14 @@ package starlogo.models.collada
             var right:Vector.<Number> = normalise(cross(v.slice(6), back));
             var up:Vector.<Number> = cross(back, right);
             refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0), document.modelName,
-                    "expected two points apart and a direction up that is not along their line", element);
+                    "expected two different points and a direction up that is not along their line", element);
             return new AffineTransform(new <Number>[
                         right[0], up[0], back[0], v[0],
                         right[1], up[1], back[1], v[1],
                         right[2], up[2], back[2], v[2]]);
         }
 
-        /** An angle, the axis that turns by it, and the axis along which everything shifts. */
+        /** A skew: an angle, the axis that is turned by it, and the axis along which all points shift. */
         private static function skew(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = document.numbers(element, 7);
@@ -102,11 +102,11 @@ package starlogo.models.collada
                         turning[2] - along * shift[2]]);
             var height:Number = dot(turning, across);
             var angle:Number = v[0];
-            // the turned axis, in the plane of the two: across, and along the shift
+            // the turned axis in the plane of the two axes: its parts across the shift and along it
             var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
             var turnedAlong:Number = height * Trigonometry.sine(angle) + along * Trigonometry.cosine(angle);
             refuseIf(!(height > 1e-9 && turnedHeight > 1e-9), document.modelName,
-                    "expected two axes apart and an angle that leaves the first on its side of the second", element);
+                    "expected two different axes and an angle that leaves the first on its side of the second", element);
             var amount:Number = turnedAlong / turnedHeight - along / height;
             var rows:Vector.<Number> = new Vector.<Number>(12);
             for (var row:int = 0; row < 3; row++)
@@ -129,7 +129,7 @@ package starlogo.models.collada
             return new <Number>[a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
         }
 
-        /** Of length 1, or zero where there is no direction. */
+        /** The vector scaled to length 1. A vector of length 0 stays 0. */
         private static function normalise(v:Vector.<Number>):Vector.<Number>
         {
             var length:Number = Math.sqrt(dot(v, v));

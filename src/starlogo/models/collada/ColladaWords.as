@@ -4,7 +4,7 @@ package starlogo.models.collada
     import starlogo.models.TextTokens;
     import starlogo.steps.Steps;
 
-    /** The words of some elements' own texts, one after the other, in steps. */
+    /** The words in the own texts of some elements, one after the other, in steps. */
     internal final class ColladaWords implements Steps
     {
         private static const CHARACTERS_PER_STEP:int = 200000;
@@ -12,7 +12,7 @@ package starlogo.models.collada
         /** The words, when no step is left. */
         public var words:Array = [];
 
-        // the text, where its next piece begins, and where words end in it
+        // the text, the start of its next piece, and a pattern for the ends of words
         private var _text:String;
         private var _start:int = 0;
         private var _ends:NextOfTwo;
@@ -31,7 +31,7 @@ package starlogo.models.collada
             _ends = new NextOfTwo(_text, " ", "\n");
         }
 
-        /** @inheritDoc A piece of the text, in which words stay whole. */
+        /** @inheritDoc Reads a piece of the text. It does not split words. */
         public function step():Boolean
         {
             var end:int = _text.length - _start > CHARACTERS_PER_STEP ? _ends.after(_start + CHARACTERS_PER_STEP) : _text.length;

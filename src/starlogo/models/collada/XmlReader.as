@@ -5,18 +5,18 @@ package starlogo.models.collada
     import starlogo.steps.Steps;
 
     /**
-     * Reads XML, in steps: elements, attributes, texts and CDATA. Comments, processing instructions and declarations are passed over. It knows
-     * XML's own entities and numbers of characters, and expands no others.
+     * Reads XML, in steps: elements, attributes, texts and CDATA. Comments, processing instructions and declarations are skipped. It
+     * expands XML's own entities and numeric character references, and no others.
      */
     internal final class XmlReader implements Steps
     {
-        /** How deep elements may be nested. */
+        /** The deepest nesting of elements. */
         internal static const MAX_DEPTH:int = 1000;
 
-        /** How many attributes an element may have. */
+        /** The most attributes of an element. */
         internal static const MAX_ATTRIBUTES:int = 100;
 
-        /** How many elements there may be. */
+        /** The most elements of a document. */
         internal static const MAX_ELEMENTS:int = 500000;
 
         private static const TAGS_PER_STEP:int = 100;
@@ -41,7 +41,7 @@ package starlogo.models.collada
         private var _quotes:NextOfTwo;
         private var _elements:int = 0;
 
-        // the elements that are not closed yet, as they are written
+        // the names of the elements that are not closed yet, with their prefixes
         private var _names:Array = [];
         private var _open:ColladaElement = null;
 
@@ -59,7 +59,7 @@ package starlogo.models.collada
         /**
          * @inheritDoc
          *
-         * @throws ModelError if it is not well-formed, or there is too much of something
+         * @throws ModelError if the text is not well-formed, or one of the limits is exceeded
          */
         public function step():Boolean
         {
@@ -158,7 +158,7 @@ package starlogo.models.collada
             }
         }
 
-        /** The place behind the next occurrence of something, which has to be there. */
+        /** The place after the next occurrence of a piece. Throws if there is none. */
         private function endOf(piece:String):int
         {
             var place:int = _source.indexOf(piece, _at);

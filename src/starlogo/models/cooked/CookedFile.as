@@ -7,16 +7,16 @@ package starlogo.models.cooked
     import starlogo.steps.StepSequence;
 
     /**
-     * What was computed once and written down (docs/cooked.md): sections, each of which is for some settings, sealed with a fingerprint.
-     * It is read in steps. Bytes that are no such file, that are cut off or have changed have no sections; what a section says is
-     * checked where it is used.
+     * A file with results that were computed once, when a game was built (docs/cooked.md). It has four sections. Each section was computed
+     * for certain settings, and the file has their fingerprint. A fingerprint at the end seals the file. It is read in steps. A file that
+     * is no cooked file, is cut off or has changed has no sections. The code that uses a section checks its content.
      *
      * <pre>
      * at 0   "COOK"
      *    4   the version of the form
      *    8   the length of the whole in bytes, a multiple of 8
      *   12   0
-     *   16   for each of four sections the fingerprint of what it is for, its length, 0
+     *   16   for each of the four sections: the fingerprint of its settings, its length, 0
      *   80   the sections, one after the other; zeros up to a multiple of 8
      *   end  the fingerprint of all before
      * </pre>
@@ -25,19 +25,22 @@ package starlogo.models.cooked
      */
     public final class CookedFile extends StepSequence
     {
-        /** The section with the model itself: for the arguments that it is loaded with; in a FitStore an empty one, for the geometry. */
+        /**
+         * The section with the model. Its settings are the arguments of the load. In a FitStore it is empty, and its settings are the
+         * geometry.
+         */
         public static const MODEL:int = 0;
 
-        /** Its structures, for the fitters. */
+        /** The section with the bounding structures. Its settings are the fitters. */
         public static const STRUCTURES:int = 1;
 
-        /** Its hierarchy, for the settings of that. */
+        /** The section with the hierarchy. Its settings are those of the hierarchy. */
         public static const HIERARCHY:int = 2;
 
-        /** Its surface, for the same. */
+        /** The section with the surface. Its settings are those of the hierarchy. */
         public static const SURFACE:int = 3;
 
-        /** How many sections there are. */
+        /** The number of sections. */
         public static const SECTIONS:int = 4;
 
         private static const MAGIC:int = 0x4B4F4F43;
@@ -52,9 +55,7 @@ package starlogo.models.cooked
         private var _whole:Fingerprint = new Fingerprint();
         private var _isWhole:Boolean = false;
 
-        /**
-         * @param bytes what may be such a file, which is copied; changed in nothing but position and byte order; null for none
-         */
+        /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
         public function CookedFile(bytes:ByteArray)
         {
             if (bytes != null && isCooked(bytes) && hasHead(bytes))
@@ -65,7 +66,7 @@ package starlogo.models.cooked
             }
         }
 
-        /** Whether bytes start as a cooked file does. */
+        /** Whether the bytes begin like a cooked file. */
         public static function isCooked(bytes:ByteArray):Boolean
         {
             bytes.endian = Endian.LITTLE_ENDIAN;
@@ -74,10 +75,10 @@ package starlogo.models.cooked
         }
 
         /**
-         * The bytes of a file.
+         * Makes the bytes of a file.
          *
-         * @param settings what each section is for; null for an empty one that is for nothing
-         * @param sections their bytes
+         * @param settings the settings of each section; null for an empty section
+         * @param sections the bytes of each section
          */
         public static function write(settings:Vector.<Fingerprint>, sections:Vector.<ByteArray>):ByteArray
         {
@@ -103,7 +104,7 @@ package starlogo.models.cooked
             return out;
         }
 
-        /** Writes the fingerprint of bytes, a multiple of 8, behind them; the position is their first then. */
+        /** Appends the fingerprint of the bytes and moves the position to the first byte. The length must be a multiple of 8. */
         public static function seal(bytes:ByteArray):void
         {
             var whole:Fingerprint = new Fingerprint();
@@ -113,7 +114,7 @@ package starlogo.models.cooked
             bytes.position = 0;
         }
 
-        /** No bytes, in the byte order that these files have. */
+        /** An empty ByteArray in the byte order of cooked files. */
         public static function newBytes():ByteArray
         {
             var bytes:ByteArray = new ByteArray();
@@ -121,13 +122,13 @@ package starlogo.models.cooked
             return bytes;
         }
 
-        /** Whether the bytes were a file that is as it was written, when no step is left. */
+        /** Whether the file is complete and unchanged. Read it when no step is left. */
         public function get isWhole():Boolean
         {
             return _isWhole;
         }
 
-        /** Whether the model is for some arguments, of a file that is whole. */
+        /** Whether the file is complete and its model was made for these arguments. */
         public function isFor(settings:Fingerprint):Boolean
         {
             if (_isWhole)
@@ -138,11 +139,11 @@ package starlogo.models.cooked
         }
 
         /**
-         * The bytes of a section, at the first of them.
+         * The bytes of a section. Their position is 0.
          *
-         * @param index its number
-         * @param wanted what it has to be for; null for whatever it is for
-         * @return null if there is none, or it is for something else
+         * @param index the section
+         * @param wanted the settings that the section must have; null for any
+         * @return null if the section is empty or has other settings
          */
         public function section(index:int, wanted:Fingerprint):ByteArray
         {

@@ -4,14 +4,14 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
 
     /**
-     * Whole numbers of 32 bits in as few bytes as they need: twice the number, or of a negative one twice -1 less the number, and 1; seven bits a
-     * byte, the lowest first, the eighth bit telling that more follow. And vectors.
+     * Writes and reads integers of 32 bits in as few bytes as they need, and vectors. An integer n is written as 2n, or as -2n - 1 if it is
+     * negative. A byte holds seven bits of that, the lowest first. The eighth bit says that more bytes follow.
      *
      * @private
      */
     public final class CookedNumbers
     {
-        /** All is static. */
+        /** Has only static members. */
         public function CookedNumbers()
         {
         }
@@ -28,7 +28,7 @@ package starlogo.models.cooked
             out.writeByte(rest);
         }
 
-        /** Writes x, y and z with all bits. */
+        /** Writes x, y and z as doubles. */
         public static function writeVector(vector:Vector3D, out:ByteArray):void
         {
             out.writeDouble(vector.x);
@@ -36,19 +36,19 @@ package starlogo.models.cooked
             out.writeDouble(vector.z);
         }
 
-        /** The next vector. @throws EOFError if there is none */
+        /** Reads the next vector. @throws EOFError if there is none */
         public static function readVector(bytes:ByteArray):Vector3D
         {
             return new Vector3D(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
         }
 
-        /** The next number. @throws EOFError if there is none */
+        /** Reads the next number. @throws EOFError if there is none */
         public static function read(bytes:ByteArray):int
         {
             return rest(bytes, bytes.readUnsignedByte());
         }
 
-        /** The number of which the first byte is read already. */
+        /** Reads the rest of a number. The first byte is already read and passed as byte. */
         public static function rest(bytes:ByteArray, byte:int):int
         {
             var value:int = byte & 0x7F;

@@ -13,8 +13,8 @@ package starlogo.models.cooked
     use namespace engine;
 
     /**
-     * Reads the model of a cooked file: the vertices and triangles that its source had, and how they were turned and scaled; that is done anew, as
-     * for any source, so that a model is never other than normalised, and bit for bit what the source gives.
+     * Reads the model of a cooked file. The file has the vertices and triangles of the source, and the transform and scaling. The vertices
+     * are normalised again, as for any source. So the model is always normalised, and equals the source's model to the last bit.
      *
      * @private
      */
@@ -23,13 +23,13 @@ package starlogo.models.cooked
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
 
-        /** How it was scaled, when all is read. */
+        /** The model's scaling, when all is read. */
         public var scaling:String = null;
 
-        /** What turned it, when all is read; null for nothing. */
+        /** The model's transform, when all is read; null for none. */
         public var transform:ModelTransform = null;
 
-        /** Where it was in its source, when all is read; null if that follows from the vertices, which are to be scaled then. */
+        /** The model's place and scale in its source, when all is read. It is null if the vertices still have to be normalised. */
         public var frame:SourceFrame = null;
 
         private var _file:CookedFile;
@@ -43,7 +43,7 @@ package starlogo.models.cooked
 
         /**
          * @param name the model's name
-         * @param file all steps of which are done
+         * @param file all its steps must be done
          */
         public function CookedReader(name:String, file:CookedFile)
         {
@@ -83,10 +83,10 @@ package starlogo.models.cooked
             if (_form == CookedShape.DOUBLE)
             {
                 frame = SourceFrame.read(_bytes, scaling);
-                refuseIf(frame == null, name, "the cooked file says no place in its source");
+                refuseIf(frame == null, name, "the cooked file does not have the model's place in its source");
             }
             refuseIf(vertexCount == 0, name, "the cooked file has no vertices");
-            // a byte each at least: what is said to be there is not made room for otherwise
+            // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
             vertices.length = 3 * vertexCount;
             triangles.length = 3 * triangleCount;
@@ -113,7 +113,7 @@ package starlogo.models.cooked
             return null;
         }
 
-        // each as its difference from the one before
+        // each number is stored as the difference from the one before
         private function readMultiples(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;
@@ -146,7 +146,7 @@ package starlogo.models.cooked
             }
         }
 
-        // The shape that is made of them checks whether there are such vertices.
+        // NormalisedShape checks whether the vertices exist.
         private function readCorners(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;
@@ -155,7 +155,7 @@ package starlogo.models.cooked
             for (var i:int = first; i < end; i++)
             {
                 var byte:int = bytes.readUnsignedByte();
-                // nearly all have but one, and a call is what takes longest
+                // Nearly all numbers have one byte. A call for each would take the most time.
                 if (byte > 0x7F)
                 {
                     index += CookedNumbers.rest(bytes, byte);

@@ -10,26 +10,26 @@ package starlogo.models.cooked
     use namespace engine;
 
     /**
-     * Writes a model for a CookedReader: the vertices of its source in the shortest form that gives back the model's to the last bit.
+     * Writes a model for a CookedReader. It writes the source's vertices in the shortest form that restores the model's to the last bit.
      *
      * @private
      */
     public final class CookedShape
     {
-        /** How vertices are written besides as whole multiples of a power of 1/10, whose exponent is smaller: in 32 bits. */
+        /** The form for coordinates as floats of 32 bits. A smaller form n stores whole multiples of 1e-n. */
         internal static const SINGLE:int = 9;
 
-        /** In 64 bits, and as the model has them. */
+        /** The form for the model's own coordinates as doubles of 64 bits. */
         internal static const DOUBLE:int = 10;
 
         private static const LARGEST:Number = 1000000000;
 
-        /** All is static. */
+        /** Has only static members. */
         public function CookedShape()
         {
         }
 
-        /** The section of a model. */
+        /** The bytes of a model's section. */
         public static function of(model:Model):ByteArray
         {
             var source:Vector.<Number> = model.source.pointsOf(model.vertices);
@@ -44,7 +44,7 @@ package starlogo.models.cooked
             return write(model, DOUBLE, model.vertices);
         }
 
-        /** What the numbers of a form are to be divided by. */
+        /** The divisor for the numbers of a form. */
         internal static function divisorOf(form:int):Number
         {
             return form < SINGLE ? Number("1e" + form) : 1;

@@ -3,17 +3,17 @@ package starlogo.models.cooked
     import starlogo.geometry.Fingerprint;
 
     /**
-     * The fingerprint of the arguments that decide what a model's file becomes: a cooked file is for some of them.
+     * The fingerprint of the arguments of a load. A cooked file is valid only for the arguments for which it was made.
      *
      * @param upAxis "x", "y", "z" or a ModelTransform
-     * @param scaling as Model's constructor has it
-     * @param usesTransforms whether a transform file beside the model's is asked for
+     * @param scaling as for Model's constructor
+     * @param usesTransforms whether the transform file beside the model's file is fetched too
      *
      * @private
      */
     public function argumentsFingerprint(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
     {
-        // join() takes the text of a transform, so that what never loads one need not have the class
+        // join() calls the transform's toString(). So a program that never uses a ModelTransform need not contain that class.
         var fingerprint:Fingerprint = new Fingerprint();
         fingerprint.addText([upAxis, scaling, upAxis is String && usesTransforms].join());
         return fingerprint;

@@ -4,7 +4,7 @@ package starlogo.models.gltf
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
-    /** Bytes that are written as text (RFC 4648), in steps. */
+    /** Decodes base64 text (RFC 4648), in steps. */
     internal final class Base64 extends StepSequence
     {
         private static const CHARACTERS_PER_STEP:int = 16000;
@@ -12,7 +12,7 @@ package starlogo.models.gltf
 
         private static var sValues:Vector.<int> = valuesOfDigits();
 
-        /** What was read so far; all when no step is left. */
+        /** The bytes decoded so far. All of them when no step is left. */
         public var bytes:ByteArray = new ByteArray();
 
         private var _name:String;
@@ -22,9 +22,9 @@ package starlogo.models.gltf
 
         /**
          * @param name the model's name
-         * @param text has the digits
-         * @param start where in the text they begin
-         * @param place where it is, for errors
+         * @param text contains the digits
+         * @param start the place of the first digit in the text
+         * @param place the place in the file, for errors
          */
         public function Base64(name:String, text:String, start:int, place:String)
         {
@@ -42,7 +42,7 @@ package starlogo.models.gltf
             slices(end - start, CHARACTERS_PER_STEP, decode);
         }
 
-        // A step begins with a group of four digits, which are three bytes, as their number is one of fours.
+        // Each step begins with a group of four digits, because the number of digits per step is a multiple of four.
         private function decode(first:int, end:int):void
         {
             var values:Vector.<int> = sValues;
@@ -74,7 +74,7 @@ package starlogo.models.gltf
             {
                 values[i] = DIGITS.indexOf(String.fromCharCode(i));
             }
-            // what addresses have in their place
+            // the digits that addresses use instead of + and /
             values[0x2D] = 62;
             values[0x5F] = 63;
             return values;

@@ -6,9 +6,10 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
 
     /**
-     * Reads the numbers of an accessor, in steps: of any kind of number, normalised or not, in rows with gaps or without, sparse or not.
+     * Reads the numbers of an accessor, in steps. The accessor may have any kind of number, be normalised, have gaps between rows, or be
+     * sparse.
      *
-     * <p>This file is not long, but its loops are written out for each kind of number: they are what reading a large file takes.</p>
+     * <p>The loops are written out for each kind of number, because they take most of the time of reading a large file.</p>
      */
     internal final class GltfAccessor extends StepSequence
     {
@@ -28,10 +29,10 @@ package starlogo.models.gltf
         /** The numbers, when no step is left. */
         public var numbers:Vector.<Number>;
 
-        /** How many elements there are, of some numbers each. */
+        /** The number of elements. Each has one or more numbers. */
         public var count:int;
 
-        /** Where in the file it is. */
+        /** Its place in the file, for errors. */
         public var place:String;
 
         private var _file:GltfFile;
@@ -39,23 +40,23 @@ package starlogo.models.gltf
         private var _width:int;
         private var _kind:int;
 
-        // what an integer is divided by; 0 where it is taken as it is
+        // integers are divided by this; 0 for no division
         private var _divisor:Number = 0;
 
-        // the rows: the view that they are in, from where in it, and how far apart
+        // the rows: their bufferView, the offset of the first, and the distance between two
         private var _view:int;
         private var _offset:int;
         private var _stride:int;
 
-        // of a sparse one the elements that are replaced
+        // for a sparse accessor: the elements that replace others
         private var _sparse:Object;
         private var _replaced:Vector.<Number>;
 
         /**
-         * @param file the file, all steps of which are done
-         * @param index which accessor
-         * @param type "SCALAR", "VEC3" or another
-         * @param most how many elements it may have
+         * @param file the file; all its steps must be done
+         * @param index the accessor's index
+         * @param type "SCALAR", "VEC3" or another type
+         * @param most the most elements it may have
          */
         public function GltfAccessor(file:GltfFile, index:int, type:String, most:int)
         {
@@ -86,7 +87,7 @@ package starlogo.models.gltf
             }
         }
 
-        /** Whether its numbers are integers from 0 on: as a list of indices has to be. */
+        /** Whether its numbers are unsigned integers, as a list of indices requires. */
         public function get areIndices():Boolean
         {
             return _divisor == 0 && (_kind == UNSIGNED_BYTE || _kind == UNSIGNED_SHORT || _kind == UNSIGNED_INT);
@@ -143,7 +144,7 @@ package starlogo.models.gltf
                 var index:Number = _replaced[i];
                 if (!(index >= 0 && index < count && int(index) == index))
                 {
-                    throw new ModelError(_file.json.name, place + ".sparse.indices", "element " + i + " is " + index + ": there are " + count + " to be replaced");
+                    throw new ModelError(_file.json.name, place + ".sparse.indices", "element " + i + " is " + index + ", but there are only " + count + " to replace");
                 }
                 for (var k:int = 0; k < _width; k++)
                 {
@@ -158,7 +159,7 @@ package starlogo.models.gltf
             var isDense:Boolean = stride == SIZES[kind] * width;
             var at:int = first * width;
             var last:int = end * width;
-            // what is dense is one long row
+            // data without gaps is read as one long row
             var rowLength:int = isDense ? last - at : width;
             var start:int = bytes.position;
             while (at < last)
@@ -176,7 +177,7 @@ package starlogo.models.gltf
 
         private static function readRow(bytes:ByteArray, kind:int, out:Vector.<Number>, at:int, last:int):void
         {
-            // the bit that tells negative numbers, of those that have some
+            // the sign bit; 0 for a kind without negative numbers
             var sign:int = kind == SHORT ? 0x8000 : (kind == BYTE ? 0x80 : 0);
             var number:int;
             if (kind == FLOAT)

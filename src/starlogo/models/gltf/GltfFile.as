@@ -10,7 +10,8 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
 
     /**
-     * A glTF 2.0 file, binary or not: its JSON, and the buffers that are in it, in steps. Those beside it have to be given.
+     * A glTF 2.0 file, binary or JSON. In steps it reads the JSON and the buffers inside the file. Call setBuffer for buffers in other
+     * files.
      *
      * @private
      */
@@ -23,10 +24,10 @@ package starlogo.models.gltf
 
         private static const BUFFERS_PER_STEP:int = 100;
 
-        /** How many buffers may be beside a file: each is fetched. */
+        /** The most buffers in other files. Each of them is fetched. */
         private static const MAX_MISSING:int = 100;
 
-        // what says nothing of shapes
+        // optional extensions that do not change shapes
         private static const HARMLESS:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
         private static const DRACO:String = "KHR_draco_mesh_compression";
         private static const MESHOPT:RegExp = /^(EXT|KHR)_meshopt_compression$/;
@@ -35,7 +36,7 @@ package starlogo.models.gltf
         private static const MESHOPT_PROBLEM:String = "compressed with meshopt, which is not read: " +
             "save the model without compression (gltfpack without -c, or \"gltf-transform copy\")";
 
-        /** The addresses of the buffers beside the file, as it has them, when no step is left. */
+        /** The addresses of the buffers in other files, as the JSON has them, when no step is left. */
         public var missing:Vector.<String> = new Vector.<String>();
 
         /** The JSON, when no step is left. */
@@ -46,14 +47,14 @@ package starlogo.models.gltf
         private var _text:String;
         private var _meter:JsonMeter;
 
-        // the bytes of each buffer, null for what is not there; and the chunk of a binary file
+        // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
 
         /**
          * @param name the model's name
-         * @param bytes a binary file, or text; its endianness is set; null if there is only text
-         * @param text the text; null for that of the bytes
+         * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
+         * @param text the text; null to use the bytes
          * @throws ModelError if there is no JSON
          */
         public function GltfFile(name:String, bytes:ByteArray, text:String)
@@ -72,18 +73,18 @@ package starlogo.models.gltf
             return bytes.length >= 4 && bytes[0] == 0x67 && bytes[1] == 0x6C && bytes[2] == 0x54 && bytes[3] == 0x46;
         }
 
-        /** Whether text is JSON that says it is glTF. */
+        /** Whether the text is JSON with the marks of glTF. */
         public static function isText(text:String):Boolean
         {
             return /^﻿?\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
         }
 
         /**
-         * Gives a buffer that is beside the file.
+         * Gives the content of a buffer that is in another file.
          *
          * @param uri its address, as the file has it
-         * @param bytes its content; its endianness is set; null if it is not there
-         * @param problem what is said of it if it is not there
+         * @param bytes its content; the endianness is set; null if it is missing
+         * @param problem the error's text if it is missing
          */
         public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
@@ -97,7 +98,7 @@ package starlogo.models.gltf
             }
         }
 
-        /** Says what is wrong with a bufferView, or opens its bytes where a part of it begins: their position is set. */
+        /** Checks a bufferView and returns its bytes. Their position is set to the given offset in the view. */
         internal function openView(index:int, offset:Number, length:Number, place:String):ByteArray
         {
             var view:Object = json.entry("bufferViews", index);
@@ -111,7 +112,7 @@ package starlogo.models.gltf
             {
                 refuseIf(json.hasExtension(view, "EXT_meshopt_compression", viewPlace) || json.hasExtension(view, "KHR_meshopt_compression", viewPlace),
                         _name, "its data are " + MESHOPT_PROBLEM, viewPlace);
-                throw new ModelError(_name, "buffers[" + buffer + "]", "its data are not there");
+                throw new ModelError(_name, "buffers[" + buffer + "]", "its data are missing");
             }
             refuseIf(Number(start) + size > _buffers[buffer].length, _name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
                     "], which has " + _buffers[buffer].length, viewPlace);
@@ -208,7 +209,7 @@ package starlogo.models.gltf
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 
-        /** Whether a primitive has its geometry in Draco's form alone. */
+        /** Throws if a primitive's geometry is only present in Draco's form. */
         internal function refuseDraco(primitive:Object, place:String):void
         {
             refuseIf(json.hasExtension(primitive, DRACO, place), _name, "it is " + DRACO_PROBLEM, place);
@@ -251,7 +252,7 @@ package starlogo.models.gltf
                     TextTokens.shorten(uri) + "\"", place + ".uri");
             if (missing.indexOf(uri) < 0)
             {
-                refuseIf(missing.length == MAX_MISSING, _name, "more than " + MAX_MISSING + " files are beside this one", place + ".uri");
+                refuseIf(missing.length == MAX_MISSING, _name, "more than " + MAX_MISSING + " other files are needed", place + ".uri");
                 missing.push(uri);
             }
         }

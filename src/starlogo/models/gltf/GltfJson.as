@@ -3,10 +3,10 @@ package starlogo.models.gltf
     import starlogo.models.refuseIf;
     import starlogo.models.TextTokens;
 
-    /** The JSON of a glTF file: what of it is read is checked, and an error says where it is. */
+    /** The JSON of a glTF file. Each value is checked when it is read. An error names the place in the JSON. */
     internal final class GltfJson
     {
-        /** Its outermost object. */
+        /** The outermost object. */
         public var root:Object;
 
         /** The model's name. */
@@ -14,7 +14,7 @@ package starlogo.models.gltf
 
         /**
          * @param name the model's name
-         * @param root what the player has parsed
+         * @param root the result of the player's parser
          * @throws ModelError if it is no object
          */
         public function GltfJson(name:String, root:Object)
@@ -24,7 +24,7 @@ package starlogo.models.gltf
             refuseIf(!isObject(root), name, "its JSON is no object");
         }
 
-        /** An object's list; one without elements if there is none. */
+        /** A list that is a property of an object; an empty one if there is none. */
         public function listIn(owner:Object, key:String, place:String):Array
         {
             var found:* = owner[key];
@@ -32,7 +32,7 @@ package starlogo.models.gltf
             return found === undefined ? [] : found;
         }
 
-        /** An object's object; null if there is none. */
+        /** An object that is a property of another object; null if there is none. */
         public function objectIn(owner:Object, key:String, place:String):Object
         {
             var found:* = owner[key];
@@ -40,13 +40,13 @@ package starlogo.models.gltf
             return found === undefined ? null : found;
         }
 
-        /** How many things of a kind there are. */
+        /** The number of things of a kind, for example "nodes". */
         public function count(kind:String):int
         {
             return listIn(root, kind, "").length;
         }
 
-        /** A thing by its kind, "nodes" say, and its number. */
+        /** A thing, by its kind, for example "nodes", and its index. */
         public function entry(kind:String, index:int):Object
         {
             return elementOf(listIn(root, kind, ""), index, kind);
@@ -60,13 +60,13 @@ package starlogo.models.gltf
             return found;
         }
 
-        /** The number of a thing that an object names; -1 if it names none. */
+        /** The index of a thing to which an object refers; -1 if it refers to none. */
         public function reference(owner:Object, key:String, place:String, kind:String):int
         {
             return owner[key] === undefined ? -1 : numberOf(owner[key], placeIn(place, key), kind);
         }
 
-        /** The number of a thing. */
+        /** Checks an index of a thing and returns it. */
         public function numberOf(value:*, place:String, kind:String):int
         {
             var most:int = count(kind);
@@ -75,7 +75,7 @@ package starlogo.models.gltf
             return value;
         }
 
-        /** An object's integer from 0 to some other; what is preset if it has none. */
+        /** An integer property from 0 to a maximum; the preset value if there is none. */
         public function whole(owner:Object, key:String, place:String, most:int, preset:int):int
         {
             var found:* = JsonMeter.numberOf(owner[key]);
@@ -87,7 +87,7 @@ package starlogo.models.gltf
             return found;
         }
 
-        /** An object's list of finite numbers, some of them or, with -1, any; what is preset if there is none. */
+        /** A property that is a list of finite numbers; the preset value if there is none. @param length the list's length; -1 for any */
         public function numbers(owner:Object, key:String, place:String, length:int, preset:Vector.<Number> = null):Vector.<Number>
         {
             if (owner[key] === undefined)
@@ -106,14 +106,14 @@ package starlogo.models.gltf
             return all;
         }
 
-        /** Whether there is an extension of an object. */
+        /** Whether an object has an extension. */
         public function hasExtension(owner:Object, extension:String, place:String):Boolean
         {
             var extensions:Object = objectIn(owner, "extensions", place);
             return extensions != null && extensions[extension] !== undefined;
         }
 
-        /** Where in an object a key is. */
+        /** The path of a key in an object. */
         public static function placeIn(place:String, key:String):String
         {
             return place == "" ? key : place + "." + key;

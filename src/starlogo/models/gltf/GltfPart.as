@@ -5,7 +5,7 @@ package starlogo.models.gltf
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
-    /** Adds the surface of a primitive to a model, where a node has it, in steps; its vertices are there already. */
+    /** Adds the triangles of a primitive to a model, at the place of a node, in steps. The primitive's vertices are already added. */
     internal final class GltfPart extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 5000;
@@ -27,9 +27,9 @@ package starlogo.models.gltf
         /**
          * @param file the file
          * @param primitive the primitive
-         * @param place where it is
+         * @param place its place in the file, for errors
          * @param points its vertices
-         * @param triangles where its triangles go
+         * @param triangles takes its triangles
          */
         public function GltfPart(file:GltfFile, primitive:Object, place:String, points:GltfPoints, triangles:Vector.<uint>)
         {
@@ -55,13 +55,13 @@ package starlogo.models.gltf
             slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
         }
 
-        /** What a primitive is made of: points or lines are below TRIANGLES. */
+        /** The mode of a primitive. Points and lines have a mode below TRIANGLES. */
         internal static function modeOf(json:GltfJson, primitive:Object, place:String):int
         {
             return json.whole(primitive, "mode", place, FAN, TRIANGLES);
         }
 
-        // What most files have: the indices as they are.
+        // The common case: copies the indices unchanged.
         private function copyTriangles(first:int, end:int):void
         {
             var to:Vector.<uint> = _triangles;
@@ -81,7 +81,8 @@ package starlogo.models.gltf
             }
         }
 
-        // The corners of triangle n of a list are 3n, 3n+1, 3n+2, of a fan n+1, n+2, 0. Every other one of a strip is turned round.
+        // Triangle n of a list has the corners 3n, 3n+1 and 3n+2; of a fan n+1, n+2 and 0. In a strip, every second triangle has its corner
+        // order reversed.
         private function addTriangles(first:int, end:int):void
         {
             var to:Vector.<uint> = _triangles;

@@ -7,15 +7,15 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** Adds the vertices of a primitive to a model where a node has them, morphed and moved by its skin at rest, in steps. */
+    /** Adds the vertices of a primitive to a model, at the place of a node, in steps. They are morphed, and moved by their skin at rest. */
     internal final class GltfPoints extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 4000;
 
-        /** The number in the model of the first of them. */
+        /** The index in the model of the first vertex. */
         public var firstVertex:int;
 
-        /** How many there are, when no step is left. */
+        /** The number of vertices, when no step is left. */
         public var count:int;
 
         private var _file:GltfFile;
@@ -32,13 +32,13 @@ package starlogo.models.gltf
 
         /**
          * @param file the file
-         * @param scene knows where nodes are
+         * @param scene knows the nodes' transforms
          * @param node the node that has the primitive
          * @param primitive the primitive
-         * @param place where it is
-         * @param weights of its morph targets
-         * @param source the vertices of its mesh, being read
-         * @param vertices where its vertices go
+         * @param place its place in the file, for errors
+         * @param weights the weights of its morph targets
+         * @param source the vertices of its mesh; its steps may still be running
+         * @param vertices takes its vertices
          */
         public function GltfPoints(file:GltfFile, scene:GltfScene, node:int, primitive:Object, place:String, weights:Vector.<Number>,
                 source:GltfAccessor, vertices:Vector.<Number>)
@@ -65,13 +65,13 @@ package starlogo.models.gltf
             begin(skinning).slices(count, VERTICES_PER_STEP, placeVertices);
         }
 
-        /** Whether left turns are right ones there. */
+        /** Whether the node mirrors. */
         public function get isMirror():Boolean
         {
             return _skin == null ? _world.isMirror : _skin.isMirror;
         }
 
-        /** How many of a primitive's morph targets count. */
+        /** The number of a primitive's morph targets that have an effect. */
         public static function activeCount(targets:Array, weights:Vector.<Number>):int
         {
             var active:int = 0;
@@ -107,7 +107,7 @@ package starlogo.models.gltf
                 });
         }
 
-        // the mesh's own are for all nodes that have it
+        // copied, because other nodes may have the same mesh
         private function copyPoints():void
         {
             if (_points == _source.numbers)
@@ -133,7 +133,7 @@ package starlogo.models.gltf
         {
             if (!_world.place(_points, first, end, _vertices, firstVertex + first))
             {
-                throw new ModelError(_file.json.name, "nodes[" + _node + "]", "its vertices are no finite numbers, or too large to be such in their place (" +
+                throw new ModelError(_file.json.name, "nodes[" + _node + "]", "its vertices are not finite numbers, or are too large at the node's place (" +
                         _source.place + ")");
             }
         }

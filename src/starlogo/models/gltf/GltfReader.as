@@ -8,32 +8,32 @@ package starlogo.models.gltf
     import starlogo.steps.Steps;
 
     /**
-     * Reads a glTF file; GltfModel says what of it.
+     * Reads a glTF file. GltfModel says which parts.
      *
      * @private
      */
     public final class GltfReader extends ModelReader
     {
-        /** How many points may be read for all meshes together: many may be of one source. */
+        /** The most points for all meshes together. Several meshes may share one source; it counts for each. */
         private static const MAX_POINTS:int = 4000000;
 
         private var _file:GltfFile;
         private var _scene:GltfScene = null;
 
-        // the node whose mesh is next, and the primitive of it
+        // the node whose mesh is next, and the next primitive of that mesh
         private var _node:int = 0;
         private var _primitive:int = 0;
         private var _reading:Steps = null;
 
-        // what is read: vertices of meshes by their accessors, and of the present node by all that they depend on
+        // Results so far: the meshes' vertices by their accessors, and the present node's vertices by everything they depend on.
         private var _sources:Object = {};
         private var _placed:Object = {};
         private var _pointCount:Number = 0;
 
         /**
          * @param name the model's name
-         * @param file the file, all steps of which are done, with all of its buffers
-         * @param upAxis "x", "y" or "z", or a ModelTransform, for which the file is left as it is; null for y
+         * @param file the file; all its steps must be done and all buffers set
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          */
         public function GltfReader(name:String, file:GltfFile, upAxis:Object)
         {
@@ -64,7 +64,7 @@ package starlogo.models.gltf
             return true;
         }
 
-        // Begins to read what is next of the present primitive, or goes on to another one; false if there are no more.
+        // Begins the next reading of the present primitive, or goes on to the next primitive. Returns false if there are no more.
         private function nextPart():Boolean
         {
             if (_node == _scene.nodes.length)
@@ -93,7 +93,7 @@ package starlogo.models.gltf
             return true;
         }
 
-        // Whether there is more to be read of a primitive: the vertices of the mesh, these in their place, or the triangles.
+        // Whether a primitive needs more reading: the vertices of the mesh, these at the node's place, or the triangles.
         private function beginReading(node:Object, mesh:Object, meshIndex:int, primitive:Object, where:String):Boolean
         {
             var json:GltfJson = _file.json;
@@ -101,7 +101,7 @@ package starlogo.models.gltf
             var position:int = attributes == null ? -1 : json.reference(attributes, "POSITION", where + ".attributes", "accessors");
             if (position < 0)
             {
-                return false; // nothing of it is drawn
+                return false; // the primitive has no vertices
             }
             var source:GltfAccessor = _sources["#" + position];
             if (source == null)
@@ -116,7 +116,7 @@ package starlogo.models.gltf
             weights = json.numbers(node, "weights", "nodes[" + _scene.nodes[_node] + "]", -1, weights);
             var hasSurface:Boolean = GltfPart.modeOf(json, primitive, where) >= GltfPart.TRIANGLES;
             var targets:Array = json.listIn(primitive, "targets", where);
-            // primitives may share their vertices, and be different triangles of them
+            // primitives may share their vertices and have different triangles
             var isPlain:Boolean = targets.length == 0 && attributes.JOINTS_0 === undefined;
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + _primitive);
             var points:GltfPoints = _placed[key];
@@ -136,7 +136,7 @@ package starlogo.models.gltf
         private function countPoints(count:Number, where:String):void
         {
             _pointCount += count;
-            refuseIf(_pointCount > MAX_POINTS, name, "all meshes up to here read more than " + MAX_POINTS + " points", where);
+            refuseIf(_pointCount > MAX_POINTS, name, "the meshes up to this one together have more than " + MAX_POINTS + " points", where);
         }
 
         private function droppingUnused():Steps

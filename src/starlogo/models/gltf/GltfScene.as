@@ -5,12 +5,12 @@ package starlogo.models.gltf
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
-    /** Finds the nodes of a glTF file's scene that have meshes, and where they are, in steps. */
+    /** Finds the nodes with meshes in a glTF file's scene, and their transforms, in steps. */
     internal final class GltfScene extends StepSequence
     {
         private static const NODES_PER_STEP:int = 200;
 
-        /** The numbers of the nodes in the scene that have a mesh, when no step is left. */
+        /** The indices of the nodes in the scene that have a mesh, when no step is left. */
         public var nodes:Vector.<int> = new Vector.<int>();
 
         private var _json:GltfJson;
@@ -21,8 +21,8 @@ package starlogo.models.gltf
         private var _isVisited:Vector.<Boolean>;
 
         /**
-         * @param json the file's
-         * @param root turns all of it
+         * @param json the file's JSON
+         * @param root is applied to the whole scene
          */
         public function GltfScene(json:GltfJson, root:AffineTransform)
         {
@@ -40,16 +40,16 @@ package starlogo.models.gltf
         }
 
         /**
-         * Where a node is: its own transform, after it those of the nodes that it is in.
+         * A node's transform in the scene: its own transform, and after it those of the nodes around it.
          *
-         * @throws ModelError if a transform is no transform, or the node is in itself
+         * @throws ModelError if a transform is wrong, or the node contains itself
          */
         public function worldOf(node:int):AffineTransform
         {
             var chain:Vector.<int> = new Vector.<int>();
             for (var i:int = node; i >= 0 && _worlds[i] == null; i = _parents[i])
             {
-                refuseIf(chain.length > _worlds.length, _json.name, "it is in itself", "nodes[" + node + "]");
+                refuseIf(chain.length > _worlds.length, _json.name, "it contains itself", "nodes[" + node + "]");
                 chain.push(i);
             }
             var world:AffineTransform = i < 0 ? _root : _worlds[i];
@@ -71,13 +71,13 @@ package starlogo.models.gltf
                 for (var k:int = 0; k < children.length; k++)
                 {
                     var child:int = _json.numberOf(children[k], where + "[" + k + "]", "nodes");
-                    refuseIf(_parents[child] >= 0 || child == i, _json.name, "nodes[" + child + "] is in itself, or in two nodes", where + "[" + k + "]");
+                    refuseIf(_parents[child] >= 0 || child == i, _json.name, "nodes[" + child + "] contains itself or has two parents", where + "[" + k + "]");
                     _parents[child] = i;
                 }
             }
         }
 
-        // The scene that the file shows; if it says of none that it does, all that there are; without scenes, all nodes that are in no other.
+        // The scene that the file shows. If the file names none, all scenes. If there are no scenes, all nodes that are in no other node.
         private function findRoots():void
         {
             var shown:int = _json.reference(_json.root, "scene", "", "scenes");
@@ -145,7 +145,7 @@ package starlogo.models.gltf
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
         }
 
-        /** The transform of 16 numbers in columns. */
+        /** The transform with 16 numbers, column by column. */
         public static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
         {
             return new AffineTransform(new <Number>[

@@ -6,8 +6,8 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
 
     /**
-     * Moves the points of a mesh to where the joints of its skin have them at rest, in steps. The weights of a point are taken for shares,
-     * whatever they add up to; one without any goes with the first joint.
+     * Moves the points of a mesh with the joints of its skin at rest, in steps. The weights of a point are divided by their sum. A point
+     * without weights moves with the first joint.
      */
     internal final class GltfSkin extends StepSequence
     {
@@ -25,15 +25,15 @@ package starlogo.models.gltf
         private var _joints:Vector.<AffineTransform> = new Vector.<AffineTransform>();
         private var _matrices:GltfAccessor;
 
-        // pairs of accessors: the joints' numbers, and their weights
+        // pairs of accessors: the joints' indices, and their weights
         private var _sets:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
 
         /**
          * @param file the file
-         * @param scene knows where joints are
-         * @param index which skin
-         * @param primitive has the joints and weights
-         * @param place where the primitive is
+         * @param scene knows the joints' transforms
+         * @param index the skin's index
+         * @param attributes the primitive's attributes, with the joints and weights
+         * @param place the primitive's place in the file, for errors
          * @param points x, y, z, ...; changed in place
          */
         public function GltfSkin(file:GltfFile, scene:GltfScene, index:int, attributes:Object, place:String, points:Vector.<Number>)
@@ -127,7 +127,7 @@ package starlogo.models.gltf
             var joint:Number = numbers.numbers[at];
             if (!(joint >= 0 && joint < _joints.length && int(joint) == joint))
             {
-                throw new ModelError(_file.json.name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ": there are " + _joints.length);
+                throw new ModelError(_file.json.name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.length);
             }
             return _joints[int(joint)];
         }

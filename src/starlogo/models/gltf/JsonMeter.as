@@ -5,15 +5,16 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
 
     /**
-     * Measures JSON before the player parses it, in steps: parsers descend into what is nested, and make an object of every value. Numbers that
-     * players parse differently are marked strings afterwards, for numberOf() to read.
+     * Checks the size of JSON before the player parses it, in steps. Parsers are recursive, so deep nesting could overflow the stack, and
+     * they create an object for every value. Players parse some numbers differently. Such numbers are marked as strings, and numberOf()
+     * reads them.
      */
     internal final class JsonMeter extends StepSequence
     {
         internal static const MAX_DEPTH:int = 100;
         internal static const MAX_VALUES:int = 2000000;
 
-        // Ruffle's parser keeps whole numbers within 32 bits, and in long ones players differ in the last bits.
+        // Ruffle's parser keeps whole numbers within 32 bits. In long numbers players differ in the last bits.
         private static const LONGEST_NUMBER:int = 9;
         private static const NUMBER:RegExp = /^-?(0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?$/;
         private static const MARK:String = "\uE002";
@@ -37,7 +38,7 @@ package starlogo.models.gltf
 
         /**
          * @param name the model's name
-         * @param text JSON, or what may be
+         * @param text possible JSON
          */
         public function JsonMeter(name:String, text:String)
         {
@@ -52,7 +53,7 @@ package starlogo.models.gltf
             return _taken == 0 ? _text : _pieces.join("") + _text.substr(_taken);
         }
 
-        /** The number of a marked string; any other value is returned as it is. */
+        /** The number of a marked string. Any other value is returned unchanged. */
         public static function numberOf(value:*):*
         {
             return value is String && value.charAt(0) == MARK ? Decimal.of(value.substr(1)) : value;
@@ -93,13 +94,13 @@ package starlogo.models.gltf
             return _next < length;
         }
 
-        // Digits, "-" and "."; the "e" of true and false begins no number
+        // Digits, "-" and ".". The "e" of true and false begins no number.
         private static function isInNumber(code:int):Boolean
         {
             return code > COMMA && code < 0x3A && code != 0x2F;
         }
 
-        // The place behind a number, or behind what looks like one.
+        // The place after a number, or after text that looks like one.
         private function endOfNumber(from:int):int
         {
             var end:int = from;
@@ -118,7 +119,7 @@ package starlogo.models.gltf
             return end;
         }
 
-        // The place behind the quote that ends a string.
+        // The place after the quote that ends a string.
         private function endOfString(from:int):int
         {
             var end:int = _text.indexOf("\"", from);

@@ -10,7 +10,7 @@ package starlogo.models.obj
     import starlogo.steps.Steps;
 
     /**
-     * Reads the statements of Wavefront OBJ text; ObjModel says which.
+     * Reads the statements of Wavefront OBJ text. ObjModel says which.
      *
      * @private
      */
@@ -21,7 +21,7 @@ package starlogo.models.obj
 
         private var _isUsed:Vector.<uint> = null;
 
-        // faces with more than three corners wait here until all vertices are known
+        // Faces with more than three corners are kept here until all vertices are known.
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
         private var _polygonTriangles:int = 0;
         private var _polygon:int = 0;
@@ -34,13 +34,13 @@ package starlogo.models.obj
         /**
          * @param name the model's name
          * @param source the text
-         * @param upAxis "x", "y" or "z", or a ModelTransform, for which the file is left as it is
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
          */
         public function ObjReader(name:String, source:String, upAxis:Object)
         {
             super(name, upAxis);
             refuseIf(source == null, name, "there is no text to read");
-            refuseIf(source.indexOf("\u0000") >= 0, name, "this is no OBJ text but some binary file");
+            refuseIf(source.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             _triangulator = new Triangulator(vertices, triangles);
             readLines(source);
             call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
@@ -143,7 +143,7 @@ package starlogo.models.obj
             }
         }
 
-        /** The vertex that a face's corner names: 1, 1/2, 1//3 or 1/2/3. */
+        /** The vertex index in a face's corner: 1, 1/2, 1//3 or 1/2/3. */
         private function cornerOf(word:String):int
         {
             var slash:int = word.indexOf("/");
@@ -176,7 +176,7 @@ package starlogo.models.obj
             _isUsed = new Vector.<uint>(vertexCount);
         }
 
-        /** Adds the triangles of some polygons; whether there are more. */
+        /** Cuts some polygons into triangles. Returns whether there are more. */
         private function cutPolygons():Boolean
         {
             var end:int = Math.min(_polygon + POLYGONS_PER_STEP, _polygons.length);
@@ -187,14 +187,14 @@ package starlogo.models.obj
                 _triangulator.addPolygon(polygon);
                 for each (var corner:uint in polygon)
                 {
-                    _isUsed[corner] = 1; // even if it has no triangle
+                    _isUsed[corner] = 1; // also if the polygon has no triangle
                 }
                 count += polygon.length;
             }
             return _polygon < _polygons.length;
         }
 
-        /** Where there are faces, only what they use is part of the model's surface. */
+        /** If there are faces, removes the vertices that no face uses. */
         private function droppingUnused():Steps
         {
             return _highestIndex < 0 ? null : new VertexFilter(vertices, triangles, _isUsed);

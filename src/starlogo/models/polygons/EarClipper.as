@@ -1,29 +1,27 @@
 package starlogo.models.polygons
 {
     /**
-     * Cuts a ring of corners into triangles, an ear at a time. Corners in a straight line, and rings that cross or cover
-     * themselves, leave no triangle without area behind.
+     * Cuts a ring of corners into triangles, one ear at a time. Corners in a straight line, and rings that cross or cover themselves,
+     * produce no triangle without area.
      *
-     * <p>It ends for every ring: a corner is cut off after two rounds at most.</p>
+     * <p>It ends for every ring, because after two rounds without an ear any corner is cut off.</p>
      */
     internal final class EarClipper
     {
         private var _rings:PolygonRings;
 
-        // where it is, how many corners are left, and how many it has passed since the last ear
+        // the present node, the number of corners left, and the number of corners passed since the last ear
         private var _node:int = 0;
         private var _count:int = 0;
         private var _misses:int = 0;
 
-        /**
-         * @param rings where the ring is
-         */
+        /** @param rings contains the ring */
         public function EarClipper(rings:PolygonRings)
         {
             _rings = rings;
         }
 
-        /** Sets the ring to that of a node; it turns left. */
+        /** Sets the ring: the one that contains a node. It must be counter-clockwise. */
         internal function setRing(start:int):void
         {
             _node = start;
@@ -36,9 +34,9 @@ package starlogo.models.polygons
         }
 
         /**
-         * Cuts until two corners are left, or so much is done.
+         * Cuts until two corners are left, or until the given amount of work is done.
          *
-         * @return whether there is more
+         * @return whether more work is left
          */
         internal function cut(most:int):Boolean
         {
@@ -47,8 +45,8 @@ package starlogo.models.polygons
             var vertex:Vector.<uint> = _rings.vertex;
             var count:int = _count;
             var node:int = _node;
-            // an outline that crosses itself may have no ear left: after a round without one any left turn is cut,
-            // after two any corner
+            // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two rounds
+            // any corner.
             var misses:int = _misses;
             var end:int = _rings.work + most;
             while (count > 2 && _rings.work < end)
@@ -80,7 +78,7 @@ package starlogo.models.polygons
             return count > 2;
         }
 
-        /** Whether no other corner lies in a left turn's triangle. */
+        /** Whether no other corner lies in the triangle of a left turn. */
         private function isEar(before:int, tip:int, after:int):Boolean
         {
             var xs:Vector.<Number> = _rings.x;

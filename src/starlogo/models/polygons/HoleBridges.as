@@ -1,20 +1,17 @@
 package starlogo.models.polygons
 {
     /**
-     * Joins a polygon's holes to its outline by a bridge each, so that one ring is left (D. Eberly, "Triangulation by Ear
-     * Clipping", 2002).
+     * Joins each hole of a polygon to the outline by a bridge, so that one ring is left (D. Eberly, "Triangulation by Ear Clipping", 2002).
      */
     internal final class HoleBridges
     {
         private var _rings:PolygonRings;
         private var _outline:int;
 
-        // the rightmost of each hole, the next one last
+        // the rightmost node of each hole; the last one is joined next
         private var _nodes:Array = [];
 
-        /**
-         * @param rings where the rings are
-         */
+        /** @param rings contains the rings */
         public function HoleBridges(rings:PolygonRings)
         {
             _rings = rings;
@@ -24,7 +21,7 @@ package starlogo.models.polygons
          * Sets the polygon.
          *
          * @param outline a node of the outline's ring
-         * @param holes a node of each hole's ring, turning right
+         * @param holes a node of each hole's ring; these rings are clockwise
          */
         internal function setPolygon(outline:int, holes:Vector.<int>):void
         {
@@ -34,14 +31,14 @@ package starlogo.models.polygons
             {
                 _nodes.push(rightmost(hole));
             }
-            // those that reach furthest right last, to be the first: no bridge crosses another hole
+            // The hole that reaches furthest right is joined first. So no bridge crosses another hole.
             _nodes.sort(compareByX);
         }
 
         /**
-         * Joins holes to the outline until all are joined, or so much is done; those outside of it are left out.
+         * Joins holes until none is left, or until the given amount of work is done. Holes outside the outline are left out.
          *
-         * @return whether there are more
+         * @return whether more holes are left
          */
         internal function join(most:int):Boolean
         {
@@ -53,7 +50,7 @@ package starlogo.models.polygons
             return _nodes.length > 0;
         }
 
-        // Of two that reach as far, the first in the file comes first, in every player.
+        // If two nodes have the same x, the first in the file comes first, in every player.
         private function compareByX(a:int, b:int):int
         {
             var x:Vector.<Number> = _rings.x;
@@ -73,7 +70,7 @@ package starlogo.models.polygons
             return result;
         }
 
-        /** Opens the outline at a corner that sees the hole, and leads it round the hole and back. */
+        /** Opens the outline at a corner that sees the hole. The outline then goes around the hole and back. */
         private function addBridge(hole:int):void
         {
             var corner:int = visibleCorner(hole);
@@ -92,7 +89,7 @@ package starlogo.models.polygons
             previous[hole] = corner;
         }
 
-        /** A corner of the outline that a hole's rightmost node sees, or -1. */
+        /** A corner of the outline that is visible from a hole's rightmost node, or -1. */
         private function visibleCorner(hole:int):int
         {
             var xs:Vector.<Number> = _rings.x;
@@ -109,7 +106,7 @@ package starlogo.models.polygons
                     return -1;
                 }
                 var end:int = _rings.next[node];
-                // the edge to the right that the hole is inside of goes upwards
+                // the outline is counter-clockwise, so the edge to the right of an inner point goes upwards
                 if (ys[node] <= y && y <= ys[end] && ys[node] < ys[end])
                 {
                     var hit:Number = xs[node] + (y - ys[node]) * (xs[end] - xs[node]) / (ys[end] - ys[node]);
@@ -126,7 +123,8 @@ package starlogo.models.polygons
         }
 
         /**
-         * Of the corners that block the line from a hole's node to a corner, the one nearest to the ray; if none does, that corner.
+         * The corner that is visible from a hole's node. It is the given corner, unless others block the line to it. Then it is the
+         * blocking corner nearest to the ray.
          */
         private function nearestToRay(hole:int, hitX:Number, corner:int):int
         {

@@ -1,18 +1,17 @@
 package starlogo.models.polygons
 {
     /**
-     * A polygon's outline and holes as rings of corners in a plane: seen along the axis nearest to the outline's normal
-     * (M. E. Newell's), from where the outline turns left. That keeps every turn of the outline; a small bend out of its
-     * plane does no harm.
+     * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
+     * outline's normal (by M. E. Newell's method), so that the outline is counter-clockwise. Small bends out of the plane do no harm.
      *
-     * <p>A corner may be in a ring more than once, so rings are made of nodes, which are known by number.</p>
+     * <p>A corner may be in a ring more than once. So rings are made of nodes, and an index stands for a node.</p>
      */
     internal final class PolygonRings
     {
-        /** How many corners may be looked at, some seconds' worth. Beyond it corners are cut off unseen, and holes filled. */
+        /** The limit of work, in corners looked at: some seconds. Beyond it, corners are cut off without a test, and holes are filled. */
         internal static const MAX_WORK:int = 10000000;
 
-        /** Where each node is, seen along the normal; scaled so that the outline is about 1 large. */
+        /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
         internal var x:Vector.<Number> = new Vector.<Number>();
 
         /** @copy #x */
@@ -21,33 +20,33 @@ package starlogo.models.polygons
         /** The vertex of each node. */
         internal var vertex:Vector.<uint> = new Vector.<uint>();
 
-        /** The node after each in its ring. */
+        /** The next node in the ring, for each node. */
         internal var next:Vector.<int> = new Vector.<int>();
 
-        /** The node before each in its ring. */
+        /** The previous node in the ring, for each node. */
         internal var previous:Vector.<int> = new Vector.<int>();
 
-        /** How many corners were looked at, in all polygons. */
+        /** The number of corners looked at so far, in all polygons. */
         internal var work:int = 0;
 
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // which coordinates the two seen ones are, and the scale that keeps their products in range
+        // the indices of the two projected coordinates, and the scale that keeps their products finite
         private var _axisX:int;
         private var _axisY:int;
         private var _scale:Number;
 
-        /** No ring yet. */
+        /** Creates an object without rings. */
         public function PolygonRings()
         {
         }
 
         /**
-         * Sets what polygons are cut of from now on.
+         * Sets the vertices and triangles for the next polygons.
          *
-         * @param vertices x, y, z, ... that corners index
-         * @param triangles where the triangles go
+         * @param vertices x, y, z, ...; corners are indices of these
+         * @param triangles takes the triangles
          */
         internal function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
@@ -55,7 +54,7 @@ package starlogo.models.polygons
             _triangles = triangles;
         }
 
-        /** Adds a triangle of three different vertices. */
+        /** Adds a triangle, if its three vertices are different. */
         internal function addTriangle(a:uint, b:uint, c:uint):void
         {
             if (a != b && b != c && c != a)
@@ -65,10 +64,10 @@ package starlogo.models.polygons
         }
 
         /**
-         * Forgets all nodes, and chooses where to look from.
+         * Removes all nodes, and chooses the axis of projection.
          *
          * @param outline the corners of the outline
-         * @return false if it has no area
+         * @return false if the outline has no area
          */
         internal function setOutline(outline:Vector.<uint>):Boolean
         {
@@ -95,10 +94,10 @@ package starlogo.models.polygons
         }
 
         /**
-         * Makes a ring of a loop of corners.
+         * Makes a ring from a loop of corners.
          *
-         * @param loop the corners
-         * @param leftTurning which way the ring turns, whichever way the loop does
+         * @param loop the corners, in either direction
+         * @param leftTurning whether the ring is to be counter-clockwise
          * @return its first node
          */
         internal function addLoop(loop:Vector.<uint>, leftTurning:Boolean):int
@@ -113,7 +112,7 @@ package starlogo.models.polygons
             return first;
         }
 
-        /** Adds a node for a vertex; returns it. */
+        /** Adds a node for a vertex and returns its index. */
         internal function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
         {
             x.push(_vertices[3 * ofVertex + _axisX] * _scale);
@@ -133,7 +132,7 @@ package starlogo.models.polygons
             previous[after] = before;
         }
 
-        /** Twice the area of the triangle of three nodes, positive if it turns left. */
+        /** Twice the area of the triangle of three nodes; positive if it is counter-clockwise. */
         internal function turn(a:int, b:int, c:int):Number
         {
             var ax:Number = x[a];
@@ -141,7 +140,7 @@ package starlogo.models.polygons
             return (x[b] - ax) * (y[c] - ay) - (y[b] - ay) * (x[c] - ax);
         }
 
-        /** Whether a node is in the triangle of three others that turns left, or on its edge. */
+        /** Whether a node is inside a triangle of three other nodes or on its edge. The triangle must be counter-clockwise. */
         internal function isInside(node:int, a:int, b:int, c:int):Boolean
         {
             return turn(a, b, node) >= 0 && turn(b, c, node) >= 0 && turn(c, a, node) >= 0;
@@ -161,9 +160,7 @@ package starlogo.models.polygons
             return extent;
         }
 
-        /**
-         * Twice the area of a loop in the plane of two axes, positive if it turns left; in units of 1/scale squared.
-         */
+        /** Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. The unit is 1/scale squared. */
         private function doubleArea(loop:Vector.<uint>, axisX:int, axisY:int):Number
         {
             var originX:Number = _vertices[3 * loop[0] + axisX];

@@ -1,20 +1,20 @@
 package starlogo.models.polygons
 {
     /**
-     * Cuts polygons in space into triangles: concave ones, and ones with holes.
+     * Cuts polygons in space into triangles. Polygons may be concave and have holes.
      *
-     * <p>Triangles, quads and convex polygons are cut at once. Others become rings in a plane (PolygonRings), whose holes
-     * are joined to the outline (HoleBridges) before ears are cut off (EarClipper). No outline is too odd: corners in a
-     * straight line, and outlines that cross or cover themselves, leave no triangle without area behind.</p>
+     * <p>Triangles, quads and convex polygons are cut at once. Other polygons become rings in a plane (PolygonRings). Then their holes are
+     * joined to the outline (HoleBridges), and ears are cut off (EarClipper). Every outline is accepted: corners in a straight line, and
+     * outlines that cross or cover themselves, produce no triangle without area.</p>
      *
-     * <p>Cost: linear for convex polygons, else up to quadratic in the corners. The whole work is bounded:
-     * beyond 10,000,000 looks at corners they are cut off unseen, and holes filled.</p>
+     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners. The total work is limited to 10,000,000 looks at
+     * corners. Beyond that, corners are cut off without a test, and holes are filled.</p>
      *
      * @private
      */
     public final class Triangulator
     {
-        // how many corners it looks at in one call
+        // the corners that it looks at in one call
         private static const WORK_PER_STEP:int = 10000;
 
         private var _vertices:Vector.<Number>;
@@ -22,14 +22,14 @@ package starlogo.models.polygons
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
 
-        // of the polygon that is being cut: a node of its outline, and what is still to do
+        // a node of the present polygon's outline, and the work that is left
         private var _start:int = 0;
         private var _isBridging:Boolean = false;
         private var _isCutting:Boolean = false;
 
         /**
-         * @param vertices as setTarget's
-         * @param triangles as setTarget's
+         * @param vertices as in setTarget
+         * @param triangles as in setTarget
          */
         public function Triangulator(vertices:Vector.<Number> = null, triangles:Vector.<uint> = null)
         {
@@ -39,10 +39,10 @@ package starlogo.models.polygons
         }
 
         /**
-         * Sets what polygons are cut of from now on. The limit of work is for all together.
+         * Sets the vertices and triangles for the next polygons. The limit of work is for all polygons together.
          *
-         * @param vertices x, y, z, ... that the polygons' corners index
-         * @param triangles where the triangles go, three indices each, turning as their polygon turns
+         * @param vertices x, y, z, ...; the polygons' corners are indices of these
+         * @param triangles takes the triangles, three indices each, in the direction of their polygon
          */
         public function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
@@ -51,10 +51,10 @@ package starlogo.models.polygons
         }
 
         /**
-         * Cuts a polygon, or begins to: see <code>isCutting</code>.
+         * Cuts a polygon, or begins to cut a large one: see <code>isCutting</code>.
          *
-         * @param outline the corners of its outline; it is not kept
-         * @param holes those of each hole, which may turn either way; null for none
+         * @param outline the corners of its outline; the vector is not kept
+         * @param holes the corners of each hole, in either direction; null for none
          */
         public function addPolygon(outline:Vector.<uint>, holes:Vector.<Vector.<uint>> = null):void
         {
@@ -83,19 +83,19 @@ package starlogo.models.polygons
             cutSome();
         }
 
-        /** Adds a triangle of three different corners. */
+        /** Adds a triangle, if its three corners are different. */
         public function addTriangle(a:uint, b:uint, c:uint):void
         {
             _rings.addTriangle(a, b, c);
         }
 
-        /** Whether the last polygon is so large that there is more of it to cut, by <code>cutSome()</code>, before the next one. */
+        /** Whether the last polygon is not completely cut. Call <code>cutSome()</code> until it is, before the next polygon. */
         public function get isCutting():Boolean
         {
             return _isCutting;
         }
 
-        /** Goes on with it for some milliseconds. */
+        /** Goes on with the last polygon for some milliseconds. */
         public function cutSome():void
         {
             if (_isBridging)
@@ -111,10 +111,10 @@ package starlogo.models.polygons
         }
 
         /**
-         * The steps of reading polygons, between which a large one that was read last is cut.
+         * Makes a step function that reads polygons. After a large polygon it cuts this before it reads on.
          *
          * @param read function():Boolean: adds polygons until one of them <code>isCutting</code>, returns whether there are more
-         * @return the same, to be repeated
+         * @return function():Boolean, to be called until it returns false
          */
         public function cuttingBetween(read:Function):Function
         {
@@ -133,7 +133,7 @@ package starlogo.models.polygons
             };
         }
 
-        // Whether it is a triangle, or a quad, which is cut along the diagonal that lies inside.
+        // Cuts a triangle or a quad, and returns whether the outline is one. A quad is cut along the diagonal inside it.
         private function addSmall(outline:Vector.<uint>):Boolean
         {
             var a:uint = outline[0];
@@ -162,7 +162,7 @@ package starlogo.models.polygons
             return true;
         }
 
-        /** Whether the two triangles that ac makes of a quad turn the same way. */
+        /** Whether ac cuts the quad into two triangles of the same direction. */
         private function isDiagonal(a:uint, b:uint, c:uint, d:uint):Boolean
         {
             var start:int = 3 * a;
@@ -185,7 +185,9 @@ package starlogo.models.polygons
                 (bx * cy - by * cx) * (cx * dy - cy * dx) > 0;
         }
 
-        /** Cuts the outline from its first corner if that sees all of it, as in every convex polygon. */
+        /**
+         * If the outline's first corner sees all of it, as in every convex polygon, cuts the outline from there. Returns whether it did.
+         */
         private function addFan(count:int):Boolean
         {
             for (var i:int = 2; i < count; i++)

@@ -11,7 +11,7 @@ package starlogo.models.stl
     import starlogo.models.refuseIf;
 
     /**
-     * Reads an STL file, binary or text; StlModel says what of it.
+     * Reads an STL file, binary or text. StlModel says which parts.
      *
      * @private
      */
@@ -25,19 +25,19 @@ package starlogo.models.stl
 
         private var _points:PointTable;
 
-        // a binary file
+        // of a binary file
         private var _bytes:ByteArray;
         private var _count:int;
         private var _facet:int = 0;
 
-        // of text: how many corners the present facet has so far
+        // of a text file: the number of corners of the present facet so far
         private var _corners:int = 0;
 
         /**
          * @param name the model's name
          * @param bytes a binary file; its endianness is set; null for text
          * @param text the text; null for a binary file
-         * @param upAxis "x", "y" or "z", or a ModelTransform, for which the file is left as it is
+         * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
          */
         public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object)
         {
@@ -61,15 +61,15 @@ package starlogo.models.stl
         }
 
         /**
-         * Whether bytes are a binary file: as long as its count of facets says, or longer. Text never is, for that count would be of four of its
-         * characters, and not even the first of these files that begins with "solid", as text does, is taken for text.
+         * Whether the bytes are a binary file: at least as long as the facet count requires. In a text file, four characters stand in the
+         * count's place, so the count would be too large. Binary files that begin with "solid" are recognised too.
          */
         public static function isBinary(bytes:ByteArray):Boolean
         {
             return bytes.length >= HEADER_LENGTH && HEADER_LENGTH + Number(FACET_LENGTH) * countIn(bytes) <= bytes.length;
         }
 
-        /** Whether text is that of an STL file. */
+        /** Whether the text is that of an STL file. */
         public static function isText(text:String):Boolean
         {
             return /^﻿?\s*solid\b[^\n\r]*[\n\r]\s*(facet|endsolid)\b/i.test(text.substr(0, 1000));

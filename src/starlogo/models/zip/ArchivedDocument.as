@@ -18,7 +18,9 @@ package starlogo.models.zip
         private static const MANIFEST:String = "manifest.xml";
         private static const MAX_MANIFEST:int = 100000;
 
-        /** The document's text, when no step is left; the steps throw a ModelError if there is none, or the archive is damaged. */
+        /**
+         * The document's text, when no step is left. The steps throw a ModelError if there is no document, or if the archive is damaged.
+         */
         public var text:String = null;
 
         private var _name:String;
@@ -55,14 +57,14 @@ package starlogo.models.zip
             text = ModelFile.text(_name, _document.content);
         }
 
-        /** The document that the manifest names, or else the first one. */
+        /** The document that the manifest names. Without a manifest, the first document. */
         private function documentPath():String
         {
             var manifest:String = _manifest == null ? "" : ModelFile.text(_name, _manifest.content);
-            // no regular expressions: they may take the square of the time
+            // no regular expressions, because they may take quadratic time
             for each (var piece:String in manifest.split("<"))
             {
-                // what comes after a tag, without its fragment
+                // the text after a tag, without its fragment
                 var word:String = TextTokens.trimmed(piece.substr(piece.indexOf(">") + 1).split("#")[0]);
                 var path:String = unescape(word.indexOf("./") == 0 ? word.substr(2) : word);
                 if (_archive.has(path))

@@ -1,27 +1,27 @@
 package starlogo.models.zip
 {
-    /** A canonical Huffman code of a deflated text (RFC 1951, 3.2.2), for decoding. */
+    /** Decodes a canonical Huffman code of deflated data (RFC 1951, section 3.2.2). */
     internal final class HuffmanCode
     {
         /** The length of the longest code, in bits. */
         internal static const MAX_LENGTH:int = 15;
 
-        /** How many bits are enough for most codes: <code>entries</code> has as many as these bits have values. */
+        /** Most codes are at most this long, in bits. <code>entries</code> has an entry for each value of this many bits. */
         internal static const SHORT_LENGTH:int = 10;
 
         /**
-         * What the next bits say, by the lowest SHORT_LENGTH of them: a symbol times 16, plus the length of its code; 0
-         * where the code is longer, or none.
+         * The meaning of the next bits. The index is the lowest SHORT_LENGTH bits. An entry is the symbol times 16, plus the length of its
+         * code; 0 if the code is longer or unknown.
          */
         internal var entries:Vector.<int> = new Vector.<int>(1 << SHORT_LENGTH, true);
 
-        // how many codes have a length, and the symbols in the order of their codes
+        // the number of codes of each length, and the symbols in the order of their codes
         private var _counts:Vector.<int> = new Vector.<int>(MAX_LENGTH + 1, true);
         private var _symbols:Vector.<int>;
 
         /**
-         * @param lengths the length of each symbol's code, in bits; 0 for symbols that have none
-         * @throws ArgumentError if there are more codes than such lengths allow
+         * @param lengths the length of each symbol's code, in bits; 0 for symbols without a code
+         * @throws ArgumentError if there are too many codes for these lengths
          */
         public function HuffmanCode(lengths:Vector.<int>)
         {
@@ -54,10 +54,10 @@ package starlogo.models.zip
         }
 
         /**
-         * What <code>entries</code> would say if it knew long codes.
+         * The entry of a code that is longer than SHORT_LENGTH.
          *
          * @param bits the next bits, the first one lowest
-         * @throws ArgumentError if no code begins like that
+         * @throws ArgumentError if no code begins with these bits
          */
         internal function longEntry(bits:int):int
         {
@@ -80,7 +80,7 @@ package starlogo.models.zip
             throw new ArgumentError("it has bits that are no code");
         }
 
-        /** The bits of a code come highest first, other numbers' lowest first. */
+        /** A code is stored with its highest bit first, but other numbers with their lowest bit first. So the code's bits are reversed. */
         private function enter(symbol:int, code:int, length:int):void
         {
             if (length > SHORT_LENGTH)

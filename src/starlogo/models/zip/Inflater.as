@@ -6,17 +6,17 @@ package starlogo.models.zip
     import starlogo.steps.Steps;
 
     /**
-     * Unpacks a file of a zip archive (RFC 1951), in steps. The archive says how long the file is; a file that turns out longer is refused
-     * before it takes more memory than that.
+     * Unpacks a file of a zip archive (RFC 1951), in steps. The archive gives the file's size. If the content is longer, the file is
+     * refused before it takes more memory than that.
      */
     internal final class Inflater implements Steps
     {
-        // no byte of packed data stands for more than this many
+        // one byte of packed data makes at most this many bytes
         private static const MAX_RATIO:int = 1032;
         private static const LONGEST_MATCH:int = 258;
         private static const BYTES_PER_STEP:int = 6000;
 
-        // from so many bytes on the player copies them faster than a loop
+        // from this many bytes on, the player's own copy is faster than a loop
         private static const WORTH_A_CALL:int = 32;
 
         private static const SHORT_MASK:int = (1 << HuffmanCode.SHORT_LENGTH) - 1;
@@ -24,10 +24,10 @@ package starlogo.models.zip
         private static const LENGTH_CODES:int = 29;
         private static const DISTANCE_CODES:int = 30;
 
-        // bits are read two bytes at a time, before it is known that they are needed
+        // Bits are read two bytes at a time, before it is known that they are needed.
         private static const PADDING:int = 8;
 
-        // the lengths of the codes of codes' lengths come in this order
+        // the order in which the lengths of the code length codes are stored
         private static const ORDER:Vector.<int> = new <int>[16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
 
         private static var sFixedSymbols:HuffmanCode = null;
@@ -41,7 +41,7 @@ package starlogo.models.zip
         private var _size:int;
         private var _written:int = 0;
 
-        // what is packed, and the bits of it that are read and not used yet
+        // the packed data, and the bits of it that are read but not used yet
         private var _packed:ByteArray = new ByteArray();
         private var _bits:int = 0;
         private var _bitCount:int = 0;
@@ -53,11 +53,11 @@ package starlogo.models.zip
 
         /**
          * @param name the model's name
-         * @param path what the file is called, for errors
-         * @param packed what the archive has of it; changed
-         * @param isDeflated whether that is packed at all
-         * @param size how many bytes there have to be unpacked
-         * @throws ModelError if there can't be as many
+         * @param path the file's path, for errors
+         * @param packed the file's bytes in the archive; changed
+         * @param isDeflated whether they are packed
+         * @param size the number of bytes that the unpacked file must have
+         * @throws ModelError if the packed bytes cannot make so many
          */
         public function Inflater(name:String, path:String, packed:ByteArray, isDeflated:Boolean, size:uint)
         {
@@ -151,7 +151,7 @@ package starlogo.models.zip
             _bits = 0;
             _bitCount = 0;
             var length:int = readBits(16);
-            refuse(readBits(16) != (length ^ 0xFFFF), "it has a block of an uncertain length");
+            refuse(readBits(16) != (length ^ 0xFFFF), "it has a block whose two lengths differ");
             refuse(length > _packed.bytesAvailable, "it is cut off");
             refuseSize(_written + length > _size, "more");
             content.position = _written;
@@ -210,7 +210,7 @@ package starlogo.models.zip
                     lengths.push(length);
                 }
             }
-            refuse(lengths.length > count, "it has more lengths of codes than codes");
+            refuse(lengths.length > count, "it has more code lengths than codes");
             return lengths;
         }
 
@@ -231,7 +231,7 @@ package starlogo.models.zip
             return value;
         }
 
-        // Of what is read 31 bits fit: so many that the largest number of bits can be taken off.
+        // Makes sure that at least 16 bits are available. There are never more than 31, so they fit an int.
         private function refill():void
         {
             if (_bitCount < 16)
@@ -247,7 +247,7 @@ package starlogo.models.zip
             return _packed.readUnsignedShort();
         }
 
-        // readSymbol() is written out for bytes that stand for themselves: that is what takes the time.
+        // Contains a copy of readSymbol(), because reading literal bytes takes most of the time.
         private function unpackSome():void
         {
             var out:ByteArray = content;
@@ -293,7 +293,7 @@ package starlogo.models.zip
             _written = written;
         }
 
-        // Copies bytes from before; returns where they end.
+        // Copies bytes from earlier output. Returns the end of the copy.
         private function repeat(code:int, written:int):int
         {
             var out:ByteArray = content;
@@ -305,7 +305,7 @@ package starlogo.models.zip
             refuse(from < 0, "it repeats bytes that are not there");
             while (written < end)
             {
-                // what repeats itself is twice as long each time
+                // each copy doubles the length of the part that can be copied
                 var count:int = Math.min(end - written, written - from);
                 if (count >= WORTH_A_CALL)
                 {
@@ -323,7 +323,12 @@ package starlogo.models.zip
             return written;
         }
 
-        /** The number of a code. @param shift the codes have that many binary digits of it below the first one @param least the number of the first code */
+        /**
+         * The number that a length code or distance code stands for.
+         *
+         * @param shift each code has this many digits of the number below its highest bit
+         * @param least the number of the first code
+         */
         private function valueOf(code:int, shift:int, least:int):int
         {
             var extra:int = (code >> shift) - 1;

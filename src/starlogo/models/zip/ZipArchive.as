@@ -5,14 +5,14 @@ package starlogo.models.zip
     import starlogo.models.refuseIf;
 
     /**
-     * The files in a zip archive (PKWARE, APPNOTE.TXT), stored or deflated. Encrypted and split archives, and those
-     * above 4 GB, are errors.
+     * The files in a zip archive (PKWARE, APPNOTE.TXT), stored or deflated. Encrypted archives, split archives and archives above 4 GB are
+     * errors.
      *
      * @private
      */
     public final class ZipArchive
     {
-        // in front of every key: a file may be called "hasOwnProperty"
+        // stands before every key, because a file may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
         private static const LOCAL_HEADER:uint = 0x04034B50;
@@ -25,7 +25,7 @@ package starlogo.models.zip
         private static const STORED:int = 0;
         private static const DEFLATED:int = 8;
 
-        /** How errors begin. */
+        /** The beginning of each error's text. */
         internal static const PROBLEM:String = "the zip archive can't be read: ";
 
         /** The paths of the files. */
@@ -33,7 +33,7 @@ package starlogo.models.zip
 
         private var _name:String;
         private var _bytes:ByteArray;
-        private var _headers:Object = {}; // where a file's header in the directory is, by its path
+        private var _headers:Object = {}; // the place of a file's header in the directory, by its path
 
         /**
          * @param name the model's name
@@ -54,18 +54,18 @@ package starlogo.models.zip
             return bytes.length >= 4 && bytes[0] == 0x50 && bytes[1] == 0x4B && bytes[2] == 3 && bytes[3] == 4;
         }
 
-        /** Whether there is a file. */
+        /** Whether the archive has a file. */
         public function has(path:String):Boolean
         {
             return _headers.hasOwnProperty(PREFIX + path);
         }
 
         /**
-         * Begins to unpack a file that there is.
+         * Begins to unpack a file of the archive.
          *
          * @param path the file
-         * @param most how many bytes it may have unpacked
-         * @throws ModelError if it is not where the archive says, too large, or packed by an unknown method
+         * @param most the most bytes that it may have unpacked
+         * @throws ModelError if the file is not at the place that the archive gives, is too large, or packed by an unknown method
          */
         public function unpack(path:String, most:int):Inflater
         {
@@ -88,7 +88,7 @@ package starlogo.models.zip
             return new Inflater(_name, path, packed, method == DEFLATED, size);
         }
 
-        /** Where the record is that ends the archive: before a comment, so it is searched for backwards. */
+        /** The place of the record at the archive's end. A comment may follow it, so it is searched for backwards. */
         private function findDirectory():int
         {
             var last:int = _bytes.length - END_LENGTH;

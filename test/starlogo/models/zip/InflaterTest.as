@@ -73,7 +73,7 @@ package starlogo.models.zip
         {
             fails(/cut off/, bytes(0x01, 3, 0, 0xFC, 0xFF, 7, 8));
             fails(/cut off/, bytes(0x4B, 0x04));
-            fails(/uncertain length/, bytes(0x01, 3, 0, 0xFD, 0xFF, 7, 8, 9));
+            fails(/two lengths differ/, bytes(0x01, 3, 0, 0xFD, 0xFF, 7, 8, 9));
             fails(/unknown kind/, bytes(0x07, 0, 0, 0));
             fails(/repeats bytes that are not there/, bytes(0x03, 0x02, 0, 0));
         }

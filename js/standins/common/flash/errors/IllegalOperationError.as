@@ -1,6 +1,6 @@
 package flash.errors
 {
-    /** A method is not for this object, or not now. */
+    /** Thrown if an object cannot have this method called, or not now. */
     public class IllegalOperationError extends Error
     {
         public function IllegalOperationError(message:String = "", id:int = 0)

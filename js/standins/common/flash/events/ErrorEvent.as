@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** Something went wrong. */
+    /** Sent if something failed. The text says what. */
     public class ErrorEvent extends TextEvent
     {
         public static const ERROR:String = "error";

@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** What happened, and to whom. An event is at its target, and nowhere else. */
+    /** An event and its target. It is only sent to its target and does not travel further. */
     public class Event
     {
         public static const ACTIVATE:String = "activate";
@@ -66,7 +66,7 @@ package flash.events
             return _cancelable;
         }
 
-        /** Whose event it is; null until somebody listening gets it. */
+        /** The object that sent the event; null before the event is dispatched to a listener. */
         public function get target():Object
         {
             return _target;
@@ -77,30 +77,30 @@ package flash.events
             return _target;
         }
 
-        /** Always 2: an event is at its target. */
+        /** Always 2, because an event is only at its target. */
         public function get eventPhase():uint
         {
             return 2;
         }
 
-        /** A new event alike, for the next dispatch; a subclass overrides it. */
+        /** A copy of the event, for another dispatch. Subclasses override it. */
         public function clone():Event
         {
             return new Event(_type, _bubbles, _cancelable);
         }
 
-        /** Keeps the event from dispatchers further on its way, of which there are none. */
+        /** Does nothing: an event is only sent to its target. */
         public function stopPropagation():void
         {
         }
 
-        /** Keeps the event from listeners that it has not reached. */
+        /** Keeps the event from the remaining listeners. */
         public function stopImmediatePropagation():void
         {
             _isStopped = true;
         }
 
-        /** Has dispatchEvent return false, if the event can be cancelled. */
+        /** Makes dispatchEvent return false, if the event can be cancelled. */
         public function preventDefault():void
         {
             _isPrevented = _isPrevented || _cancelable;
@@ -111,7 +111,7 @@ package flash.events
             return _isPrevented;
         }
 
-        /** [Class name=value name="text" ...], of the properties named. */
+        /** [Class name=value name="text" ...], with the given properties. */
         public function formatToString(className:String, ...properties):String
         {
             var text:String = "[" + className;

@@ -3,26 +3,26 @@ package flash.events
     import standin.Machine;
 
     /**
-     * Calls whoever listens: those of higher priority first, those of the same in the order in which they were added. Who is added or
-     * removed meanwhile is called, or not, from the next event on.
+     * Sends events to listeners. Listeners of higher priority are called first, those of the same priority in the order in which they were
+     * added. If a listener is added or removed during a dispatch, this takes effect with the next event.
      *
-     * <p>Listeners of the capture phase are kept but never called. Listeners are kept until they are
-     * removed, weak references or not. What a listener throws is no concern of the others: it is reported as an error that
-     * nothing caught, and so is an error event that nobody listens for. Ruffle drops those.</p>
+     * <p>Listeners of the capture phase are kept but never called. All listeners are kept until they are removed, also those with weak
+     * references. If a listener throws, the others are still called, and the error is reported as uncaught. An error event without a
+     * listener is reported as uncaught too. Ruffle ignores both.</p>
      */
     public class EventDispatcher implements IEventDispatcher
     {
         private var _target:IEventDispatcher;
         private var _listeners:Object = {};
 
-        /** @param target whose events these are; null is this dispatcher */
+        /** @param target the target of the events; null is this dispatcher */
         public function EventDispatcher(target:IEventDispatcher = null)
         {
             _target = target;
         }
 
         /**
-         * Who listens already goes on as before, with the same priority.
+         * Adds a listener. One that is already added stays with its old priority.
          *
          * @throws TypeError if the listener is null
          */
@@ -41,7 +41,7 @@ package flash.events
                 place++;
             }
             var added:Listener = new Listener(listener, useCapture, priority);
-            _listeners[type] = all.slice(0, place).concat([added], all.slice(place)); // a dispatch under way keeps its list
+            _listeners[type] = all.slice(0, place).concat([added], all.slice(place)); // a running dispatch keeps its list
             if (type == Event.ENTER_FRAME && Machine.frameListeners.indexOf(this) < 0)
             {
                 Machine.frameListeners.push(this);
@@ -76,7 +76,7 @@ package flash.events
         }
 
         /**
-         * Calls the listeners with the event, or with its clone if it was dispatched before.
+         * Calls the listeners with the event. If the event was dispatched before, they get its clone.
          *
          * @return false if a listener prevented the default
          */

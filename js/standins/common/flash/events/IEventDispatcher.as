@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** Whatever events can be listened for on. */
+    /** An object that sends events. */
     public interface IEventDispatcher
     {
         function addEventListener(type:String, listener:Function, useCapture:Boolean = false, priority:int = 0,

@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** Something could not be read or written. */
+    /** Sent if a file could not be read or written. */
     public class IOErrorEvent extends ErrorEvent
     {
         public static const IO_ERROR:String = "ioError";

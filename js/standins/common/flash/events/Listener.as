@@ -1,13 +1,13 @@
 package flash.events
 {
-    /** Who listens on a dispatcher for a type of event. */
+    /** A listener for a type of event. */
     internal final class Listener
     {
         internal var call:Function;
         internal var isCapturing:Boolean;
         internal var priority:int;
 
-        /** Whether it is called but once: not in Flash. */
+        /** Whether it is removed after the first call. Flash has no such listeners. */
         internal var isOnce:Boolean = false;
 
         public function Listener(call:Function, isCapturing:Boolean, priority:int)

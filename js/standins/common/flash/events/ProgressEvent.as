@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** So much is loaded. */
+    /** Sent while something is loading, with the bytes so far. */
     public class ProgressEvent extends Event
     {
         public static const PROGRESS:String = "progress";

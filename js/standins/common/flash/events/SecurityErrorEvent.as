@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** Something must not be read or written. */
+    /** Sent if reading or writing is not allowed. */
     public class SecurityErrorEvent extends ErrorEvent
     {
         public static const SECURITY_ERROR:String = "securityError";

@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** A Timer rang. */
+    /** Sent by a Timer. */
     public class TimerEvent extends Event
     {
         public static const TIMER:String = "timer";
@@ -11,7 +11,7 @@ package flash.events
             super(type, bubbles, cancelable);
         }
 
-        /** Has the player draw at once. Nothing is drawn here. */
+        /** In Flash, draws at once. Here it does nothing. */
         public function updateAfterEvent():void
         {
         }

@@ -4,24 +4,24 @@ package flash.geom
     import standin.SinglePrecision;
 
     /**
-     * A 4 by 4 matrix of columns. It transforms a point (x, y, z, 1) to x * column 0 + y * column 1 + z * column 2 + column 3;
-     * appending a transform does that after what the matrix did so far, prepending before.
+     * A 4 by 4 matrix of columns. It transforms a point (x, y, z, 1) to x * column 0 + y * column 1 + z * column 2 + column 3. To append a
+     * transform means that it comes after the matrix's own, to prepend one that it comes before.
      *
-     * <p>Methods that return no object allocate nothing, but for recompose, interpolateTo and pointAt.</p>
+     * <p>Methods that return no object allocate nothing, except recompose, interpolateTo and pointAt.</p>
      */
     public class Matrix3D
     {
         /**
-         * Whether every matrix keeps its elements, and hands out points, in single precision, as Flash Player does.
+         * Whether all matrices store their elements and return points in single precision, as in Flash Player.
          *
          * @private
          */
         public static var isSingle:Boolean = false;
 
-        // an inverse would be too large
+        // below this, an inverse would be too large
         private static const SINGULAR:Number = 1e-11;
 
-        // Flash's Orientation3D
+        // the names in Flash's Orientation3D
         private static const EULER_ANGLES:String = "eulerAngles";
         private static const AXIS_ANGLE:String = "axisAngle";
         private static const QUATERNION:String = "quaternion";
@@ -40,8 +40,8 @@ package flash.geom
         }
 
         /**
-         * A matrix so much of the way from one to another: the translation in proportion, the rotation about one axis, the
-         * shorter way round. It has no scale; the matrices are taken for rotations. Flash does so too.
+         * A matrix between two others. The translation is interpolated linearly, the rotation about one axis the shorter way round. The
+         * result has no scale, because both matrices are taken as rotations. Flash does this too.
          *
          * @param percent 0 is the first matrix, 1 the second
          */
@@ -58,7 +58,7 @@ package flash.geom
             return _m.concat();
         }
 
-        /** Takes 16 elements over; any other number of them, or null, changes nothing. */
+        /** Copies 16 elements. Any other number of elements, or null, changes nothing. */
         public function set rawData(v:Vector.<Number>):void
         {
             if (v != null && v.length == 16)
@@ -112,10 +112,10 @@ package flash.geom
         }
 
         /**
-         * Takes 16 elements over, column by column, with transpose row by row.
+         * Copies 16 elements, column by column; with transpose row by row.
          *
          * @param index the place of the first element in the vector
-         * @throws ArgumentError if there are fewer; the matrix stays
+         * @throws ArgumentError if there are fewer; the matrix is then unchanged
          */
         public function copyRawDataFrom(vector:Vector.<Number>, index:uint = 0, transpose:Boolean = false):void
         {
@@ -135,9 +135,9 @@ package flash.geom
         }
 
         /**
-         * Hands the elements out, column by column, with transpose row by row.
+         * Copies the elements to a vector, column by column; with transpose row by row.
          *
-         * @param index the place of the first element in the vector, which grows if need be
+         * @param index the place for the first element in the vector, which grows if necessary
          */
         public function copyRawDataTo(vector:Vector.<Number>, index:uint = 0, transpose:Boolean = false):void
         {
@@ -189,7 +189,7 @@ package flash.geom
             setProduct(this, rhs);
         }
 
-        /** Adds to column 3, which is the product wherever row 3 is (0, 0, 0, 1). */
+        /** Adds to column 3. If row 3 is (0, 0, 0, 1), this is the matrix product. */
         public function appendTranslation(x:Number, y:Number, z:Number):void
         {
             _m[12] += x;
@@ -207,7 +207,7 @@ package flash.geom
             roundIfSingle();
         }
 
-        /** @throws ArgumentError if a scale is 0; the matrix stays */
+        /** @throws ArgumentError if a scale is 0; the matrix is then unchanged */
         public function appendScale(xScale:Number, yScale:Number, zScale:Number):void
         {
             checkScale(xScale, yScale, zScale);
@@ -220,7 +220,7 @@ package flash.geom
             roundIfSingle();
         }
 
-        /** @throws ArgumentError if a scale is 0; the matrix stays */
+        /** @throws ArgumentError if a scale is 0; the matrix is then unchanged */
         public function prependScale(xScale:Number, yScale:Number, zScale:Number):void
         {
             checkScale(xScale, yScale, zScale);
@@ -229,9 +229,9 @@ package flash.geom
         }
 
         /**
-         * Appends a rotation, counter-clockwise to whoever looks against the axis.
+         * Appends a rotation, counter-clockwise seen from the end of the axis.
          *
-         * @param axis of any length; one without length makes all points one
+         * @param axis of any length; with length 0, all points become one
          * @param pivotPoint a point on the axis; null is the origin
          */
         public function appendRotation(degrees:Number, axis:Vector3D, pivotPoint:Vector3D = null):void
@@ -262,7 +262,7 @@ package flash.geom
             }
         }
 
-        /** Inverts the matrix; one whose determinant is within 1e-11 of 0 stays as it is, and false is returned. */
+        /** Inverts the matrix. If its determinant is within 1e-11 of 0, it is unchanged, and the result is false. */
         public function invert():Boolean
         {
             var determinant:Number = this.determinant;
@@ -274,7 +274,7 @@ package flash.geom
             var m4:Number = _m[4], m5:Number = _m[5], m6:Number = _m[6], m7:Number = _m[7];
             var m8:Number = _m[8], m9:Number = _m[9], m10:Number = _m[10], m11:Number = _m[11];
             var m12:Number = _m[12], m13:Number = _m[13], m14:Number = _m[14], m15:Number = _m[15];
-            // the determinants of two rows of two columns, named by both columns, of the upper (a) and lower (b) rows
+            // determinants of 2 by 2 parts: the numbers name the two columns, a the upper rows, b the lower rows
             var a01:Number = m0 * m5 - m4 * m1, a02:Number = m0 * m9 - m8 * m1, a03:Number = m0 * m13 - m12 * m1;
             var a12:Number = m4 * m9 - m8 * m5, a13:Number = m4 * m13 - m12 * m5, a23:Number = m8 * m13 - m12 * m9;
             var b01:Number = m2 * m7 - m6 * m3, b02:Number = m2 * m11 - m10 * m3, b03:Number = m2 * m15 - m14 * m3;
@@ -300,7 +300,7 @@ package flash.geom
             return true;
         }
 
-        /** The point transformed, its own w taken for 1. */
+        /** The transformed point. The point's w counts as 1. */
         public function transformVector(v:Vector3D):Vector3D
         {
             var out:Vector3D = deltaTransformVector(v);
@@ -323,12 +323,12 @@ package flash.geom
         }
 
         /**
-         * Transforms points in a row; numbers left over at the end are not read.
+         * Transforms a list of points. Numbers left over at the end are ignored.
          *
          * @param vin x, y, z of each point
-         * @param vout may be vin; grows if need be
+         * @param vout may be vin; grows if necessary
          * @throws TypeError if one is null
-         * @throws RangeError if vout would have to grow and must not; nothing is written then
+         * @throws RangeError if vout would have to grow and is fixed; nothing is written then
          */
         public function transformVectors(vin:Vector.<Number>, vout:Vector.<Number>):void
         {
@@ -363,11 +363,11 @@ package flash.geom
         }
 
         /**
-         * Translation, rotation and scale, which recompose makes the matrix of again if it has no shear. A matrix that mirrors
-         * has a negative z scale. Angles are in radians.
+         * The translation, rotation and scale. The method recompose makes the same matrix from them, if it has no shear. A matrix that mirrors has a
+         * negative z scale. Angles are in radians.
          *
-         * <p>Half a turn has an axis here, and an angle whose cosine is rounded beyond 1 is no NaN; Ruffle differs in both, and
-         * gives Euler angles with the wrong sign where y is a quarter turn down.</p>
+         * <p>Ruffle differs in three points. Here half a turn has an axis, an angle is never NaN if its cosine is rounded to more than 1,
+         * and Euler angles have the right sign if y is a quarter turn down.</p>
          *
          * @throws Error if there is no such orientation style
          */
@@ -394,9 +394,9 @@ package flash.geom
         }
 
         /**
-         * Makes this the matrix of a translation, rotation and scale: see decompose.
+         * Sets the matrix from a translation, rotation and scale: see decompose.
          *
-         * @return whether there are three components and none is null; if not, the matrix stays
+         * @return whether there are three components and none is null; if not, the matrix is unchanged
          * @throws TypeError if the components are null
          * @throws Error if there is no such orientation style
          */
@@ -429,7 +429,7 @@ package flash.geom
         }
 
         /**
-         * Moves and turns this matrix so much of the way to another: see interpolate.
+         * Moves and turns this matrix a part of the way to another: see interpolate.
          *
          * @param percent 0 is this matrix, 1 the other
          */
@@ -445,11 +445,10 @@ package flash.geom
         }
 
         /**
-         * Turns what the matrix transforms, where it stands, to face a point: its direction <code>at</code> then shows there, and
-         * its direction <code>up</code> as near as may be to where it shows untransformed. The scale stays. This follows
-         * Flash's documentation; Ruffle does nothing.
+         * Turns the matrix in place to face a point. Its direction <code>at</code> then points there, and its direction <code>up</code> is
+         * as close as possible to the untransformed one. The scale stays. This follows Flash's documentation; Ruffle does nothing.
          *
-         * @param pos the point to face, in the world; where it is the matrix's own position nothing changes
+         * @param pos the point to face, in the world; if it is the matrix's own position, nothing changes
          * @param at the object's own forward direction; null is (0, 0, -1)
          * @param up the object's own upward direction; null is (0, -1, 0)
          */
@@ -479,7 +478,7 @@ package flash.geom
             }
         }
 
-        /** Takes a column or row over: four elements from a place on, so many apart. */
+        /** Sets a column or row: four elements, beginning at at, step apart. */
         private function copyLineFrom(line:uint, at:int, step:int, vector3D:Vector3D):void
         {
             checkLine(line);
@@ -514,7 +513,7 @@ package flash.geom
             roundIfSingle();
         }
 
-        /** Rodrigues' formula, such that what the axis's own numbers make 1 or 0 is just that. */
+        /** Rodrigues' formula, written so that matrix elements that should be exactly 1 or 0 are. */
         private function setRotation(degrees:Number, axis:Vector3D, pivot:Vector3D):void
         {
             var angle:Number = degrees * Math.PI / 180;
@@ -566,7 +565,7 @@ package flash.geom
             }
         }
 
-        /** The columns' lengths; that of z negative if the matrix mirrors. */
+        /** The lengths of the columns. The z length is negative if the matrix mirrors. */
         private function scaleOfColumns():Vector3D
         {
             var m:Vector.<Number> = _m;
@@ -579,7 +578,7 @@ package flash.geom
             return scale;
         }
 
-        /** The rotation of a matrix with such a scale. */
+        /** Sets this to a matrix divided by its scale. */
         private function setUnscaled(matrix:Matrix3D, scale:Vector3D):void
         {
             for (var i:int = 0; i < 3; i++)
@@ -594,14 +593,14 @@ package flash.geom
         {
             if (_m[2] >= 1 || _m[2] <= -1)
             {
-                // x and z turn about the same axis: all of it is x's
+                // x and z turn about the same axis, so x gets the whole angle
                 var isDown:Boolean = _m[2] >= 1;
                 return new Vector3D(Math.atan2(isDown ? -_m[4] : _m[4], _m[5]), isDown ? -Math.PI / 2 : Math.PI / 2, 0);
             }
             return new Vector3D(Math.atan2(_m[6], _m[10]), Math.asin(-_m[2]), Math.atan2(_m[1], _m[0]));
         }
 
-        /** Of length 1, by Shepperd's method: divides by the largest of the four. */
+        /** The unit quaternion, by Shepperd's method, which divides by the largest of the four. */
         private function toQuaternion():Vector3D
         {
             var q:Vector3D = new Vector3D();
@@ -665,7 +664,7 @@ package flash.geom
             _m[10] = 1 - 2 * x * x - 2 * y * y;
         }
 
-        /** The quaternion's angle, from 0 to half a turn, and its axis: none where there is no rotation. */
+        /** The quaternion's angle, from 0 to half a turn, and its axis, which is 0 without a rotation. */
         private static function toAxisAngle(q:Vector3D):void
         {
             var isLong:Boolean = q.w < 0;
@@ -677,7 +676,7 @@ package flash.geom
             q.w = 2 * Math.atan2(q.normalize(), w);
         }
 
-        /** Turns a quaternion to another on the shorter arc (Shoemake's slerp). */
+        /** Turns a quaternion towards another on the shorter arc (Shoemake's slerp). */
         private static function turnTowards(from:Vector3D, to:Vector3D, part:Number):void
         {
             var cos:Number = from.dotProduct(to) + from.w * to.w;
@@ -694,14 +693,14 @@ package flash.geom
             }
         }
 
-        /** from = from * ofFrom + to * ofTo, in all four numbers. */
+        /** from = from * ofFrom + to * ofTo, for all four numbers. */
         private static function mix(from:Vector3D, to:Vector3D, ofFrom:Number, ofTo:Number):void
         {
             from.setTo(from.x * ofFrom + to.x * ofTo, from.y * ofFrom + to.y * ofTo, from.z * ofFrom + to.z * ofTo);
             from.w = from.w * ofFrom + to.w * ofTo;
         }
 
-        /** A rotation whose z is a direction, and whose y is as near to another as may be. */
+        /** A rotation whose z is the given direction, and whose y is as close as possible to up. */
         private static function frameOf(forward:Vector3D, up:Vector3D):Matrix3D
         {
             var side:Vector3D = up.crossProduct(forward);

@@ -1,6 +1,6 @@
 package flash.geom
 {
-    /** A point or vector with a fourth number, w, which only project, equals and nearEquals look at. */
+    /** A point or vector. It has a fourth number, w, which only project, equals and nearEquals use. */
     public class Vector3D
     {
         /** (1, 0, 0). */
@@ -31,7 +31,7 @@ package flash.geom
             return Math.acos(a.dotProduct(b) / (a.length * b.length));
         }
 
-        /** The distance of two points. */
+        /** The distance between two points. */
         public static function distance(pt1:Vector3D, pt2:Vector3D):Number
         {
             var x:Number = pt2.x - pt1.x;
@@ -50,19 +50,19 @@ package flash.geom
             return x * x + y * y + z * z;
         }
 
-        /** The sum, with w = 0. */
+        /** The sum of two vectors, with w = 0. */
         public function add(a:Vector3D):Vector3D
         {
             return new Vector3D(x + a.x, y + a.y, z + a.z);
         }
 
-        /** The difference, with w = 0. */
+        /** The difference of two vectors, with w = 0. */
         public function subtract(a:Vector3D):Vector3D
         {
             return new Vector3D(x - a.x, y - a.y, z - a.z);
         }
 
-        /** Adds a vector to this; w stays. */
+        /** Adds a vector to this one; w stays. */
         public function incrementBy(a:Vector3D):void
         {
             x += a.x;
@@ -70,7 +70,7 @@ package flash.geom
             z += a.z;
         }
 
-        /** Subtracts a vector from this; w stays. */
+        /** Subtracts a vector from this one; w stays. */
         public function decrementBy(a:Vector3D):void
         {
             x -= a.x;
@@ -86,7 +86,7 @@ package flash.geom
             z *= s;
         }
 
-        /** Turns the vector round; w stays. */
+        /** Reverses the vector; w stays. */
         public function negate():void
         {
             x = -x;
@@ -99,13 +99,13 @@ package flash.geom
             return x * a.x + y * a.y + z * a.z;
         }
 
-        /** The vector across both, with w = 1. */
+        /** The cross product, with w = 1. */
         public function crossProduct(a:Vector3D):Vector3D
         {
             return new Vector3D(y * a.z - z * a.y, z * a.x - x * a.z, x * a.y - y * a.x, 1);
         }
 
-        /** Gives the vector length 1, none if it has none, and returns the length that it had. */
+        /** Scales the vector to length 1. A vector of length 0 stays. Returns the old length. */
         public function normalize():Number
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
@@ -122,7 +122,7 @@ package flash.geom
             return length;
         }
 
-        /** Divides by w, which stays. */
+        /** Divides x, y and z by w; w stays. */
         public function project():void
         {
             x /= w;
@@ -136,8 +136,8 @@ package flash.geom
         }
 
         /**
-         * Whether each coordinate differs by less than the tolerance. With allFour it is also whether the
-         * other's w is less than the tolerance.
+         * Whether each coordinate differs by less than the tolerance. With allFour, the other vector's w must be less than the tolerance
+         * too.
          */
         public function nearEquals(toCompare:Vector3D, tolerance:Number, allFour:Boolean = false):Boolean
         {
@@ -145,7 +145,7 @@ package flash.geom
                 && Math.abs(z - toCompare.z) < tolerance && (!allFour || Math.abs(w = toCompare.w) < tolerance);
         }
 
-        /** Takes x, y and z over; w stays. */
+        /** Copies x, y and z; w stays. */
         public function copyFrom(sourceVector3D:Vector3D):void
         {
             x = sourceVector3D.x;

@@ -4,7 +4,7 @@ package flash.utils
     import flash.events.TimerEvent;
     import standin.Machine;
 
-    /** Rings again and again, each time a delay after it rang last. */
+    /** Sends a TimerEvent again and again, after a delay each time. */
     public class Timer extends EventDispatcher
     {
         private var _delay:Number;
@@ -15,7 +15,7 @@ package flash.utils
 
         /**
          * @param delay milliseconds
-         * @param repeatCount how often it rings; 0 is until it is stopped
+         * @param repeatCount the number of events; 0 means until it is stopped
          * @throws RangeError if the delay is negative or not finite
          */
         public function Timer(delay:Number, repeatCount:int = 0)

@@ -2,7 +2,7 @@ package flash.utils
 {
     import standin.Machine;
 
-    /** Milliseconds since some moment. */
+    /** Milliseconds since some fixed moment. */
     public function getTimer():int
     {
         return Machine.timer == null ? int(Machine.now()) : Machine.timer();

@@ -2,7 +2,7 @@ package flash.display
 {
     import flash.events.EventDispatcher;
 
-    /** Stands in for a display object that nobody sees, but that frames come to. */
+    /** Stands in for a display object that is not drawn, but gets frame events. */
     public class Shape extends EventDispatcher
     {
     }

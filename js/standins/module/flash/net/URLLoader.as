@@ -10,21 +10,21 @@ package flash.net
     /** Fetches a file, with Flash's events: open, progress, and complete or ioError. */
     public class URLLoader extends EventDispatcher
     {
-        /** The file, from when the event complete comes. */
+        /** The file, after the event complete. */
         public var data:* = null;
 
-        /** What data is to be: see URLLoaderDataFormat. */
+        /** The type of data: see URLLoaderDataFormat. */
         public var dataFormat:String = URLLoaderDataFormat.TEXT;
 
-        /** How many bytes are here. */
+        /** The number of bytes that have arrived. */
         public var bytesLoaded:uint = 0;
 
-        /** How many bytes the file has; 0 if that is not known. */
+        /** The number of bytes of the file; 0 if it is not known. */
         public var bytesTotal:uint = 0;
 
         private var _stop:Function = null;
 
-        /** @param request loaded at once; null waits for load() */
+        /** @param request is loaded at once; null to wait for load() */
         public function URLLoader(request:URLRequest = null)
         {
             if (request != null)
@@ -33,7 +33,7 @@ package flash.net
             }
         }
 
-        /** Begins to fetch a file, in place of one that is under way. */
+        /** Begins to fetch a file. A running download is stopped. */
         public function load(request:URLRequest):void
         {
             var url:String = request.url;

@@ -1,6 +1,6 @@
 package flash.net
 {
-    /** What a URLLoader makes of a file. */
+    /** The types in which a URLLoader returns a file. */
     public final class URLLoaderDataFormat
     {
         /** A ByteArray. */

@@ -1,6 +1,6 @@
 package flash.net
 {
-    /** What a URLLoader is to fetch: stands in for as much of Flash's class as names a file. */
+    /** The address of a file for a URLLoader. It has only the members of Flash's class that are needed for this. */
     public final class URLRequest
     {
         /** The file's address. */

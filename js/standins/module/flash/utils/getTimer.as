@@ -2,7 +2,7 @@ package flash.utils
 {
     import standin.Machine;
 
-    /** Milliseconds since some moment, with fractions: a frame takes less than one. */
+    /** Milliseconds since some fixed moment, with fractions, because a frame may take less than one. */
     public function getTimer():Number
     {
         return Machine.now();

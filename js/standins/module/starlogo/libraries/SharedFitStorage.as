@@ -4,16 +4,16 @@ package starlogo.libraries
     import standin.LocalStore;
 
     /**
-     * Keeps fits in the page's local storage, one item for each name (thesis §7.9). In Workers and in Node, which have none, and where
-     * it is switched off, nothing is kept.
+     * Keeps fits in the page's local storage, one item for each name (thesis §7.9). Workers and Node have no local storage. There, or if it
+     * is switched off, nothing is kept.
      *
-     * <p>A browser lets a site have 5 MB or so; an item takes a third more than its bytes.</p>
+     * <p>A browser lets a site store about 5 MB. An item takes a third more than its bytes.</p>
      */
     public final class SharedFitStorage implements FitStorage
     {
         private static const PREFIX:String = "starlogo-fits/";
 
-        /** The page's local storage. */
+        /** Uses the page's local storage. */
         public function SharedFitStorage()
         {
         }

@@ -1,6 +1,6 @@
 package flash.display
 {
-    /** Would show pixels. */
+    /** A bitmap that is not drawn. */
     public class Bitmap extends DisplayObject
     {
         public function Bitmap(bitmapData:BitmapData = null)

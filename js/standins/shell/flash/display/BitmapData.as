@@ -2,7 +2,7 @@ package flash.display
 {
     import flash.geom.Rectangle;
 
-    /** Pixels that nobody sees. */
+    /** Pixels. They are not drawn. */
     public class BitmapData
     {
         public function BitmapData(width:int, height:int, transparent:Boolean = true, fillColor:uint = 0xffffffff)

@@ -3,10 +3,10 @@ package flash.display
     import flash.events.Event;
     import flash.events.EventDispatcher;
 
-    /** What would be shown: its place and parent. */
+    /** A display object with a place and a parent. It is not drawn. */
     public class DisplayObject extends EventDispatcher
     {
-        /** The stage, to the main class also before it is on it. */
+        /** The stage. The main class has it before it is on the stage. */
         public static var stageOfMain:Stage = null;
 
         public var x:Number = 0;
@@ -33,7 +33,7 @@ package flash.display
             return LoaderInfo.ofMain;
         }
 
-        /** Tells this and whatever is in it. */
+        /** Sends an event to this object and all objects in it. */
         internal function tell(type:String):void
         {
             dispatchEvent(new Event(type));

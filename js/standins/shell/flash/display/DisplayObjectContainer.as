@@ -2,7 +2,7 @@ package flash.display
 {
     import flash.events.Event;
 
-    /** Has children, told when they come onto the stage and leave it. */
+    /** A container. It tells its children when they are added to the stage or removed from it. */
     public class DisplayObjectContainer extends DisplayObject
     {
         public var mouseChildren:Boolean = true;
@@ -34,7 +34,7 @@ package flash.display
             return child;
         }
 
-        /** @throws ArgumentError if it is no child of this */
+        /** @throws ArgumentError if the object is no child of this one */
         public function removeChild(child:DisplayObject):DisplayObject
         {
             var index:int = _children.indexOf(child);

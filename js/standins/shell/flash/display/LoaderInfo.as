@@ -2,10 +2,10 @@ package flash.display
 {
     import standin.Machine;
 
-    /** With what the program was started. */
+    /** The program's parameters. */
     public class LoaderInfo
     {
-        /** The main class's. */
+        /** The LoaderInfo of the main class. */
         public static const ofMain:LoaderInfo = new LoaderInfo();
 
         public function get parameters():Object

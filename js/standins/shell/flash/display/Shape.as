@@ -1,6 +1,6 @@
 package flash.display
 {
-    /** Would draw. Frames come to it. */
+    /** A shape. It is not drawn, but it gets frame events. */
     public class Shape extends DisplayObject
     {
     }

@@ -1,6 +1,6 @@
 package flash.display
 {
-    /** A container that would draw. */
+    /** A container. It is not drawn. */
     public class Sprite extends DisplayObjectContainer
     {
         private var _graphics:Graphics = new Graphics();

@@ -1,6 +1,6 @@
 package flash.display
 {
-    /** The stage, of which nothing is seen. */
+    /** The stage. It is not drawn. */
     public class Stage extends DisplayObjectContainer
     {
         public var scaleMode:String = "";

@@ -1,6 +1,6 @@
 package flash.display
 {
-    /** Where the stage is in its window. */
+    /** The places of the stage in its window. */
     public final class StageAlign
     {
         public static const TOP_LEFT:String = "TL";

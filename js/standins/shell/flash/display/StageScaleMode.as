@@ -1,6 +1,6 @@
 package flash.display
 {
-    /** How the stage fills its window. */
+    /** The ways in which the stage fills its window. */
     public final class StageScaleMode
     {
         public static const NO_SCALE:String = "noScale";

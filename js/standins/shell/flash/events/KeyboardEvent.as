@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** A key was pressed or released; only programs send it here. */
+    /** Sent when a key is pressed or released. Here only programs send it. */
     public class KeyboardEvent extends Event
     {
         public static const KEY_DOWN:String = "keyDown";

@@ -2,7 +2,7 @@ package flash.external
 {
     import standin.Machine;
 
-    /** What headless.Host calls; there is nobody else to call. */
+    /** Passes the calls of headless.Host on. There are no other functions to call. */
     public final class ExternalInterface
     {
         public static function get available():Boolean

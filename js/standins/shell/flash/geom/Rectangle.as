@@ -1,6 +1,6 @@
 package flash.geom
 {
-    /** A place among pixels. */
+    /** A rectangle of pixels. */
     public class Rectangle
     {
         public var x:Number;

@@ -1,6 +1,6 @@
 package flash.net
 {
-    /** Is never told of anything: FlexUnit names it. */
+    /** Does nothing. FlexUnit refers to it. */
     public class Responder
     {
         public function Responder(result:Function, status:Function = null)

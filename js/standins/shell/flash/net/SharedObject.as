@@ -2,14 +2,14 @@ package flash.net
 {
     import flash.events.EventDispatcher;
 
-    /** Keeps data under a name for as long as the program runs. */
+    /** Keeps data under a name while the program runs. */
     public class SharedObject extends EventDispatcher
     {
         private static var sAll:Object = {};
 
         private var _data:Object = {};
 
-        /** The object of a name, which is made if there is none. */
+        /** The object with a name. It is created if there is none. */
         public static function getLocal(name:String, localPath:String = null, secure:Boolean = false):SharedObject
         {
             if (/[ ~%&\\;:"',<>?#]/.test(name))
@@ -21,19 +21,19 @@ package flash.net
             return sAll[key];
         }
 
-        /** What is kept. */
+        /** The stored data. */
         public function get data():Object
         {
             return _data;
         }
 
-        /** Keeps it. */
+        /** Stores the data. */
         public function flush(minDiskSpace:int = 0):String
         {
             return SharedObjectFlushStatus.FLUSHED;
         }
 
-        /** Forgets it. */
+        /** Removes the data. */
         public function clear():void
         {
             _data = {};

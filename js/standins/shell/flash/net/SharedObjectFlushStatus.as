@@ -1,6 +1,6 @@
 package flash.net
 {
-    /** What flush() answers. */
+    /** The results of flush(). */
     public final class SharedObjectFlushStatus
     {
         public static const FLUSHED:String = "flushed";

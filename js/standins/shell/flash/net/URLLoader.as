@@ -7,7 +7,7 @@ package flash.net
     import flash.utils.ByteArray;
     import standin.Machine;
 
-    /** Reads files, after the frame that asks for them. */
+    /** Reads files. A file arrives after the frame that asks for it. */
     public class URLLoader extends EventDispatcher
     {
         public var data:* = undefined;

@@ -1,6 +1,6 @@
 package flash.net
 {
-    /** As what to load it. */
+    /** The forms of a loaded file. */
     public final class URLLoaderDataFormat
     {
         public static const BINARY:String = "binary";

@@ -1,6 +1,6 @@
 package flash.net
 {
-    /** What to load. */
+    /** The address of a file to load. */
     public final class URLRequest
     {
         public var url:String;

@@ -1,6 +1,6 @@
 package flash.system
 {
-    /** The shell has one itself, which knows less, and takes its own: this is for the compiler. */
+    /** For the compiler only. The shell uses its own class, which knows less. */
     public final class Capabilities
     {
         public static function get version():String

@@ -2,7 +2,7 @@ package flash.system
 {
     import standin.Machine;
 
-    /** What is in use. */
+    /** The memory in use. */
     public final class System
     {
         public static function get totalMemory():uint

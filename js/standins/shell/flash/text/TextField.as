@@ -2,7 +2,7 @@ package flash.text
 {
     import flash.display.DisplayObject;
 
-    /** A text that nobody sees. */
+    /** A text field that is not drawn. */
     public class TextField extends DisplayObject
     {
         public var text:String = "";

@@ -1,6 +1,6 @@
 package flash.text
 {
-    /** On which side a text field grows. */
+    /** The side on which a text field grows. */
     public final class TextFieldAutoSize
     {
         public static const LEFT:String = "left";

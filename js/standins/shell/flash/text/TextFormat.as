@@ -1,6 +1,6 @@
 package flash.text
 {
-    /** How text would look. */
+    /** The format of a text field. It has no effect. */
     public class TextFormat
     {
         public var align:String;

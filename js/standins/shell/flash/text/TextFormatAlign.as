@@ -1,6 +1,6 @@
 package flash.text
 {
-    /** On which side lines begin. */
+    /** The side on which lines begin. */
     public final class TextFormatAlign
     {
         public static const LEFT:String = "left";

@@ -1,6 +1,6 @@
 package flash.ui
 {
-    /** Codes of keys. */
+    /** Key codes. */
     public final class Keyboard
     {
         public static const BACKQUOTE:uint = 192;

@@ -2,7 +2,7 @@ package flash.utils
 {
     import standin.Machine;
 
-    /** What a value, or a class, has. */
+    /** A description of the members of a value or a class. */
     public function describeType(value:*):XML
     {
         return Machine.describe(value);

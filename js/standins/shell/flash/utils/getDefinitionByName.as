@@ -2,7 +2,7 @@ package flash.utils
 {
     import standin.Machine;
 
-    /** The class of that name. */
+    /** The class with a name. */
     public function getDefinitionByName(name:String):Object
     {
         return Machine.definition(name);

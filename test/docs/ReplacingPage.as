@@ -1,0 +1,88 @@
+package docs
+{
+    import game.Turtle;
+    import game.TurtleCollisions;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.collision.TightestFitCollider;
+
+    /** For docs/replacing.md: a model of the client's own; its turtles collide as spheres do whose distances are measured here. */
+    public class ReplacingPage extends Page
+    {
+        public static const FIXTURES:Array = [];
+
+        protected var kiteVertices:Vector.<Number> = new <Number>[0, 0, 0, 4, 0, 0, 2, 3, 0, 2, 1, 1];
+        protected var kiteTriangles:Vector.<uint> = new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+
+        /** @inheritDoc */
+        override protected function check(shown:Object):void
+        {
+            var turtles:Vector.<Turtle> = shown["turtles"];
+            assertTrue("there are meetings", shown["meetings"] > 0);
+            var collisions:TurtleCollisions = shown["collisions"];
+            var calls:int = 0;
+            collisions.onCollision("birds", "kites", function(bird:Turtle, kite:Turtle):void
+                {
+                    assertEquals("birds", bird.breedName);
+                    assertEquals("kites", kite.breedName);
+                    calls++;
+                });
+            collisions.update(turtles);
+            assertEquals(meetingsOf(turtles), calls);
+            checkForgotten(collisions, turtles);
+            collisions.collision.collisionSystem = new TightestFitCollider(shown["land"]);
+            collisions.update(turtles);
+            assertEquals("all are in the next frame", turtles.length, collisions.collision.statistics.agents);
+        }
+
+        private function meetingsOf(turtles:Vector.<Turtle>):int
+        {
+            var found:int = 0;
+            for each (var bird:Turtle in turtles)
+            {
+                for each (var kite:Turtle in turtles)
+                {
+                    if (bird.breedName == "birds" && kite.breedName == "kites")
+                    {
+                        found += isTouching(bird, kite) ? 1 : 0;
+                    }
+                }
+            }
+            return found;
+        }
+
+        private function isTouching(a:Turtle, b:Turtle):Boolean
+        {
+            var x:Number = a.xcor - b.xcor;
+            var y:Number = a.ycor - b.ycor;
+            return Math.sqrt(x * x + y * y) <= 1 + 1e-9;
+        }
+
+        // The first turtle that is met takes the other out: nobody meets that one again in this frame.
+        private function checkForgotten(collisions:TurtleCollisions, turtles:Vector.<Turtle>):void
+        {
+            for each (var turtle:Turtle in turtles)
+            {
+                turtle.xcor = 0;
+                turtle.ycor = 0;
+            }
+            var isFirst:Boolean = true;
+            var met:int = 0;
+            var gone:Turtle = null;
+            collisions.onCollision("kites", "birds", function(kite:Turtle, bird:Turtle):void
+                {
+                    assertTrue("gone", bird != gone && kite != gone);
+                    met++;
+                    if (isFirst)
+                    {
+                        isFirst = false;
+                        gone = bird;
+                        collisions.forget(bird);
+                    }
+                });
+            collisions.update(turtles);
+            assertEquals("of 30 kites and 30 birds, one of which was met once", 30 * 29 + 1, met);
+            gone = null;
+        }
+    }
+}

@@ -1,0 +1,169 @@
+/** The examples on their pages, in one browser: each runs without errors, shows what it says, and fits on a phone. SWFs run in the embedded player. */
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { folder, groups, isSwf, pages } from '../../build/examples/list.mjs';
+import { open, root, serveExamples } from '../../build/examples/site.mjs';
+import { launch } from '../headless/browsers.mjs';
+
+const examples = groups().flatMap((group) => group.examples);
+const LONGEST = 60;
+const ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage'];
+
+/** For each example the frame to look at, and a condition on the numbers in its text then. */
+const SHOWN = {
+	'first-collision': [60, (touches) => touches > 40],
+	'start-and-end': [200, (came, went, there) => came > 10 && went > 5 && came - went === there],
+	separate: [120, (touches, deepest) => touches > 100 && deepest > 0 && deepest < 0.3],
+	bullet: [150, (hits, misses, hitsWithout, missesWithout) => hits > 40 && misses === 0 && hitsWithout > 5 && missesWithout > 5],
+	exact: [225, (spheres, tightest, trees, triangles, frames) => triangles > 10 && triangles < trees && trees < tightest && tightest < frames && spheres > 10],
+	models: [120, (turns) => turns > 30],
+	'nearest-and-cone': [60, (inFront, near, distance) => inFront > 0 && near > 0 && distance <= 3],
+	ray: [120, (seen, all) => seen > 0 && seen < all],
+	distance: [60, (distance) => distance > 0.5],
+	slide: [300, (collected) => collected > 5],
+	falling: [200, (landed, falling) => landed > 10 && falling > 0],
+	filters: [100, (bounces) => bounces > 50],
+	snapshot: [355, (times, same, different) => times === 1 && same === 116 && different === 0],
+	'own-system': [100, (touches, across) => touches > 3 && across > 1],
+	'ten-thousand': [15, (touches) => touches > 5000],
+	'three-instances': [60, (bounces) => bounces > 100],
+	FirstCollision: [120, (touches) => touches > 100],
+	Contacts: [60, (touches, deepest) => touches > 60 && deepest > 0 && deepest < 0.3],
+	Sweeps: [120, (hits, passes, hitsWithout, passesWithout) => hits > 10 && passes === 0 && hitsWithout > 2 && passesWithout > 2],
+	Questions: [60, (inFront, near) => inFront > 0 && near > 0],
+	OwnModel: [60, (level) => level === 1],
+};
+
+let site;
+let browser;
+let page;
+const said = [];
+
+// one page for all: a new one for each takes three times as long
+before(async () => {
+	site = await serveExamples();
+	browser = await launch(ARGUMENTS);
+	page = await browser.newPage({ viewport: { width: 390, height: 844 } });
+	page.on('console', (message) => isOfPlayer(message) || /GPU stall/.test(message.text()) || said.push(message.text()));
+	page.on('pageerror', (error) => said.push(String(error)));
+	page.setDefaultTimeout(100000);
+	// the player's other ways to draw take seconds to begin without a graphics card
+	await page.addInitScript(() => { globalThis.RufflePlayer = { config: { preferredRenderer: 'canvas' } }; });
+	page.on('request', (request) => request.url().startsWith(new URL('/', site.url)) || /^(data|blob):/.test(request.url()) || said.push(request.url()));
+});
+after(async () => {
+	await browser.close();
+	site.close();
+});
+
+/** What the Flash player says of itself, and no error. */
+const isOfPlayer = (message) => message.type() !== 'error' && page.url().includes('/flash/');
+/** Opens an example as a phone shows it. */
+const show = (name, frames) => open(page, site, examples.find((example) => example.name === name), frames);
+const numbersOf = (text) => (text.match(/\d+(\.\d+)?/g) ?? []).map(Number);
+const output = () => page.textContent('output');
+
+/** How many colours the picture has. */
+const colours = () => page.evaluate(() => new Promise((resolve) => {
+	requestAnimationFrame(() => {
+		const canvas = document.querySelector('canvas');
+		const context = new OffscreenCanvas(300, 200).getContext('2d');
+		context.drawImage(canvas, 0, 0, 300, 200);
+		resolve(new Set(new Uint32Array(context.getImageData(0, 0, 300, 200).data.buffer)).size);
+	});
+}));
+
+test('every page has an entry in the index, and the index is as its script writes it', () => {
+	const files = [...readdirSync(folder), ...readdirSync(path.join(folder, 'flash'))].filter((file) => /\.(html|as)$/.test(file) && !/^(index|Land)\./.test(file));
+	const names = files.map((file) => file.split('.')[0]).sort();
+	assert.deepEqual(Object.keys(SHOWN).sort(), names);
+	assert.deepEqual(examples.map(({ name }) => name).sort(), names);
+	for (const [file, text] of pages()) {
+		assert.ok(readFileSync(path.join(folder, file), 'utf8') === text, `${file} is not what "node build/examples/index.mjs --cards" writes`);
+	}
+});
+
+test('the pages name the player that the project has', () => {
+	const [, version] = /ruffle@([\d.]+)/.exec(readFileSync(path.join(folder, 'flash/index.html'), 'utf8'));
+	assert.equal(version, JSON.parse(readFileSync(path.join(root, 'package.json'))).devDependencies['@ruffle-rs/ruffle']);
+});
+
+test('an example is one file of at most 60 lines, with a picture', () => {
+	for (const { name, file } of examples) {
+		const lines = readFileSync(path.join(folder, file), 'utf8').trimEnd().split('\n');
+		assert.ok(lines.length <= LONGEST, `${file} has ${lines.length} lines`);
+		const size = statSync(path.join(folder, `pictures/${name}.webp`)).size;
+		assert.ok(size > 1000 && size < 100000, `${name}.webp has ${size} bytes`);
+	}
+});
+
+test('the documentation has a link to each example', () => {
+	const text = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => readFileSync(path.join(root, 'docs', file), 'utf8')).join('');
+	for (const { name, file } of examples) assert.ok(text.includes(`](../examples/${file})`), `no page of docs/ has a link to ${name}`);
+});
+
+for (const { name, title, file } of examples) {
+	test(`${name} shows what it says`, { timeout: 120000 }, async () => {
+		const [frames, isShown] = SHOWN[name];
+		await show(name, frames);
+		const text = await output();
+		assert.ok(isShown(...numbersOf(text)), text);
+		const listing = await page.textContent('pre');
+		assert.ok(listing.length > 500 && readFileSync(path.join(folder, file), 'utf8').includes(listing), 'the code that is shown is that of the file');
+		assert.equal(await page.title(), title);
+		assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it is no wider than a phone');
+		if (!isSwf(name) && name !== 'three-instances') assert.ok(await colours() > 20);
+		assert.deepEqual(said.splice(0), []);
+	});
+}
+
+test('the pointer leads what is yours, Play goes on, and dark is dark', { timeout: 60000 }, async () => {
+	await page.emulateMedia({ colorScheme: 'dark' });
+	await show('first-collision', 5);
+	const before = numbersOf(await output())[0];
+	const box = await page.locator('canvas').boundingBox();
+	await page.mouse.move(box.x + 30, box.y + 30);
+	await page.getByRole('button', { name: 'Play' }).click();
+	await page.waitForFunction((touches) => Number.parseInt(document.querySelector('output').textContent) > touches + 5, before);
+	assert.equal(await page.getByRole('button', { name: 'Pause' }).count(), 1);
+	const shade = await page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number));
+	assert.ok(Math.max(...shade) < 60, `${shade}`);
+	assert.deepEqual(said.splice(0), []);
+	await page.emulateMedia({ colorScheme: null });
+});
+
+test('keys move the player that slides, and no wall lets it through', { timeout: 60000 }, async () => {
+	await show('slide', 1);
+	await page.keyboard.down('ArrowRight');
+	await page.getByRole('button', { name: 'Play' }).click();
+	await page.waitForFunction(() => document.querySelector('output').textContent.startsWith('2 '));
+	await page.waitForFunction((frame) => Number(document.documentElement.dataset.frame) > frame + 40, Number(await page.evaluate(() => document.documentElement.dataset.frame)));
+	assert.match(await output(), /^2 collected, in a wall: no$/);
+	await page.keyboard.up('ArrowRight');
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('a colour that is ticked again is filtered no more', { timeout: 60000 }, async () => {
+	await show('filters', 5);
+	assert.match(await output(), /left out: green$/);
+	await page.getByLabel('green').check();
+	await page.getByRole('button', { name: 'Play' }).click();
+	await page.waitForFunction(() => document.querySelector('output').textContent.endsWith('left out: none'));
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('opened as a file, a page says what it needs', { timeout: 60000 }, async () => {
+	await page.goto(`file://${path.join(folder, 'first-collision.html')}`);
+	assert.match(await page.textContent('.notice'), /antw examples/);
+	assert.match(await page.textContent('pre'), /onCollision/);
+	said.length = 0; // the browser says that it refuses the module
+});
+
+test('links of the index lead somewhere', async () => {
+	const html = readFileSync(path.join(folder, 'index.html'), 'utf8');
+	const targets = [...html.matchAll(/(?:href|src)="(?!\w+:)([^"#?]+)[^"]*"/g)].map(([, target]) => target);
+	assert.ok(targets.length > 2 * examples.length);
+	for (const target of targets) assert.ok(existsSync(path.join(folder, target)), target);
+});

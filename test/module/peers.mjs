@@ -1,0 +1,134 @@
+/**
+ * The other engines that the benchmark measures, each asked in the fastest way that its documentation has: a world of agents that are unit
+ * spheres, with what brings it up to date (`prepare`), what finds the pairs (`run`) and how many it found (`count`).
+ */
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+
+const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
+const load = (name) => import(pathToFileURL(tools.resolve(name)));
+
+const rapier = await load("@dimforge/rapier3d-compat");
+const RAPIER = rapier.default ?? rapier;
+const cannon = await load("cannon-es");
+const { default: KDBush } = await load("kdbush");
+// its package.json names no entry for require
+const crashcat = await import(new URL("../../js/module/node_modules/crashcat/dist/index.js", import.meta.url));
+
+await RAPIER.init();
+crashcat.registerAll();
+
+export { KDBush };
+
+/** kdbush, built anew in every frame: it is flat, and its points do not move. */
+export function askKdbush(agents) {
+	let near = 0;
+	const run = () => {
+		const tree = new KDBush(agents.length, 64, Float64Array);
+		for (const agent of agents) tree.add(agent.x, agent.y);
+		tree.finish();
+		near = 0;
+		for (const agent of agents) near += tree.within(agent.x, agent.y, 1).length - 1;
+	};
+	return { run, count: () => near / 2 };
+}
+
+/** Rapier: sensors on kinematic bodies, so nothing is pushed. Its step finds what touched before it. */
+export function askRapier(agents) {
+	const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
+	const handles = agents.map((agent) => {
+		const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased().setTranslation(agent.x, agent.y, 0.5));
+		const types = RAPIER.ActiveCollisionTypes.ALL;
+		return { body, collider: world.createCollider(RAPIER.ColliderDesc.ball(0.5).setSensor(true).setActiveCollisionTypes(types), body) };
+	});
+	let touching = 0;
+	const prepare = () => agents.forEach((agent, i) => handles[i].body.setNextKinematicTranslation({ x: agent.x, y: agent.y, z: 0.5 }));
+	const run = () => {
+		world.step();
+		touching = 0;
+		for (const { collider } of handles) world.intersectionPairsWith(collider, () => touching++);
+	};
+	return { prepare, run, count: () => touching / 2, free: () => world.free() };
+}
+
+/** cannon-es: its broad phase and its contacts, without its solver. It counts pairs in 31 bits, and so has no room for 100,000 bodies. */
+export function askCannon(agents) {
+	const space = new cannon.World();
+	space.broadphase = new cannon.SAPBroadphase(space);
+	const bodies = agents.map((agent) => {
+		const body = new cannon.Body({ mass: 1, shape: new cannon.Sphere(0.5), collisionResponse: false });
+		body.position.set(agent.x, agent.y, 0.5);
+		space.addBody(body);
+		return body;
+	});
+	const prepare = () => {
+		agents.forEach((agent, i) => {
+			bodies[i].position.set(agent.x, agent.y, 0.5);
+			bodies[i].aabbNeedsUpdate = true;
+		});
+		// as its step does: otherwise it looks for pairs in the order of places that are no more
+		space.broadphase.dirty = true;
+	};
+	let contacts = [];
+	const run = () => {
+		const first = [];
+		const second = [];
+		contacts = [];
+		space.broadphase.collisionPairs(space, first, second);
+		space.narrowphase.getContacts(first, second, space, contacts, [], [], []);
+	};
+	return { prepare, run, count: () => contacts.length };
+}
+
+/** crashcat: sensors on kinematic bodies. A step of no time finds the contacts and solves nothing. */
+export function askCrashcat(agents) {
+	const settings = crashcat.createWorldSettings();
+	const layer = crashcat.addObjectLayer(settings, crashcat.addBroadphaseLayer(settings));
+	crashcat.enableCollision(settings, layer, layer);
+	const world = crashcat.createWorld(settings);
+	const shape = crashcat.sphere.create({ radius: 0.5 });
+	const bodies = agents.map((agent) => crashcat.rigidBody.create(world,
+		{ shape, motionType: crashcat.MotionType.KINEMATIC, objectLayer: layer, position: [agent.x, agent.y, 0.5], sensor: true }));
+	let touching = 0;
+	const listener = { onContactAdded: () => touching++, onContactPersisted: () => touching++ };
+	const place = [0, 0, 0.5];
+	const prepare = () => agents.forEach((agent, i) => {
+		[place[0], place[1]] = [agent.x, agent.y];
+		crashcat.rigidBody.setPosition(world, bodies[i], place, false);
+	});
+	const run = () => {
+		touching = 0;
+		crashcat.updateWorld(world, listener, 0);
+	};
+	return { prepare, run, count: () => touching };
+}
+
+/** Two copies of a mesh in Rapier: whether they intersect with the second at a place and turned by a quaternion. */
+export function makeRapierMeshes(model) {
+	const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
+	const [first, second] = [0, 1].map(() => {
+		const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased());
+		const mesh = RAPIER.ColliderDesc.trimesh(new Float32Array(model.vertices), new Uint32Array(model.triangles));
+		return { body, collider: world.createCollider(mesh.setSensor(true).setActiveCollisionTypes(RAPIER.ActiveCollisionTypes.ALL), body) };
+	});
+	return ({ x, y, z }, [i, j, k, w]) => {
+		second.body.setTranslation({ x, y, z });
+		second.body.setRotation({ x: i, y: j, z: k, w });
+		world.step();
+		return world.intersectionPair(first.collider, second.collider);
+	};
+}
+
+/** A mesh in crashcat: the distance to the first hit of a ray, or Infinity. */
+export function makeCrashcatMesh(model) {
+	const shape = crashcat.triangleMesh.create({ positions: [...model.vertices], indices: [...model.triangles] });
+	const collector = crashcat.createClosestCastRayCollector();
+	const settings = { ...crashcat.createDefaultCastRaySettings(), collideWithBackfaces: true };
+	const { EMPTY_SUB_SHAPE_ID: NONE } = crashcat;
+	return (origin, direction, length) => {
+		collector.reset();
+		crashcat.castRayVsShape(collector, settings, origin.x, origin.y, origin.z, direction.x, direction.y, direction.z, length,
+			shape, NONE, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1);
+		return collector.hit.status === crashcat.CastRayStatus.COLLIDING ? collector.hit.fraction * length : Infinity;
+	};
+}

@@ -34,11 +34,12 @@ package support
 
         private static function heightOf(kind:String, column:int, row:int, width:Number, random:SeededRandom):Number
         {
+            if (kind == "flat" || kind == "needle")
+            {
+                return 0;
+            }
             switch (kind)
             {
-                case "flat":
-                case "needle":
-                    return 0;
                 case "steps":
                     return random.integer(0, 2) / 2;
                 case "rough":

@@ -33,9 +33,8 @@ package starlogo.solid
      * that are leaves or at their depth limit. The nodes' structures, boxes or others, decide which traversal it is. For exact tests,
      * triangles decide about the leaves.</p>
      *
-     * <p>The answers are nested: a collision of triangles is found by nodes at any depth, and a greater depth finds no more than a smaller
-     * one. Nodes are not enough for solids: the leaves cover only the surface, and a model well inside of a closed one touches none of
-     * them. So a ContainmentTest is added. Its answer is the same at all depths.</p>
+     * <p>The answers are nested. The leaves cover only the surface, so a ContainmentTest decides about a model inside a closed one, at all
+     * depths alike.</p>
      *
      * @private
      */

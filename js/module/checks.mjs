@@ -16,7 +16,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 /** Classes whose fields are written in the engine's own loops, or by it alone: they are what they are. */
 const PLAIN = new Set([
 	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
-	"RayHit", "SearchCounts", "Sphere", "TextEvent", "Vector3D",
+	"RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 
 /** Types of whose null the engine says itself what is wrong. */
@@ -99,8 +99,11 @@ export class Checks {
 		switch (parameter.type) {
 			case "ByteArray":
 				return [`${name} = $bytes(${isNamed ? where : `null, ${where}`}, ${name}, ${isNullable});`];
-			case "Vector3D":
-				return [`${isNullable ? `if (${name} != null) ` : ""}$checkVector(${isNamed ? where : `null, ${where}`}, ${name});`];
+			case "Vector3D": {
+				// what the engine writes into stays what it is
+				const isRead = !isWritten(parameter, member) && !type.qname.startsWith("flash.");
+				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${isNamed ? where : `null, ${where}`}, ${name});`];
+			}
 			default: {
 				const test = this.#typeTest(parameter.type, name);
 				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
@@ -170,6 +173,11 @@ export function mayBeNull(parameter, member, type) {
 	// Flash's own answer to a listener that is null is a number
 	if (parameter.type === "Function" && type.qname.startsWith("flash.")) return false;
 	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
+}
+
+/** Whether a parameter takes a point or a vector that a member finds. */
+export function isWritten({ name }, { doc }) {
+	return new RegExp(String.raw`@param ${name}\s+takes\b`).test(doc);
 }
 
 /** Whether a number may be infinite, a distance without an end, say, or is looked at by the engine. */

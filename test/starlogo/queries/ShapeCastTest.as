@@ -148,7 +148,7 @@ package starlogo.queries
                 }
             }
             _wrong.assertNone();
-            assertTrue(stopped + " stopped, " + free + " free", stopped > 90 && free > 60);
+            assertTrue(stopped + " stopped, " + free + " free", stopped > 50 && free > 60);
         }
 
         // What a system has for an agent is cast as the agent is.

@@ -152,12 +152,13 @@ package starlogo.intersection.sweep
                 tryFace(-1, out);
             }
             var isAtEdge:Boolean = !_isOver;
+            var slack:Number = isAtEdge ? 0 : Tolerances.SEPARATION * _size;
             for (var i:int = 0; i < 9; i += 3)
             {
                 setEdge(i);
                 _finder.find(_structure, _edge, _tried);
                 var depth:Number = highest(_tried) - lowest(_tried);
-                if (depth < out.depth - (_isOver ? Tolerances.SEPARATION * _size : 0))
+                if (depth < out.depth - slack)
                 {
                     out.copyFrom(_tried);
                     out.depth = depth;
@@ -348,7 +349,11 @@ package starlogo.intersection.sweep
         // Puts the point in the middle of the structure's corners that are lowest and over the face. Returns whether there are any.
         private function findMiddle(out:ContactPoint, low:Number):Boolean
         {
-            var back:Number = _radius - (out.depth > 0 ? out.depth / 2 : 0);
+            var back:Number = _radius;
+            if (out.depth > 0)
+            {
+                back -= out.depth / 2;
+            }
             var displacement:RelativeMotion = _finder.displacement;
             var count:int = 0;
             out.x = out.y = out.z = 0;

@@ -14,6 +14,7 @@ package starlogo.collision
     import starlogo.search.CollisionSearch;
     import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -50,6 +51,18 @@ package starlogo.collision
          * nothing. It may be exchanged between frames. It needs one of the engine's collision systems.
          */
         public var terrain:Terrain = null;
+
+        /**
+         * In place of a breed's name: the edges of the world. A handler for them gets <code>bounds.agent</code>, and a contact whose normal points into the
+         * world. ANY_BREED does not stand for them. No other agent may have this breed.
+         */
+        public static const EDGE:String = Breeds.EDGE;
+
+        /**
+         * The edges of the world, or null for none. Agents collide with them whose breeds have handlers together with <code>EDGE</code>. The others cost
+         * nothing. They may be exchanged between frames. They need one of the engine's collision systems.
+         */
+        public var bounds:WorldBounds = null;
 
         /**
          * Which agents take part: an AgentFilter, or null for all. The others cost no tests and collide with nothing, as if they were not in the
@@ -259,6 +272,7 @@ package starlogo.collision
                 _searched = system.collider;
                 _contacts.system = system;
                 _calls.fixtures[0] = terrain == null ? null : terrain.agent;
+                _calls.fixtures[1] = bounds == null ? null : bounds.agent;
                 _calls.make(_table, _lastAgents, agents, _handlerErrors);
             }
             finally
@@ -379,7 +393,7 @@ package starlogo.collision
         {
             var start:Number = getTimer();
             var ground:Agent = terrain == null ? null : terrain.agent;
-            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, ground, _calls.pairs);
+            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, ground, bounds, _calls.pairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.count;

@@ -58,17 +58,12 @@ package starlogo.queries
             _placement.z = -_extents[2];
             var shape:ModelShape = _shapes[_kind] ||= newShape();
             shape.setStructure(structure.place(_placement, shape.structure));
-            // not moveTo, because a structure may be farther away than an agent
-            _agent.placement.x = _extents[0];
-            _agent.placement.y = _extents[1];
-            _agent.placement.z = _extents[2];
-            _agent.revision++;
         }
 
         /** Makes it the first guest of a table, and returns its row; <code>table.endGuests()</code> has to follow. */
         public function readInto(table:AgentTable):int
         {
-            table.readGuest(0, _agent, _shapes[_kind]);
+            table.readFixture(0, _agent, _shapes[_kind], _extents);
             return 0;
         }
 

@@ -103,6 +103,7 @@ import {
 	Vector3D,
 	Wireframes,
 	ZAlignedBoxFitter,
+	WorldBounds,
 } from "starlogo-collision";
 
 /** What went on, line by line. */
@@ -171,6 +172,9 @@ export function play(bearText: string): number {
 // Who is where.
 function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const collision = new Collision(new TightestFitCollider(greatLand));
+	const bounds: WorldBounds = new WorldBounds(-50.5, -50.5, -Infinity, 50.5, 50.5, Infinity);
+	collision.bounds = bounds;
+	collision.onCollision("bears", Collision.EDGE, (bear, edge, contact) => log.push(`${bear} at ${edge === bounds.agent}, ${contact.normal}, ${contact.approachSpeed}`));
 	const queries = new AgentQueries(collision);
 	const filter: AgentFilter = AgentFilter.ofBreeds("paintballs");
 	filter.accepts = (agent: Agent) => agent.size < 1;

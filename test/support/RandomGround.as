@@ -37,6 +37,7 @@ package support
             switch (kind)
             {
                 case "flat":
+                    return 0;
                 case "needle":
                     return 0;
                 case "steps":

@@ -113,7 +113,8 @@ package starlogo.collision
         {
             if (ground != null || bounds != null)
             {
-                throw new IllegalOperationError((ground != null ? "a terrain needs" : "bounds need") + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
+                var what:String = ground != null ? "a terrain needs" : "bounds need";
+                throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             out.read(findCollisionsAmong(takePart == null ? agents : chosen(agents, takePart), interests, _found), agents);
         }

@@ -336,7 +336,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var collider:Collider = _system.collider;
-            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker, terrain);
+            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker, terrain, bounds);
             _searched = collider;
             keepList(agents);
             _isRefused = _touchesAreStale = false;

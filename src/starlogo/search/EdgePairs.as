@@ -106,7 +106,10 @@ package starlogo.search
                 // of two edges that face each other, the one that the row is farther beyond
                 edge = _beyond[2 * axis] >= _beyond[2 * axis + 1] ? 2 * axis : 2 * axis + 1;
                 var isTouched:Boolean = _beyond[edge] >= -_margin;
-                count += isTouched ? 1 : 0;
+                if (isTouched)
+                {
+                    count++;
+                }
                 setBack(edge, isTouched || edge == nearest);
             }
             findPoint(table, row, nearest);
@@ -148,7 +151,14 @@ package starlogo.search
             var at:Number = _middle[edge >> 1];
             var limit:Number = bounds.edges[edge];
             var beyond:Number = _half[edge >> 1];
-            beyond += edge % 2 == 0 ? limit - at : at - limit;
+            if (edge % 2 == 0)
+            {
+                beyond += limit - at;
+            }
+            else
+            {
+                beyond += at - limit;
+            }
             _beyond[edge] = beyond;
             if (table.forms[row] == ModelShape.TREE && (beyond >= -_margin || beyond - comeTo(edge) >= -_margin))
             {
@@ -188,7 +198,7 @@ package starlogo.search
             if (isTouched)
             {
                 by = Tolerances.SEPARATION * Math.max(_half[0], Math.max(_half[1], _half[2]));
-                by += _beyond[edge] > 0 ? _beyond[edge] : 0;
+                by += Math.max(0, _beyond[edge]);
             }
             _back[edge >> 1] = edge % 2 == 0 ? by : -by;
         }

@@ -29,7 +29,8 @@ package starlogo.terrain
         public function WorldBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number)
         {
             setTo(minX, minY, minZ, maxX, maxY, maxZ);
-            _agent = Agent.standIn("edge");
+            _agent = new Agent("edge");
+            _agent.giveIdBack();
             _agent.takeBreed(Breeds.EDGE);
         }
 

@@ -3,6 +3,7 @@ package starlogo.collision
     import evaluation.pairs.SeededRandom;
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertStrictlyEquals;
@@ -237,6 +238,35 @@ package starlogo.collision
                 collision.update(new <Agent>[cube]);
                 contact = collider.contactOf(cube, collision.bounds.agent);
                 assertTrue(name + contact.normal, contact.normal.x > 0 && contact.depth > 0);
+            }
+        }
+
+        [Test]
+        public function snapshotsKnowWhatTouchesTheEdges():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var cube:Agent = new Agent("cube", "cubes");
+                cube.x = 9;
+                var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
+                collision.bounds = new WorldBounds(-9, -9, -9, 9, 9, 9);
+                collision.onCollisionStart("cubes", Collision.EDGE, note("start"));
+                collision.onCollisionEnd("cubes", Collision.EDGE, note("end"));
+                var agents:Vector.<Agent> = new <Agent>[new Agent("cube", "others"), cube];
+                assertCalls(name, collision, agents, "start");
+                var bytes:ByteArray = collision.snapshot();
+                cube.x = 0;
+                assertCalls(name, collision, agents, "end");
+                var bounds:WorldBounds = collision.bounds;
+                collision.bounds = null;
+                assertThrows(ArgumentError, /a Collision with bounds/, collision.restore, bytes, agents);
+                collision.bounds = bounds;
+                assertCalls(name, collision, agents, "");
+                cube.x = 9;
+                collision.restore(bytes, agents);
+                assertCalls(name + ": it goes on touching", collision, agents, "");
+                cube.x = 0;
+                assertCalls(name, collision, agents, "end");
             }
         }
 

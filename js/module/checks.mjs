@@ -17,7 +17,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 /** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
 const PLAIN = new Set([
 	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
-	"RayHit", "SearchCounts", "Sphere", "TextEvent", "Vector3D",
+	"RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 
 /** Types for which the engine itself throws an error about null. */
@@ -100,8 +100,11 @@ export class Checks {
 		switch (parameter.type) {
 			case "ByteArray":
 				return [`${name} = $bytes(${isNamed ? where : `null, ${where}`}, ${name}, ${isNullable});`];
-			case "Vector3D":
-				return [`${isNullable ? `if (${name} != null) ` : ""}$checkVector(${isNamed ? where : `null, ${where}`}, ${name});`];
+			case "Vector3D": {
+				// what the engine writes into stays what it is
+				const isRead = !isWritten(parameter, member) && !type.qname.startsWith("flash.");
+				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${isNamed ? where : `null, ${where}`}, ${name});`];
+			}
 			default: {
 				const test = this.#typeTest(parameter.type, name);
 				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
@@ -172,6 +175,11 @@ export function mayBeNull(parameter, member, type) {
 	// Flash's own error for a null listener has only a number
 	if (parameter.type === "Function" && type.qname.startsWith("flash.")) return false;
 	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
+}
+
+/** Whether a parameter takes a point or a vector that a member finds. */
+export function isWritten({ name }, { doc }) {
+	return new RegExp(String.raw`@param ${name}\s+(?:takes|receives)\b`).test(doc);
 }
 
 /** Whether a number may be infinite, for example a distance without limit, or is checked by the engine. */

@@ -1,5 +1,6 @@
 /** Writes index.d.ts: the TypeScript declarations of the public classes, with their documentation. */
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
+import { isWritten } from "./checks.mjs";
 import { PLATFORM_NAMES } from "./names.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
@@ -22,6 +23,20 @@ export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Arra
 
 /** What is taken for a file's bytes. */
 export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
+
+/** What is taken for a point or a direction: a Vector3D, three.js's Vector3, a literal. It is read at the call. */
+export interface Point {
+    readonly x: number;
+    readonly y: number;
+    readonly z: number;
+}
+
+/** What takes a point that a question finds: its x, y and z are written. */
+export interface PointTaker {
+    x: number;
+    y: number;
+    z: number;
+}
 
 /** Which axis of a file points up, or what turns it otherwise. */
 export type UpAxis = "x" | "y" | "z" | ModelTransform;
@@ -227,6 +242,7 @@ class Writer {
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
+		if (type === "Vector3D") return `${isWritten({ name }, { doc: said }) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
 			const written = new RegExp(String.raw`@param ${name}\s+(?:(?!\n@)[\s\S])*?<code>(?:function)?(\([^<]*)</code>`).exec(said)?.[1];
 			if (!written) return PRIMITIVES.Function + orNull;

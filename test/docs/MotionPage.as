@@ -35,6 +35,11 @@ package docs
             assertEquals(1, _splashes.length);
             assertTrue("on the bear's near side: " + _splashes[0], Math.abs(_splashes[0].x + 0.5) < 0.01);
             assertEquals("the ball is gone", -1, agents.indexOf(ball));
+            agents.push(ball);
+            ball.heading = 30;
+            ball.jumpTo(50.4, 20, 0);
+            collision.update(agents);
+            assertTrue("it comes back: " + ball.heading, Math.abs(Math.cos(Math.PI / 180 * (ball.heading - 150)) - 1) < 1e-9);
         }
     }
 }

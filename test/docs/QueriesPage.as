@@ -53,6 +53,8 @@ package docs
             assertEquals(9, shown.hits.length);
             assertEquals("others are in between", false, shown.isInSight);
             assertTrue("it slides", wolf.y > 0);
+            assertTrue("the camera", shown.camera.x <= shown.eye.x);
+            assertTrue("the way back is not free", shown.bump != null && shown.bumps.length > 0);
         }
     }
 }

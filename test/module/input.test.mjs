@@ -191,13 +191,58 @@ test("structures and what Flash has take numbers and their own kind", () => {
 		refused(() => new Vector3D(value), "x must be a number");
 		refused(() => new Matrix3D().appendTranslation(0, value, 0), "y must be a number");
 	}
-	refused(() => new Sphere({ x: 0, y: 0, z: 0 }, 1), "center must be a Vector3D");
+	refused(() => new Sphere({ x: 0, y: 0 }, 1), "center must be a Vector3D, or anything with x, y and z, not a plain object");
+	refused(() => new Sphere({ x: 0, y: 0, z: "1" }, 1), 'center.z must be a number, not "1"');
 	const broken = new Vector3D();
 	broken.y = "2";
 	refused(() => new Sphere(broken, 1), "center.y", '"2"');
 	refused(() => sphereSphere(new Sphere(new Vector3D(), 1), new Agent("cube")), "sphereSphere: b must be a Sphere");
 	refused(() => new Box(new Vector3D(), 1, 2, 3), "axisX must be a Vector3D");
 	assert.equal(sphereSphere(new Sphere(new Vector3D(), 1), new Sphere(new Vector3D(1), 1)), true);
+});
+
+test("a point may be anything with x, y and z, which are read at the call", () => {
+	class Place {
+		#numbers;
+		constructor(...numbers) {
+			this.#numbers = numbers;
+		}
+		get x() {
+			return this.#numbers[0];
+		}
+		get y() {
+			return this.#numbers[1];
+		}
+		get z() {
+			return this.#numbers[2];
+		}
+	}
+	const land = makeLand();
+	const cube = new Agent("cube");
+	const queries = new engine.AgentQueries(new TightestFitCollider(land));
+	queries.update([cube]);
+	for (const at of [(x, y, z) => new Vector3D(x, y, z), (x, y, z) => ({ x, y, z }), (x, y, z) => new Place(x, y, z)]) {
+		assert.equal(queries.nearestToPoint(at(2, 0, 0.5)), cube);
+		assert.equal(queries.nearestToPoint(at(2, 0, 0.5), 1), null);
+		assert.ok(Math.abs(queries.cast(at(-3, 0, 0.5), at(2, 0, 0)).distance - 2.5) < 1e-9);
+		assert.ok(Math.abs(queries.distanceToPoint(cube, at(2, 0, 0.5)) - 1.5) < 1e-9);
+		assert.equal(queries.castShape(new Sphere(at(-3, 0, 0.5), 0.5), 4, 0, 0).agent, cube);
+		assert.ok(new Box(at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(0, 0, 1), 1, 1, 1).contains(at(0.5, 1, 0)));
+	}
+	const center = { x: 1, y: 2, z: 3 };
+	const sphere = new Sphere(center, 1);
+	center.x = 9;
+	assert.equal(sphere.center.x, 1, "nothing of it is kept");
+	assert.equal(sphere.translate({ x: 1, y: 0, z: 0 }).center.x, 2);
+	const [onCube, other] = [{ x: 0, y: 0, z: 0, name: "mine" }, { x: 0, y: 0, z: 0 }];
+	assert.ok(Math.abs(queries.distanceToPoint(cube, { x: 2, y: 0.25, z: 0.5 }, onCube) - 1.5) < 1e-9);
+	assert.ok(Math.abs(onCube.x - 0.5) < 1e-9 && onCube.y === 0.25 && onCube.name === "mine");
+	const far = new Agent("cube");
+	far.x = 3;
+	const apart = queries.distance(cube, far, onCube, other);
+	assert.ok(Math.abs(apart - 2) < 1e-9 && Math.abs(other.x - onCube.x - apart) < 1e-9);
+	refused(() => queries.cast([1, 2, 3], { x: 1, y: 0, z: 0 }), "AgentQueries.cast: origin must be a Vector3D, or anything with x, y and z");
+	assert.throws(() => queries.nearPoint({ x: 1, y: NaN, z: 0 }, 1), RangeError);
 });
 
 test("subclasses are checked as what they extend, and override it", () => {
@@ -368,7 +413,7 @@ test("an object of another copy of the engine is named as that", async () => {
 	refused(() => new Collision(new BinCollider()).update([new Agent("x"), new Hero("x")]), "agents[1] must be an Agent", COPIES);
 	refused(() => (land.fitStore = new other.FitStore()), "fitStore must be a FitStore", COPIES);
 	refused(() => (land.boundingStructures.fitters = [new other.RitterSphereFitter()]), "fitters[0] must be a Fitter", COPIES);
-	refused(() => new Sphere(new other.Vector3D(), 1), "center must be a Vector3D", COPIES);
+	assert.equal(new Sphere(new other.Vector3D(1, 2, 3), 1).center.y, 2, "a point is a point");
 	refused(() => new engine.AgentQueries(new other.BinCollider()), "questions need a Collision or one of", COPIES);
 	refused(() => new engine.AgentQueries(new other.Collision(new other.BinCollider())), "questions need a Collision or one of", COPIES);
 	class Model {}

@@ -75,6 +75,8 @@ import {
 	ObjModel,
 	OrientedBoxFitter,
 	Placement,
+	Point,
+	PointTaker,
 	RayHit,
 	RitterSphereFitter,
 	SearchCounts,
@@ -82,6 +84,7 @@ import {
 	SharedFitStorage,
 	Slices,
 	SourceFrame,
+	ShapeHit,
 	Sphere,
 	sphereBox,
 	sphereCapsule,
@@ -100,6 +103,7 @@ import {
 	Vector3D,
 	Wireframes,
 	ZAlignedBoxFitter,
+	WorldBounds,
 } from "starlogo-collision";
 
 /** What went on, line by line. */
@@ -168,6 +172,9 @@ export function play(bearText: string): number {
 // Who is where.
 function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const collision = new Collision(new TightestFitCollider(greatLand));
+	const bounds: WorldBounds = new WorldBounds(-50.5, -50.5, -Infinity, 50.5, 50.5, Infinity);
+	collision.bounds = bounds;
+	collision.onCollision("bears", Collision.EDGE, (bear, edge, contact) => log.push(`${bear} at ${edge === bounds.agent}, ${contact.normal}, ${contact.approachSpeed}`));
 	const queries = new AgentQueries(collision);
 	const filter: AgentFilter = AgentFilter.ofBreeds("paintballs");
 	filter.accepts = (agent: Agent) => agent.size < 1;
@@ -191,6 +198,11 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());
 	const hits: RayHit[] = queries.castAll(eye, ahead);
 	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
+	const bump: ShapeHit | null = queries.castShape(new Sphere(eye, 0.5), 20, 0, 0, filter, new ShapeHit());
+	const bumps: ShapeHit[] = queries.castAgentAll(agents[0], 0, 0, 9, null, []);
+	log.push(`${bump?.agent} at ${bump?.time}, ${bumps.length} bumps, ${queries.castAgent(agents[0], 0, 0, 9)}, ${queries.castShapeAll(new Sphere(eye, 1), 9, 0, 0).length}`);
+	const [above, below]: [Point, PointTaker] = [{ x: 0, y: 0, z: 9 }, { x: 0, y: 0, z: 0 }];
+	log.push(`${queries.overlapsAgent(agents[0], 0, 0, 9)}, ${queries.distanceToPoint(agents[0], above, below)} to ${below.z}`);
 	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
 	const [bear, ball] = agents;
 	log.push(`${blocks.countWithin(bear, "paintballs", 3)} within 3, ${blocks.countWith(bear, Collision.ANY_BREED, "size", 0.2)} of size 0.2`);

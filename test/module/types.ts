@@ -3,7 +3,7 @@ import {
 	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
 	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider, Vector3D,
 } from "starlogo-collision";
-import type { CollisionSystem, ModelLoaderEvents, Numbers } from "starlogo-collision";
+import type { CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit } from "starlogo-collision";
 
 /** Fails unless the two are the same. */
 type Same<X, Y> = (<T>() => T extends X ? 1 : 2) extends <T>() => T extends Y ? 1 : 2 ? true : false;
@@ -134,6 +134,11 @@ is<Same<RayHit["agent"], Agent | null>>();
 const all = questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, [hit]);
 is<Same<typeof all, RayHit<Hero>[]>>();
 questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, null, new RayHit<Hero>());
+questions.cast({ x: 0, y: 0, z: 1 }, { x: 1, y: 0, z: 0 } as const, 9);
+// @ts-expect-error a point has three numbers
+questions.cast([0, 0, 1], { x: 1, y: 0, z: 0 });
+const bump = questions.castAgent(new Hero(), 1, 0, 0);
+is<Same<typeof bump, ShapeHit<Hero> | null>>();
 // @ts-expect-error no property of an Agent
 new AgentQueries(plain).cast(new Vector3D(), new Vector3D(1, 0, 0))!.agent!.life;
 const nearest = questions.nearest(agent, 3, filter);

@@ -1,5 +1,5 @@
 import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Object3D } from "three";
-import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, RayHit, Scaling, Vector3D } from "starlogo-collision";
+import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, Point, RayHit, Scaling } from "starlogo-collision";
 
 /** The axis that points up. With y up, a scene's (x, y, z) is the engine's (x, -z, y). With z up, both have the same axes. */
 export type Up = "y" | "z";
@@ -162,7 +162,7 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
      * @returns this
      * @throws ArgumentError if the direction is 0 or not finite
      */
-    showRay(origin: Vector3D, direction: Vector3D, reach?: number, hit?: RayHit | null): this;
+    showRay(origin: Point, direction: Point, reach?: number, hit?: RayHit | null): this;
 
     /**
      * Shows lines, as Wireframes has them.

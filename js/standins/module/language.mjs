@@ -120,12 +120,13 @@ export function $checkList(target, name, list, kind = "", test = null) {
 	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], kind);
 }
 
-/** Throws if the value is no Vector3D of numbers. */
-export function $checkVector(target, name, value) {
-	if (!(value instanceof Vector3D)) $refuse(target, name, value, "a Vector3D");
+/** A point or a vector that a public method takes: a Vector3D, or one with the x, y and z that something else has at the call. */
+export function $point(target, name, value) {
+	if (typeof value !== "object" || value === null || !("x" in value && "y" in value && "z" in value)) $refuse(target, name, value, "a Vector3D, or anything with x, y and z");
 	if (typeof value.x !== "number") $refuse(target, `${name}.x`, value.x, "a number");
 	if (typeof value.y !== "number") $refuse(target, `${name}.y`, value.y, "a number");
 	if (typeof value.z !== "number") $refuse(target, `${name}.z`, value.z, "a number");
+	return value instanceof Vector3D ? value : new Vector3D(value.x, value.y, value.z);
 }
 
 /** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */

@@ -6,6 +6,7 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
     import starlogo.search.textOf;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -105,13 +106,15 @@ package starlogo.collision
          *
          * @param takePart which agents do, by their indices in the list; null for all
          * @param ground stands for the ground; null for none
-         * @throws IllegalOperationError if there is ground, and this is none of the engine's systems
+         * @param bounds the edges of the world; null for none
+         * @throws IllegalOperationError if there is ground, or there are edges, and this is none of the engine's systems
          */
-        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, out:FoundPairs):void
+        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, bounds:WorldBounds, out:FoundPairs):void
         {
-            if (ground != null)
+            if (ground != null || bounds != null)
             {
-                throw new IllegalOperationError("a terrain needs one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
+                var what:String = ground != null ? "a terrain needs" : "bounds need";
+                throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             out.read(findCollisionsAmong(takePart == null ? agents : chosen(agents, takePart), interests, _found), agents);
         }

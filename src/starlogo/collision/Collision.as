@@ -14,6 +14,7 @@ package starlogo.collision
     import starlogo.search.CollisionSearch;
     import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -52,9 +53,21 @@ package starlogo.collision
         public var terrain:Terrain = null;
 
         /**
-         * An AgentFilter that chooses the agents that take part; null for all. The others cost no tests and collide with nothing, as if they
-         * were not in the list. An agent that takes part again moves from the place where the last frame saw it. The filter is applied to each
-         * agent once a frame, before all tests. If it throws an error, the frame ends, and no handler runs.
+         * In place of a breed's name: the edges of the world. A handler for them gets <code>bounds.agent</code>, and a contact whose normal points into the
+         * world. ANY_BREED does not stand for them. No other agent may have this breed.
+         */
+        public static const EDGE:String = Breeds.EDGE;
+
+        /**
+         * The edges of the world, or null for none. Agents collide with them whose breeds have handlers together with <code>EDGE</code>. The others cost
+         * nothing. They may be exchanged between frames. They need one of the engine's collision systems.
+         */
+        public var bounds:WorldBounds = null;
+
+        /**
+         * Which agents take part: an AgentFilter, or null for all. The others cost no tests and collide with nothing, as if they were not in the
+         * list; but an agent that takes part again has moved from where the last frame saw it. It is asked once a frame of each agent, before
+         * anything is tested; an error that it throws ends the frame, and no handler runs.
          */
         public var filter:AgentPredicate = null;
 
@@ -259,6 +272,7 @@ package starlogo.collision
                 _searched = system.collider;
                 _contacts.system = system;
                 _calls.fixtures[0] = terrain == null ? null : terrain.agent;
+                _calls.fixtures[1] = bounds == null ? null : bounds.agent;
                 _calls.make(_table, _lastAgents, agents, _handlerErrors);
             }
             finally
@@ -319,7 +333,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var collider:Collider = _system.collider;
-            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker, terrain);
+            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker, terrain, bounds);
             _searched = collider;
             keepList(agents);
             _isRefused = _touchesAreStale = false;
@@ -376,7 +390,7 @@ package starlogo.collision
         {
             var start:Number = getTimer();
             var ground:Agent = terrain == null ? null : terrain.agent;
-            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, ground, _calls.pairs);
+            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, ground, bounds, _calls.pairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.count;

@@ -31,7 +31,7 @@ package starlogo.collision
             bytes.writeInt(terrain.rows);
             bytes.writeBoolean(terrain.isBlocky);
             var heights:Vector.<Number> = terrain.heights;
-            for (var at:int = 0; at < heights.length;)
+            for (var at:int = 0; at < heights.length; )
             {
                 var first:int = endOfRun(heights, at, true);
                 var end:int = endOfRun(heights, first, false);

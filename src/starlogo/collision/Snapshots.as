@@ -11,6 +11,7 @@ package starlogo.collision
     import starlogo.search.AgentTable;
     import starlogo.search.CollisionSearch;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
 
     /**
      * Writes and reads the snapshots of one Collision. A snapshot has what the next frame needs besides the agents' traits. Agents are numbers
@@ -78,11 +79,14 @@ package starlogo.collision
         /**
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
-         * @param tracker knows the pairs that touch now; it is empty afterwards, and is used in the next call
-         * @return a tracker with the pairs that touched at the time of the snapshot
+         * @param tracker knows which pairs touch now; it is empty afterwards, and used in the next call
+         * @param terrain the ground, which gets the heights that it had then; or null
+         * @param bounds the edges of the world, or null
+         * @return what knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker, terrain:Terrain):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker, terrain:Terrain,
+                bounds:WorldBounds):TouchTracker
         {
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
@@ -94,13 +98,14 @@ package starlogo.collision
             }
             if (mark != markOf(terrain))
             {
-                throw new ArgumentError("bytes are no snapshot of a Collision with" + (terrain == null ? "out" : "") + " ground");
+                var which:String = terrain == null ? "without" : "with";
+                throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
             var found:TouchTracker = _read;
             try
             {
                 search.table.check(agents);
-                check(readAll(copy, agents, found, terrain));
+                check(readAll(copy, agents, found, terrain, bounds));
                 copy.position = AGENTS_AT;
                 search.restorePositions(agents, copy);
                 if (terrain != null)
@@ -128,7 +133,8 @@ package starlogo.collision
             {
                 var pair:Touch = tracker.pairAt(i);
                 pairs.writeInt(indices[table.rowOf(pair.first)]);
-                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count : indices[table.rowOf(pair.second)]);
+                // the breeds that are reserved have the first numbers: first the ground's
+                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + pair.secondBreed : indices[table.rowOf(pair.second)]);
                 pairs.writeInt(indexIn(breeds, pair.firstBreed));
                 pairs.writeInt(indexIn(breeds, pair.secondBreed));
                 pairs.writeBoolean(pair.isBothWays);
@@ -145,8 +151,8 @@ package starlogo.collision
             bytes.writeBytes(pairs);
         }
 
-        // Checks everything, and reads the pairs into an empty tracker. False, or an EOFError, for bytes that are no snapshot.
-        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain):Boolean
+        // Looks at everything, and reads the pairs into a tracker that has none. False, or an EOFError, for bytes that are no snapshot.
+        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain, bounds:WorldBounds):Boolean
         {
             var count:int = bytes.readInt();
             if (count < 0 || count > (bytes.length - AGENTS_AT) / BYTES_PER_AGENT)
@@ -157,7 +163,7 @@ package starlogo.collision
             bytes.position = Math.max(AGENTS_AT, end);
             _who.check(bytes, count, agents);
             bytes.position = AGENTS_AT;
-            return arePositions(bytes, count) && readPairs(bytes, agents, tracker, terrain) && (terrain == null || _heights.read(bytes, terrain)) && bytes.position == end;
+            return arePositions(bytes, count) && readPairs(bytes, agents, tracker, terrain, bounds) && (terrain == null || _heights.read(bytes, terrain)) && bytes.position == end;
         }
 
         private static function arePositions(bytes:ByteArray, count:int):Boolean
@@ -173,7 +179,7 @@ package starlogo.collision
             return true;
         }
 
-        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain):Boolean
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain, bounds:WorldBounds):Boolean
         {
             var breeds:Vector.<int> = new Vector.<int>();
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
@@ -193,15 +199,33 @@ package starlogo.collision
                 var firstBreed:uint = bytes.readUnsignedInt();
                 var secondBreed:uint = bytes.readUnsignedInt();
                 var flag:int = bytes.readUnsignedByte();
-                var isGround:Boolean = second == agents.length && terrain != null;
-                if (first >= agents.length || second >= agents.length && !isGround || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
+                var other:Agent = agentAt(agents, second, terrain, bounds);
+                if (first >= agents.length || other == null || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
                 {
                     return false;
                 }
-                tracker.start(agents[first], isGround ? terrain.agent : agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
+                tracker.start(agents[first], other, breeds[firstBreed], breeds[secondBreed], flag == 1);
             }
             // each agent is there once
             return tracker.count == pairs;
+        }
+
+        // The agent with an index: after those of the list come the ground and the edges. Null if there is none.
+        private static function agentAt(agents:Vector.<Agent>, index:uint, terrain:Terrain, bounds:WorldBounds):Agent
+        {
+            if (index < agents.length)
+            {
+                return agents[index];
+            }
+            if (index == agents.length)
+            {
+                return terrain == null ? null : terrain.agent;
+            }
+            if (index == agents.length + 1 && bounds == null)
+            {
+                throw new ArgumentError("bytes are a snapshot of a Collision with bounds, which this one has not");
+            }
+            return index == agents.length + 1 ? bounds.agent : null;
         }
 
         private static function markOf(terrain:Terrain):uint

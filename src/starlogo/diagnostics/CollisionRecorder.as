@@ -9,6 +9,7 @@ package starlogo.diagnostics
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -102,10 +103,10 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, out:FoundPairs):void
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, bounds:WorldBounds, out:FoundPairs):void
         {
             var start:Number = getTimer();
-            _system.findPairs(agents, interests, takePart, ground, out);
+            _system.findPairs(agents, interests, takePart, ground, bounds, out);
             _findTimes.add(getTimer() - start);
             for (var i:int = 0; i < out.count; i++)
             {

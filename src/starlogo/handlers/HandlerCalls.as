@@ -22,8 +22,8 @@ package starlogo.handlers
         /** Knows the touching pairs of breeds that have handlers for starts or ends. */
         public var tracker:TouchTracker = new TouchTracker();
 
-        /** What agents may touch beside those of the list: their indices begin after its last. The agent of the ground, or null. */
-        public var fixtures:Vector.<Agent> = new <Agent>[null];
+        /** What agents may touch beside those of the list: their indices begin after its last. The agent of the ground, or null; that of the edges. */
+        public var fixtures:Vector.<Agent> = new <Agent>[null, null];
 
         private var _contacts:ContactSource;
         private var _table:HandlerTable = null;

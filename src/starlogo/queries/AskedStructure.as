@@ -58,17 +58,12 @@ package starlogo.queries
             _placement.z = -_extents[2];
             var shape:ModelShape = _shapes[_kind] ||= newShape();
             shape.setStructure(structure.place(_placement, shape.structure));
-            // not with moveTo, because a structure may be farther away than an agent can be
-            _agent.placement.x = _extents[0];
-            _agent.placement.y = _extents[1];
-            _agent.placement.z = _extents[2];
-            _agent.revision++;
         }
 
         /** Makes the structure the first guest of a table, and returns its row. Call <code>table.endGuests()</code> afterwards. */
         public function readInto(table:AgentTable):int
         {
-            table.readGuest(0, _agent, _shapes[_kind]);
+            table.readFixture(0, _agent, _shapes[_kind], _extents);
             return 0;
         }
 

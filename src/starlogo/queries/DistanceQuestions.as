@@ -125,13 +125,18 @@ package starlogo.queries
 
         private function writePoints(pointA:Vector3D, pointB:Vector3D):void
         {
+            // by fields alone: in JavaScript other things than Vector3Ds take points
             if (pointA != null)
             {
-                pointA.setTo(closest.aX, closest.aY, closest.aZ);
+                pointA.x = closest.aX;
+                pointA.y = closest.aY;
+                pointA.z = closest.aZ;
             }
             if (pointB != null)
             {
-                pointB.setTo(closest.bX, closest.bY, closest.bZ);
+                pointB.x = closest.bX;
+                pointB.y = closest.bY;
+                pointB.z = closest.bZ;
             }
         }
     }

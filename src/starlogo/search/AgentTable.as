@@ -187,7 +187,23 @@ package starlogo.search
             }
         }
 
-        /** Empties the rows of the guests. */
+        /**
+         * Makes the row of a guest that of a shape at a place. The place may be farther away than an agent can be.
+         *
+         * @param row 0, 1, or that of an edge
+         * @param agent stands for the shape, and is in no list
+         * @param at begins with x, y, z
+         */
+        public function readFixture(row:int, agent:Agent, shape:ModelShape, at:Vector.<Number>):void
+        {
+            agent.placement.x = at[0];
+            agent.placement.y = at[1];
+            agent.placement.z = at[2];
+            agent.revision++;
+            readGuest(row, agent, shape);
+        }
+
+        /** Lets go of the guests. */
         public function endGuests():void
         {
             agents[0] = agents[1] = null;

@@ -1,13 +1,16 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -29,6 +32,8 @@ package starlogo.search
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
         private var _motions:Motions;
+        private var _edges:EdgePairs;
+        private var _way:Vector3D = new Vector3D();
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
 
@@ -58,11 +63,16 @@ package starlogo.search
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins);
             _motions = new Motions(pairs);
+            _edges = new EdgePairs(pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
+            if (isEdge(a) || isEdge(b))
+            {
+                return isAtEdge(isEdge(a) ? b : a);
+            }
             readGuests(a, b);
             var shapes:Vector.<ModelShape> = table.shapes;
             var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(table, 0, 1);
@@ -75,15 +85,16 @@ package starlogo.search
          *
          * @param agents the list
          * @param interests the pairs of breeds; null for all
-         * @param takePart by index in the list: whether the agent takes part; null for all
-         * @param out receives the pairs. In each pair the agent that comes first in the list is first
-         * @param counts receives the counts of the search
-         * @param outAgents receives the pairs as agents, and the indices in <code>out</code> are then meaningless; null for indices
-         * @param ground the agent that stands for the ground; null if there is none. Its index in the pairs is the number of agents
+         * @param takePart which agents do, by their indices in the list; null for all
+         * @param out takes the pairs; of each, the agent that is first in the list comes first
+         * @param counts takes what the search did
+         * @param outAgents takes the pairs as agents; then the indices are not to be used. Null for indices
+         * @param ground stands for the ground; the index of its pairs is that after the last agent. Null if there is none
+         * @param bounds the edges of the world; the index of their pairs is the next. Null if there are none
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
-                outAgents:Vector.<Agent> = null, ground:Agent = null):void
+                outAgents:Vector.<Agent> = null, ground:Agent = null, bounds:WorldBounds = null):void
         {
             table.readGround(ground);
             table.read(agents);
@@ -102,7 +113,12 @@ package starlogo.search
             _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
             if (ground != null)
             {
-                findGround(interests, agents.length);
+                findFixture(interests, Breeds.TERRAIN, agents.length);
+            }
+            _edges.bounds = bounds;
+            if (bounds != null)
+            {
+                findFixture(interests, Breeds.EDGE, agents.length + 1);
             }
             _out = null;
             if (_isSwept)
@@ -144,6 +160,16 @@ package starlogo.search
          */
         public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
         {
+            if (isEdge(b))
+            {
+                return findEdgeContact(a, out);
+            }
+            if (isEdge(a))
+            {
+                var ofOther:Number = findEdgeContact(b, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                return ofOther;
+            }
             var rowA:int = table.rowOf(a);
             var rowB:int = table.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
@@ -296,37 +322,40 @@ package starlogo.search
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
-        // Finds the members that touch the ground and whose breeds are of interest together with the ground's breed.
-        private function findGround(interests:BreedInterests, index:int):void
+        // The members that touch the ground, or the edges of the world, and whose breeds are of interest together with its breed.
+        private function findFixture(interests:BreedInterests, breed:String, index:int):void
         {
             var agents:Vector.<Agent> = table.agents;
-            var ground:int = interests.indexOf(agents[RowList.GROUND].breed);
-            // writeIndices() replaces the ground's number by the same number
+            var fixture:int = interests.indexOf(breed);
+            var isGround:Boolean = breed == Breeds.TERRAIN;
+            // what writeIndices() makes of it
             _indices.length = Math.max(_indices.length, index + 1);
             _indices[index] = index;
-            for (var i:int = 0; i < _memberCount && ground >= 0; i++)
+            for (var i:int = 0; i < _memberCount && fixture >= 0; i++)
             {
                 var row:int = _memberRows[i];
-                if (!interests.includes(interests.numbers[agents[row].breedNumber], ground))
+                if (!interests.includes(interests.numbers[agents[row].breedNumber], fixture))
+                {
+                    continue;
+                }
+                var time:Number = isGround ? impactWithGround(row) : impactWithEdges(row);
+                if (time == RelativeMotion.NEVER)
                 {
                     continue;
                 }
                 if (_isSwept)
                 {
-                    _times[_out.count] = impactWithGround(row);
+                    _times[_out.count] = time;
                 }
-                if (_isSwept ? _times[_out.count] != RelativeMotion.NEVER : _pairs.areTouching(table, row, RowList.GROUND))
-                {
-                    _out.indices[2 * _out.count] = i;
-                    _out.indices[2 * _out.count + 1] = index;
-                    _out.count++;
-                }
+                _out.indices[2 * _out.count] = i;
+                _out.indices[2 * _out.count + 1] = index;
+                _out.count++;
             }
         }
 
         private function impactWithGround(row:int):Number
         {
-            if (!_motions.isSweeping[row])
+            if (!_isSwept || !_motions.isSweeping[row])
             {
                 return _pairs.areTouching(table, row, RowList.GROUND) ? 1 : RelativeMotion.NEVER;
             }
@@ -334,7 +363,60 @@ package starlogo.search
             return _motions.foundTime;
         }
 
-        // Replaces the numbers of members by the indices of their agents in the list.
+        private function impactWithEdges(row:int):Number
+        {
+            findEdgeTime(row, _isSwept);
+            return _isSwept && _motions.isSweeping[row] || _edges.time == RelativeMotion.NEVER ? _edges.time : 1;
+        }
+
+        // As EdgePairs.findTime, with the motion of the last search. _way is that.
+        private function findEdgeTime(row:int, isSwept:Boolean):void
+        {
+            _way.setTo(0, 0, 0);
+            if (isSwept && _motions.isSweeping[row])
+            {
+                _way.setTo(_motions.x[row], _motions.y[row], _motions.z[row]);
+            }
+            _edges.findTime(table, row, _way);
+        }
+
+        private function isAtEdge(agent:Agent):Boolean
+        {
+            table.readGuest(0, agent);
+            var isSeen:Boolean = table.shapes[0] != null;
+            if (isSeen)
+            {
+                findEdgeTime(0, false);
+            }
+            table.endGuests();
+            return isSeen && _edges.time <= 1;
+        }
+
+        private function isEdge(agent:Agent):Boolean
+        {
+            return _edges.bounds != null && agent === _edges.bounds.agent;
+        }
+
+        // How an agent touches the edges of the last search.
+        private function findEdgeContact(agent:Agent, out:ContactPoint):Number
+        {
+            var row:int = table.rowOf(agent);
+            var isSeen:Boolean = row >= 0 && table.shapes[row] != null;
+            if (!isSeen)
+            {
+                row = 0;
+                table.readGuest(0, agent);
+            }
+            findEdgeTime(row, _isSwept && isSeen);
+            var isMoving:Boolean = _way.x != 0 || _way.y != 0 || _way.z != 0;
+            var time:Number = isMoving && _edges.time <= 1 ? _edges.time : 1;
+            _edges.findContact(table, row, time, out);
+            _motions.approachSpeed = Math.max(0, -out.along(_way));
+            table.endGuests();
+            return time;
+        }
+
+        // From the numbers of members to the indices of their agents in the list.
         private function writeIndices(out:FoundPairs):void
         {
             for (var i:int = 0; i < 2 * out.count; i++)

@@ -19,6 +19,9 @@ package starlogo.search
         /** The row of the ground. */
         public static const GROUND:int = 2;
 
+        /** The row of a box at an edge of the world. */
+        public static const EDGE:int = 3;
+
         /** The rows of the agents, in the order of the list. */
         public var rows:Vector.<int> = new Vector.<int>();
 

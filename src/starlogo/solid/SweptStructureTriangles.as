@@ -37,12 +37,9 @@ package starlogo.solid
             structure.widen(touching);
             tolerance = 0;
             _sweep.begin(structure, motion);
-            for (var i:int = 0; i < 6; i += 2)
-            {
-                var way:Number = i == 0 ? motion.x : (i == 2 ? motion.y : motion.z);
-                extents[i] += way < 0 ? way : 0;
-                extents[int(i + 1)] += way > 0 ? way : 0;
-            }
+            extend(0, motion.x);
+            extend(2, motion.y);
+            extend(4, motion.z);
         }
 
         /** @inheritDoc */
@@ -77,6 +74,19 @@ package starlogo.solid
             _sweep.setTriangle(solid.corners, _first);
             _sweep.findContact(_motion.time, out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+        }
+
+        // Makes the extents those of the motion too.
+        private function extend(at:int, way:Number):void
+        {
+            if (way < 0)
+            {
+                extents[at] += way;
+            }
+            else
+            {
+                extents[int(at + 1)] += way;
+            }
         }
     }
 }

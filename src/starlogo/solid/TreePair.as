@@ -33,8 +33,7 @@ package starlogo.solid
      * that are leaves or at their depth limit. The nodes' structures, boxes or others, decide which traversal it is. For exact tests,
      * triangles decide about the leaves.</p>
      *
-     * <p>The answers are nested. The leaves cover only the surface, so a ContainmentTest decides about a model inside a closed one, at all
-     * depths alike.</p>
+     * <p>The answers are nested. The leaves cover only the surface, so a ContainmentTest decides about a model inside a closed one.</p>
      *
      * @private
      */
@@ -336,7 +335,6 @@ package starlogo.solid
             return areOverlapping(_a, placementA, _depthA, _b, _leaf.structure, _placementB, _depthB, _isExact);
         }
 
-        // Places the first model where the motion begins.
         private function begin(motion:RelativeMotion):void
         {
             _start.copyFrom(_placementA);
@@ -396,7 +394,7 @@ package starlogo.solid
             return _first.find(_a.root, _depthA, rootB, _depthB, _decider);
         }
 
-        // The contact of the first two triangles or nodes that findFirst has found, at the motion's time.
+        // The contact of the two that findFirst has found, at the motion's time.
         private function findContactOfFirst(motion:RelativeMotion, out:ContactPoint):void
         {
             if (!_isExact)

@@ -8,6 +8,8 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.findClosest;
 
     /**
      * Finds when a sphere, capsule or box that moves touches a triangle for the first time, and how the two touch.
@@ -42,6 +44,10 @@ package starlogo.intersection.sweep
 
         private var _finder:ContactFinder = new ContactFinder();
         private var _tried:ContactPoint = new ContactPoint();
+        private var _closest:ClosestPair = new ClosestPair();
+
+        // Whether a corner of the structure is over the face whose normal was taken.
+        private var _isOver:Boolean = true;
         private var _point:Vector3D = new Vector3D();
 
         /** No structure yet. */
@@ -139,21 +145,29 @@ package starlogo.intersection.sweep
             displacement.startY = time * _motion.y;
             displacement.startZ = time * _motion.z;
             out.depth = Infinity;
+            _isOver = true;
             if (_face.normalX != 0 || _face.normalY != 0 || _face.normalZ != 0)
             {
                 tryFace(1, out);
                 tryFace(-1, out);
             }
+            var isAtEdge:Boolean = !_isOver;
+            var slack:Number = isAtEdge ? 0 : Tolerances.SEPARATION * _size;
             for (var i:int = 0; i < 9; i += 3)
             {
                 setEdge(i);
                 _finder.find(_structure, _edge, _tried);
                 var depth:Number = highest(_tried) - lowest(_tried);
-                if (depth < out.depth - Tolerances.ROUNDING * _size)
+                if (depth < out.depth - slack)
                 {
                     out.copyFrom(_tried);
                     out.depth = depth;
+                    isAtEdge = true;
                 }
+            }
+            if (isAtEdge)
+            {
+                findPointOfEdges(out);
             }
             out.depth = out.depth > 0 ? out.depth : 0;
         }
@@ -191,6 +205,28 @@ package starlogo.intersection.sweep
             var to:int = first == 6 ? _at : from + 3;
             _edge.start.setTo(_triangle[from], _triangle[int(from + 1)], _triangle[int(from + 2)]);
             _edge.end.setTo(_triangle[to], _triangle[int(to + 1)], _triangle[int(to + 2)]);
+        }
+
+        // Puts a contact's point between the structure and the edge that is nearest to it.
+        private function findPointOfEdges(out:ContactPoint):void
+        {
+            var displacement:RelativeMotion = _finder.displacement;
+            _point.setTo(displacement.startX, displacement.startY, displacement.startZ);
+            var least:Number = Infinity;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                setEdge(i);
+                _edge.start.decrementBy(_point);
+                _edge.end.decrementBy(_point);
+                findClosest(_structure, _edge, _closest);
+                if (_closest.distance < least)
+                {
+                    least = _closest.distance;
+                    out.x = (_closest.aX + _closest.bX) / 2 + _point.x;
+                    out.y = (_closest.aY + _closest.bY) / 2 + _point.y;
+                    out.z = (_closest.aZ + _closest.bZ) / 2 + _point.z;
+                }
+            }
         }
 
         // How far a corner of the structure is from the triangle's plane.
@@ -295,8 +331,7 @@ package starlogo.intersection.sweep
                 + contact.normalZ * (_corners[int(corner + 2)] + displacement.startZ);
         }
 
-        // Takes the normal of the face, or its opposite, if the two overlap less along it. The point is in the middle of the structure's corners that are
-        // lowest, of those over the face if there are any.
+        // Takes the normal of the face, or its opposite, if the two overlap less along it.
         private function tryFace(side:Number, out:ContactPoint):void
         {
             _tried.setNormal(side * _face.normalX, side * _face.normalY, side * _face.normalZ);
@@ -308,16 +343,17 @@ package starlogo.intersection.sweep
             }
             out.copyFrom(_tried);
             out.depth = depth;
-            if (!findMiddle(out, low, true))
-            {
-                findMiddle(out, low, false);
-            }
-            out.radius = _radius;
+            _isOver = findMiddle(out, low);
         }
 
-        private function findMiddle(out:ContactPoint, low:Number, isOver:Boolean):Boolean
+        // Puts the point in the middle of the structure's corners that are lowest and over the face. Returns whether there are any.
+        private function findMiddle(out:ContactPoint, low:Number):Boolean
         {
-            var back:Number = _radius - (out.depth > 0 ? out.depth / 2 : 0);
+            var back:Number = _radius;
+            if (out.depth > 0)
+            {
+                back -= out.depth / 2;
+            }
             var displacement:RelativeMotion = _finder.displacement;
             var count:int = 0;
             out.x = out.y = out.z = 0;
@@ -328,7 +364,7 @@ package starlogo.intersection.sweep
                     continue;
                 }
                 _point.setTo(_corners[i] + displacement.startX, _corners[int(i + 1)] + displacement.startY, _corners[int(i + 2)] + displacement.startZ);
-                if (!isOver || isOverFace(_point))
+                if (isOverFace(_point))
                 {
                     out.push(_point, -back);
                     out.x += _point.x;

@@ -1,0 +1,117 @@
+package starlogo.terrain
+{
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * The edges of the world: the least and the greatest x, y and z. An agent touches them where its shape, as the collision system sees it, comes to an
+     * edge or reaches beyond it.
+     */
+    public final class WorldBounds
+    {
+        private var _edges:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _agent:Agent;
+
+        /**
+         * Edges of the world; each may be infinite, and there is none then.
+         *
+         * @param minX the least x, in patches; may be -Infinity
+         * @param minY the least y
+         * @param minZ the least z
+         * @param maxX the greatest x; may be Infinity
+         * @param maxY the greatest y
+         * @param maxZ the greatest z
+         * @throws RangeError if one is not a number, or a least one is greater than the greatest
+         */
+        public function WorldBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number)
+        {
+            setTo(minX, minY, minZ, maxX, maxY, maxZ);
+            _agent = new Agent("edge");
+            _agent.giveIdBack();
+            _agent.takeBreed(Breeds.EDGE);
+        }
+
+        /**
+         * Moves the edges; parameters and errors as in the constructor. After an error they are where they were.
+         *
+         * @param minX the least x; may be infinite
+         * @param minY the least y; may be infinite
+         * @param minZ the least z; may be infinite
+         * @param maxX the greatest x; may be infinite
+         * @param maxY the greatest y; may be infinite
+         * @param maxZ the greatest z; may be infinite
+         * @throws RangeError as the constructor does
+         */
+        public function setTo(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number):void
+        {
+            requireOrder("x", minX, maxX);
+            requireOrder("y", minY, maxY);
+            requireOrder("z", minZ, maxZ);
+            _edges[0] = minX;
+            _edges[1] = maxX;
+            _edges[2] = minY;
+            _edges[3] = maxY;
+            _edges[4] = minZ;
+            _edges[5] = maxZ;
+        }
+
+        /** The least x. */
+        public function get minX():Number
+        {
+            return _edges[0];
+        }
+
+        /** The greatest x. */
+        public function get maxX():Number
+        {
+            return _edges[1];
+        }
+
+        /** The least y. */
+        public function get minY():Number
+        {
+            return _edges[2];
+        }
+
+        /** The greatest y. */
+        public function get maxY():Number
+        {
+            return _edges[3];
+        }
+
+        /** The least z. */
+        public function get minZ():Number
+        {
+            return _edges[4];
+        }
+
+        /** The greatest z. */
+        public function get maxZ():Number
+        {
+            return _edges[5];
+        }
+
+        /** Stands for the edges in handlers: of the breed <code>Collision.EDGE</code>, in no list. None of its other traits counts. */
+        public function get agent():Agent
+        {
+            return _agent;
+        }
+
+        /** @private The edges: the least and the greatest x, then y, then z. */
+        engine function get edges():Vector.<Number>
+        {
+            return _edges;
+        }
+
+        private static function requireOrder(axis:String, least:Number, greatest:Number):void
+        {
+            if (!(least <= greatest))
+            {
+                throw new RangeError("the least " + axis + " of the world must not be greater than the greatest: " + least + ", " + greatest);
+            }
+        }
+    }
+}

@@ -1,0 +1,526 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.terrain.WorldBounds;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.OwnVectorSystem;
+    import support.SolidModels;
+    import support.TransformedStructure;
+    import support.assertThrows;
+
+    /** The edges of the world: which agents touch them, when and how, against all corners of all shapes. */
+    public class EdgesTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "hollow", "apart"];
+        private static const NEAR:Number = 1e-9;
+
+        private static var sGreatLand:GreatLand;
+        private static var sModels:Object;
+
+        private var _random:SeededRandom;
+        private var _wrong:Complaints;
+        private var _bounds:WorldBounds;
+        private var _calls:Array;
+
+        // The extent of the agent that was measured last.
+        private var _size:Number;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            sModels = {};
+            for each (var model:Model in SolidModels.all().concat(BuiltInModel.cylinder(), SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false]])))
+            {
+                sModels[model.name] = model;
+                sGreatLand.addModel(model);
+            }
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+            sModels = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(3808);
+            _wrong = new Complaints();
+            _calls = [];
+        }
+
+        [Test]
+        public function agentsTouchTheEdgesThatTheirShapesReach():void
+        {
+            var touches:int = 0;
+            var corners:int = 0;
+            var free:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var i:int = Effort.choose(20, 1500); i > 0; i--)
+                {
+                    _bounds = anyBounds();
+                    var agents:Vector.<Agent> = anyAgents(8);
+                    makeCollision(name).update(agents);
+                    for each (var agent:Agent in agents)
+                    {
+                        var beyond:Array = beyondOf(name, agent);
+                        var most:Number = Math.max.apply(null, beyond);
+                        var contact:Contact = contactWith(agent);
+                        if (Math.abs(most) > NEAR && most > 0 != (contact != null))
+                        {
+                            _wrong.add(name + ": touches", most + ", " + contact + ": " + agent);
+                        }
+                        if (contact == null)
+                        {
+                            free++;
+                            continue;
+                        }
+                        touches++;
+                        corners += Math.abs(contact.normal.x) < 0.999 && Math.abs(contact.normal.y) < 0.999 && Math.abs(contact.normal.z) < 0.999 ? 1 : 0;
+                        assertSeparates(name, agent, contact);
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(touches + " touch, " + corners + " in corners, " + free + " free", touches > 200 && corners > 20 && free > 150);
+        }
+
+        [Test]
+        public function whatSweepsTouchesWhenItComesThere():void
+        {
+            var passing:int = 0;
+            var begun:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var i:int = Effort.choose(40, 3000); i > 0; i--)
+                {
+                    _bounds = anyBounds();
+                    var agent:Agent = anyAgents(1)[0];
+                    agent.sweeps = true;
+                    var collision:Collision = makeCollision(name);
+                    var way:Vector3D = new Vector3D(_random.between(-9, 9), _random.between(-9, 9), _random.between(-9, 9));
+                    agent.moveTo(0.8 * agent.x, 0.8 * agent.y, 0.8 * agent.z);
+                    var before:Array = beyondOf(name, agent);
+                    collision.update(new <Agent>[agent]);
+                    agent.moveTo(agent.x + way.x, agent.y + way.y, agent.z + way.z);
+                    _calls = [];
+                    collision.update(new <Agent>[agent]);
+                    assertTime(name, agent, before, beyondOf(name, agent), way);
+                    var contact:Contact = contactWith(agent);
+                    if (contact != null)
+                    {
+                        contact.time == 0 ? begun++ : passing++;
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(passing + " come to an edge, " + begun + " begin there", passing > 30 && begun > 15);
+        }
+
+        // As the client of 2017 does it at 50.5.
+        [Test]
+        public function aBounceIsOneLine():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var ball:Agent = new Agent("sphere", "balls");
+                ball.moveTo(49, 3, 0);
+                var speed:Vector3D = new Vector3D(0.75, 0.5, 0);
+                var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
+                collision.bounds = new WorldBounds(-50.5, -50.5, -Infinity, 50.5, 50.5, Infinity);
+                collision.onCollision("balls", Collision.EDGE, function(agent:Agent, edge:Agent, contact:Contact):void
+                    {
+                        speed.x -= 2 * Math.min(0, speed.dotProduct(contact.normal)) * contact.normal.x;
+                        speed.y -= 2 * Math.min(0, speed.dotProduct(contact.normal)) * contact.normal.y;
+                    });
+                var bounces:int = 0;
+                for (var frame:int = 0; frame < 1000; frame++)
+                {
+                    ball.moveTo(ball.x + speed.x, ball.y + speed.y, 0);
+                    var was:Number = speed.x;
+                    collision.update(new <Agent>[ball]);
+                    bounces += speed.x != was ? 1 : 0;
+                    assertTrue(name + ": " + ball.x, Math.abs(ball.x) < 50.5 + 0.75 && Math.abs(ball.y) < 50.5 + 0.75);
+                }
+                assertEquals(name, 8, bounces);
+                assertEquals(name, 0.75, Math.abs(speed.x));
+            }
+        }
+
+        [Test]
+        public function startsAndEndsFromBothSides():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var cube:Agent = new Agent("cube", "cubes");
+                var other:Agent = new Agent("cube", "others");
+                var agents:Vector.<Agent> = new <Agent>[other, cube];
+                var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
+                collision.bounds = _bounds = new WorldBounds(-Infinity, -Infinity, -Infinity, 5, Infinity, Infinity);
+                _calls = [];
+                collision.onCollisionStart("cubes", Collision.EDGE, note("start"));
+                collision.onCollisionEnd("cubes", Collision.EDGE, note("end"));
+                collision.onCollision(Collision.EDGE, "cubes", note("back"));
+                collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, note("any"));
+                other.x = 20;
+                assertCalls(name, collision, agents, "");
+                cube.x = 4.5;
+                assertCalls(name + ": touching counts", collision, agents, "start back");
+                cube.x = 7;
+                assertCalls(name, collision, agents, "back");
+                cube.breed = "others";
+                assertCalls(name, collision, agents, "end");
+                cube.breed = "cubes";
+                assertCalls(name, collision, agents, "start back");
+                collision.bounds = null;
+                assertCalls(name, collision, agents, "end");
+                collision.bounds = _bounds;
+                assertCalls(name, collision, agents, "start back");
+                _bounds.setTo(-Infinity, -Infinity, -Infinity, 9, Infinity, Infinity);
+                assertCalls(name, collision, agents, "end");
+                cube.x = 8.6;
+                collision.filter = new NoAgents();
+                assertCalls(name, collision, agents, "");
+                collision.filter = null;
+                assertCalls(name, collision, agents, "start back");
+                agents.pop();
+                assertCalls(name + ": out of the list", collision, agents, "end");
+                assertStrictlyEquals(_bounds.agent, _bounds.agent);
+                assertEquals(Collision.EDGE, _bounds.agent.breed);
+            }
+        }
+
+        [Test]
+        public function aColliderTellsOfTheLastFramesEdges():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var collision:Collision = new Collision(collider);
+                collision.bounds = new WorldBounds(0, -Infinity, 0, 9, Infinity, 9);
+                var cube:Agent = new Agent("cube", "cubes");
+                cube.moveTo(0.25, 0, 3);
+                collision.update(new <Agent>[cube]);
+                assertTrue(name, collider.areColliding(cube, collision.bounds.agent) && collider.areColliding(collision.bounds.agent, cube));
+                var contact:Contact = collider.contactOf(cube, collision.bounds.agent);
+                assertTrue(name + contact.normal, contact.normal.x == 1 && Math.abs(contact.depth - 0.25) < NEAR && contact.time == 1);
+                assertTrue(name + contact.point, Math.abs(contact.point.x + 0.125) < NEAR && Math.abs(contact.point.y) < 0.5 + NEAR);
+                assertEquals(name, -1, collider.contactOf(collision.bounds.agent, cube).normal.x);
+                var far:Agent = new Agent("cube");
+                far.moveTo(5, 0, 4);
+                assertFalse(name, collider.areColliding(far, collision.bounds.agent));
+                assertEquals(name + ": nearest", 0, collider.contactOf(far, collision.bounds.agent).depth);
+                // it is larger than the world: it cannot get free, and is led to the side where it is less far beyond
+                cube.size = 20;
+                cube.moveTo(3, 0, 20);
+                collision.update(new <Agent>[cube]);
+                contact = collider.contactOf(cube, collision.bounds.agent);
+                assertTrue(name + contact.normal, contact.normal.x > 0 && contact.depth > 0);
+            }
+        }
+
+        [Test]
+        public function snapshotsKnowWhatTouchesTheEdges():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var cube:Agent = new Agent("cube", "cubes");
+                cube.x = 9;
+                var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
+                collision.bounds = new WorldBounds(-9, -9, -9, 9, 9, 9);
+                collision.onCollisionStart("cubes", Collision.EDGE, note("start"));
+                collision.onCollisionEnd("cubes", Collision.EDGE, note("end"));
+                var agents:Vector.<Agent> = new <Agent>[new Agent("cube", "others"), cube];
+                assertCalls(name, collision, agents, "start");
+                var bytes:ByteArray = collision.snapshot();
+                cube.x = 0;
+                assertCalls(name, collision, agents, "end");
+                var bounds:WorldBounds = collision.bounds;
+                collision.bounds = null;
+                assertThrows(ArgumentError, /a Collision with bounds/, collision.restore, bytes, agents);
+                collision.bounds = bounds;
+                assertCalls(name, collision, agents, "");
+                cube.x = 9;
+                collision.restore(bytes, agents);
+                assertCalls(name + ": it goes on touching", collision, agents, "");
+                cube.x = 0;
+                assertCalls(name, collision, agents, "end");
+            }
+        }
+
+        [Test]
+        public function whatIsRefusedChangesNothing():void
+        {
+            assertThrows(RangeError, /NaN/, makeBounds, NaN, 0, 0, 1, 1, 1);
+            assertThrows(RangeError, /least y.*2, 1/, makeBounds, 0, 2, 0, 1, 1, 1);
+            var bounds:WorldBounds = new WorldBounds(-1, -2, -3, 1, 2, Infinity);
+            assertThrows(RangeError, /least z.*NaN/, bounds.setTo, 0, 0, 0, 1, 1, NaN);
+            assertEquals("-1,-2,-3,1,2,Infinity", [bounds.minX, bounds.minY, bounds.minZ, bounds.maxX, bounds.maxY, bounds.maxZ].join());
+            var collision:Collision = new Collision(new BinCollider());
+            assertThrows(ArgumentError, /agents\[0\].*edges of the world/, collision.update, new <Agent>[bounds.agent]);
+            assertThrows(ArgumentError, /breed/, function():void
+                {
+                    new Agent("cube", Collision.EDGE);
+                });
+            collision = new Collision(new OwnVectorSystem(new <Agent>[]));
+            collision.bounds = bounds;
+            assertThrows(IllegalOperationError, /bounds need one of the engine's collision systems/, collision.update, new <Agent>[]);
+        }
+
+        private function makeBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number):void
+        {
+            new WorldBounds(minX, minY, minZ, maxX, maxY, maxZ);
+        }
+
+        private function note(name:String):Function
+        {
+            return function(a:Agent, b:Agent):void
+            {
+                _calls.push(name);
+            };
+        }
+
+        private function assertCalls(message:String, collision:Collision, agents:Vector.<Agent>, expected:String):void
+        {
+            _calls = [];
+            collision.update(agents);
+            assertEquals(message, expected, _calls.join(" "));
+        }
+
+        private function makeCollision(name:String):Collision
+        {
+            var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
+            collision.bounds = _bounds;
+            collision.onCollision("turtles", Collision.EDGE, function(agent:Agent, edge:Agent, contact:Contact):void
+                {
+                    var copy:Contact = new Contact();
+                    copy.time = contact.time;
+                    copy.depth = contact.depth;
+                    copy.approachSpeed = contact.approachSpeed;
+                    copy.normal.copyFrom(contact.normal);
+                    copy.point.copyFrom(contact.point);
+                    assertStrictlyEquals(_bounds.agent, edge);
+                    _calls.push([agent, copy]);
+                });
+            _calls = [];
+            return collision;
+        }
+
+        private function contactWith(agent:Agent):Contact
+        {
+            for each (var call:Array in _calls)
+            {
+                if (call[0] == agent)
+                {
+                    return call[1];
+                }
+            }
+            return null;
+        }
+
+        // Moved by the depth and a little more along the normal it touches no edge; by a little less it still does. Unless it is as large as the world.
+        private function assertSeparates(name:String, agent:Agent, contact:Contact):void
+        {
+            var beyond:Array = beyondOf(name, agent);
+            var size:Number = _size;
+            var message:String = beyond + ", depth " + contact.depth + ", normal " + contact.normal + ", point " + contact.point + ": " + agent;
+            if (Math.abs(contact.normal.length - 1) > 1e-12 || contact.time != 1 || contact.approachSpeed != 0)
+            {
+                _wrong.add(name + ": contact", message);
+            }
+            var normals:Array = [contact.normal.x, -contact.normal.x, contact.normal.y, -contact.normal.y, contact.normal.z, -contact.normal.z];
+            var isFree:Boolean = true;
+            var isTouching:Boolean = false;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                isFree = isFree && beyond[edge] - (contact.depth + 1e-9 * size) * normals[edge] < 0;
+                isTouching = isTouching || beyond[edge] - (contact.depth - 1.1e-9 * size) * normals[edge] >= 0;
+            }
+            if (!isFree || !isTouching)
+            {
+                _wrong.add(name + ": separates " + isFree + ", " + isTouching, message);
+            }
+            // the point is beyond the edges that it is led away from, no deeper than the agent
+            var point:Array = [_bounds.minX - contact.point.x, contact.point.x - _bounds.maxX, _bounds.minY - contact.point.y, contact.point.y - _bounds.maxY,
+                    _bounds.minZ - contact.point.z, contact.point.z - _bounds.maxZ];
+            for (edge = 0; edge < 6; edge++)
+            {
+                if (normals[edge] > 0 && Math.abs(point[edge] - beyond[edge] / 2) > 1e-8 || point[edge] > Math.max(beyond[edge], 0) + 1e-8)
+                {
+                    _wrong.add(name + ": point", point + ": " + message);
+                }
+            }
+        }
+
+        private function assertTime(name:String, agent:Agent, before:Array, after:Array, way:Vector3D):void
+        {
+            var time:Number = Infinity;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                if (before[edge] >= 0)
+                {
+                    time = 0;
+                }
+                else if (after[edge] >= 0)
+                {
+                    time = Math.min(time, before[edge] / (before[edge] - after[edge]));
+                }
+            }
+            var contact:Contact = contactWith(agent);
+            var message:String = time + ", " + (contact == null ? "none" : contact.time + ", normal " + contact.normal + ", depth " + contact.depth) + ": " + agent;
+            if (time <= 1 != (contact != null) || contact != null && Math.abs(contact.time - time) > NEAR)
+            {
+                _wrong.add(name + ": time", message);
+            }
+            else if (contact != null && Math.abs(contact.approachSpeed - Math.max(0, -way.dotProduct(contact.normal))) > NEAR)
+            {
+                _wrong.add(name + ": speed", contact.approachSpeed + ": " + message);
+            }
+            else if (contact != null && time > 0 && contact.depth > NEAR)
+            {
+                _wrong.add(name + ": depth", message);
+            }
+        }
+
+        // How far an agent reaches beyond each edge, by all points of its shape.
+        private function beyondOf(name:String, agent:Agent):Array
+        {
+            var least:Vector3D = new Vector3D(Infinity, Infinity, Infinity);
+            var most:Vector3D = new Vector3D(-Infinity, -Infinity, -Infinity);
+            for each (var ball:Array in ballsOf(name, agent))
+            {
+                var at:Vector3D = ball[0];
+                var radius:Number = ball[1];
+                least.setTo(Math.min(least.x, at.x - radius), Math.min(least.y, at.y - radius), Math.min(least.z, at.z - radius));
+                most.setTo(Math.max(most.x, at.x + radius), Math.max(most.y, at.y + radius), Math.max(most.z, at.z + radius));
+            }
+            _size = Math.max(most.x - least.x, most.y - least.y, most.z - least.z);
+            return [_bounds.minX - least.x, most.x - _bounds.maxX, _bounds.minY - least.y, most.y - _bounds.maxY, _bounds.minZ - least.z, most.z - _bounds.maxZ];
+        }
+
+        // Balls whose hull is an agent's shape, in the world.
+        private function ballsOf(name:String, agent:Agent):Array
+        {
+            if (name == "bins")
+            {
+                return [[new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2]];
+            }
+            var isTree:Boolean = name != "tightest fits" && (agent.hierarchical || name.indexOf("combinations") < 0);
+            if (!isTree)
+            {
+                return ballsOfStructure(TransformedStructure.of(sGreatLand.boundingStructures.tightestFit(agent.shape), agent));
+            }
+            var balls:Array = [];
+            if (name == "triangles" || name == "combinations, exact")
+            {
+                var vertices:Vector.<Number> = sModels[agent.shape].vertices;
+                for (var i:int = 0; i < vertices.length; i += 3)
+                {
+                    var point:Sphere = new Sphere(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2]), 0);
+                    balls.push([Sphere(TransformedStructure.of(point, agent)).center, 0]);
+                }
+                return balls;
+            }
+            addNodes(sGreatLand.hierarchies.root(agent.shape), 5, agent, balls);
+            return balls;
+        }
+
+        private function addNodes(node:HierarchyNode, depth:int, agent:Agent, balls:Array):void
+        {
+            if (depth > 1 && !node.isLeaf)
+            {
+                addNodes(node.left, depth - 1, agent, balls);
+                addNodes(node.right, depth - 1, agent, balls);
+                return;
+            }
+            for each (var ball:Array in ballsOfStructure(TransformedStructure.of(node.bounds, agent)))
+            {
+                balls.push(ball);
+            }
+        }
+
+        private static function ballsOfStructure(structure:BoundingStructure):Array
+        {
+            if (structure is Sphere)
+            {
+                return [[Sphere(structure).center, Sphere(structure).radius]];
+            }
+            if (structure is Capsule)
+            {
+                return [[Capsule(structure).start, Capsule(structure).radius], [Capsule(structure).end, Capsule(structure).radius]];
+            }
+            var box:Box = Box(structure);
+            var balls:Array = [];
+            for (var i:int = 0; i < 8; i++)
+            {
+                var x:Number = i % 2 == 0 ? box.halfX : -box.halfX;
+                var y:Number = i % 4 < 2 ? box.halfY : -box.halfY;
+                var z:Number = i < 4 ? box.halfZ : -box.halfZ;
+                balls.push([new Vector3D(box.center.x + x * box.axisX.x + y * box.axisY.x + z * box.axisZ.x,
+                                box.center.y + x * box.axisX.y + y * box.axisY.y + z * box.axisZ.y,
+                                box.center.z + x * box.axisX.z + y * box.axisY.z + z * box.axisZ.z), 0]);
+            }
+            return balls;
+        }
+
+        private function anyBounds():WorldBounds
+        {
+            var size:Number = _random.pick([6, 9, 12]);
+            return new WorldBounds(_random.chance(0.2) ? -Infinity : -size, _random.chance(0.2) ? -Infinity : -size, _random.chance(0.5) ? -Infinity : -size,
+                    _random.chance(0.2) ? Infinity : size, _random.chance(0.2) ? Infinity : size + 1, _random.chance(0.5) ? Infinity : size);
+        }
+
+        private function anyAgents(count:int):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                var agent:Agent = new Agent(_random.pick(SHAPES));
+                agent.moveTo(_random.between(-10, 10), _random.between(-10, 10), _random.between(-10, 10));
+                agent.heading = _random.pick([0, 90, _random.between(0, 360)]);
+                agent.size = _random.logBetween(0.3, 4);
+                agent.hierarchical = _random.chance();
+                if (_random.chance())
+                {
+                    agent.pitch = _random.between(-90, 90);
+                    agent.roll = _random.between(-90, 90);
+                }
+                agents.push(agent);
+            }
+            return agents;
+        }
+    }
+}
+
+import starlogo.agents.Agent;
+import starlogo.agents.AgentPredicate;
+
+class NoAgents extends AgentPredicate
+{
+    override public function admits(agent:Agent):Boolean
+    {
+        return false;
+    }
+}

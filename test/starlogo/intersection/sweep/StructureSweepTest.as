@@ -1,0 +1,146 @@
+package starlogo.intersection.sweep
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.TriangleBox;
+    import starlogo.intersection.contact.ContactPoint;
+    import support.Complaints;
+    import support.Effort;
+    import support.SurfaceDistance;
+    import support.TriangleDistance;
+
+    /** When structures that move touch a triangle, and how: against their distances at many times. */
+    public class StructureSweepTest
+    {
+        private static const NEAR:Number = 1e-9;
+
+        private var _random:SeededRandom = new SeededRandom(3806);
+        private var _structures:RandomStructures = new RandomStructures(_random);
+        private var _box:TriangleBox = new TriangleBox();
+        private var _wrong:Complaints = new Complaints();
+
+        [Test]
+        public function timesAndContactsAreThoseOfManySteps():void
+        {
+            var hits:int = 0;
+            var misses:int = 0;
+            for (var i:int = Effort.choose(3000, 30000); i > 0; i--)
+            {
+                var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
+                var corners:Vector.<Number> = anyTriangle(i % 4);
+                var motion:RelativeMotion = new RelativeMotion();
+                motion.x = _random.between(-4, 4);
+                motion.y = _random.between(-4, 4);
+                motion.z = _random.chance(0.2) ? 0 : _random.between(-4, 4);
+                if (areTouching(structure, corners, 0))
+                {
+                    continue;
+                }
+                var sweep:StructureSweep = new StructureSweep();
+                sweep.begin(structure, motion);
+                sweep.setTriangle(corners, 0);
+                sweep.findTime(1);
+                var end:Number = Math.min(1, sweep.time);
+                var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + sweep.time;
+                for (var k:int = 1; k <= 16; k++)
+                {
+                    if (areTouching(moved(structure, motion, end * (1 - 1e-7) * k / 16), corners, 0))
+                    {
+                        _wrong.add("through", message);
+                        break;
+                    }
+                }
+                if (sweep.time > 1)
+                {
+                    misses++;
+                    continue;
+                }
+                hits++;
+                assertContact(structure, corners, motion, sweep, message);
+            }
+            _wrong.assertNone();
+            assertTrue(hits + " hits, " + misses + " misses", hits > 100 && misses > 100);
+        }
+
+        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:StructureSweep, message:String):void
+        {
+            var there:BoundingStructure = moved(structure, motion, sweep.time);
+            if (!areTouching(there, corners, NEAR))
+            {
+                _wrong.add("no touch", message);
+            }
+            var out:ContactPoint = new ContactPoint();
+            sweep.findContact(sweep.time, out);
+            var point:Vector3D = new Vector3D(out.x, out.y, out.z);
+            var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
+            var onStructure:Number = SurfaceDistance.of(there, point);
+            var onTriangle:Number = TriangleDistance.between(numbersOf(corners), [point.x, point.y, point.z, point.x, point.y, point.z, point.x, point.y, point.z]);
+            if (!(onStructure < 1e-7) || !(onTriangle < 1e-7) || out.depth > NEAR)
+            {
+                _wrong.add("point", onStructure + ", " + onTriangle + ", depth " + out.depth + ", normal " + normal + ": " + message);
+            }
+            var apart:BoundingStructure = there.clone().translate(new Vector3D(1e-7 * normal.x, 1e-7 * normal.y, 1e-7 * normal.z));
+            if (Math.abs(normal.length - 1) > 1e-12 || areTouching(apart, corners, 0))
+            {
+                _wrong.add("normal", normal + ": " + message);
+            }
+        }
+
+        private function areTouching(structure:BoundingStructure, corners:Vector.<Number>, tolerance:Number):Boolean
+        {
+            if (structure.kind == BoundingStructure.BOX)
+            {
+                _box.box = Box(structure);
+                _box.tolerance = tolerance;
+                return _box.touches(corners, 0);
+            }
+            var capsule:Capsule = structure as Capsule;
+            var start:Vector3D = capsule == null ? Sphere(structure).center : capsule.start;
+            var end:Vector3D = capsule == null ? start : capsule.end;
+            var radius:Number = capsule == null ? Sphere(structure).radius : capsule.radius;
+            var core:Array = [start.x, start.y, start.z, end.x, end.y, end.z, end.x, end.y, end.z];
+            return TriangleDistance.between(numbersOf(corners), core) <= radius + tolerance;
+        }
+
+        private static function numbersOf(corners:Vector.<Number>):Array
+        {
+            var numbers:Array = [];
+            for (var i:int = 0; i < 9; i++)
+            {
+                numbers.push(corners[i]);
+            }
+            return numbers;
+        }
+
+        private static function moved(structure:BoundingStructure, motion:RelativeMotion, time:Number):BoundingStructure
+        {
+            return structure.clone().translate(new Vector3D(time * motion.x, time * motion.y, time * motion.z));
+        }
+
+        // Large and small ones, needles, and those without area.
+        private function anyTriangle(kind:int):Vector.<Number>
+        {
+            var corners:Vector.<Number> = new Vector.<Number>();
+            var size:Number = _random.logBetween(0.2, 10);
+            for (var i:int = 0; i < 9; i++)
+            {
+                corners.push(size * _random.between(-1, 1));
+            }
+            if (kind == 0)
+            {
+                var share:Number = _random.between(0, 1);
+                for (i = 0; i < 3; i++)
+                {
+                    corners[6 + i] = corners[i] + share * (corners[3 + i] - corners[i]) + _random.pick([0, 1e-9, 1e-4]) * _random.between(-1, 1);
+                }
+            }
+            return corners;
+        }
+    }
+}

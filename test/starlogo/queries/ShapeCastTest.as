@@ -1,0 +1,451 @@
+package starlogo.queries
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.Collider;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.SolidModels;
+    import support.SurfaceDistance;
+    import support.TransformedStructure;
+    import support.assertThrows;
+
+    /** Structures and agents that are cast along a way: against the motions of agents, and against small steps. */
+    public class ShapeCastTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "hollow", "apart"];
+        private static const NEAR:Number = 1e-8;
+
+        private static var sGreatLand:GreatLand;
+
+        private var _random:SeededRandom;
+        private var _structures:RandomStructures;
+        private var _wrong:Complaints;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            for each (var model:Model in SolidModels.all())
+            {
+                sGreatLand.addModel(model);
+            }
+            sGreatLand.addModel(BuiltInModel.cylinder());
+            sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(3805);
+            _structures = new RandomStructures(_random);
+            _wrong = new Complaints();
+        }
+
+        [Test]
+        public function agentsAreCastAsTheyMove():void
+        {
+            var stopped:int = 0;
+            var free:int = 0;
+            var several:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var hits:Vector.<ShapeHit> = new Vector.<ShapeHit>();
+                for (var i:int = Effort.choose(60, 5000); i > 0; i--)
+                {
+                    // half of the worlds begin with overlaps
+                    var agents:Vector.<Agent> = anyAgents(8, i % 2 == 0 ? 1.5 : 4);
+                    queries.update(i % 3 == 0 ? agents.slice(1) : agents);
+                    var agent:Agent = agents[0];
+                    var way:Vector3D = anyWay(5);
+                    var before:String = traitsOf(agent);
+                    var hit:ShapeHit = queries.castAgent(agent, way.x, way.y, way.z);
+                    queries.castAgentAll(agent, way.x, way.y, way.z, null, hits);
+                    assertEquals(name + ": nothing moves", before, traitsOf(agent));
+                    assertHitsAreThoseOfEach(name, queries, agent, way, hits);
+                    several += hits.length > 1 ? 1 : 0;
+                    var contact:Contact = new Contact();
+                    var part:Number = queries.moveUntilTouch(agent, way.x, way.y, way.z, null, contact);
+                    if (hit == null)
+                    {
+                        free++;
+                        assertEquals(name + ": free", 1, part);
+                        assertEquals(name + ": none", 0, hits.length);
+                        continue;
+                    }
+                    stopped++;
+                    assertEquals(name + ": time", part, hit.time);
+                    assertTrue(name + ": point and normal", hit.point.equals(contact.point) && hit.normal.equals(contact.normal));
+                    assertTrue(name + ": approach", Math.abs(contact.approachSpeed + Math.min(0, way.dotProduct(contact.normal))) < 1e-12);
+                    assertTrue(name + ": the first of all, " + hits[0].time + " and " + part, Math.abs(hits[0].time - part) < 1e-6);
+                }
+            }
+            assertTrue(stopped + " stopped, " + free + " free, " + several, stopped > 100 && free > 60 && several > 60);
+        }
+
+        [Test]
+        public function structuresGoAsFarAsNothingOverlaps():void
+        {
+            var stopped:int = 0;
+            var free:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var found:Vector.<Agent> = new Vector.<Agent>();
+                for (var i:int = Effort.choose(90, 6000); i > 0; i--)
+                {
+                    queries.update(anyAgents(9, 2.5));
+                    var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.05, 1), 4);
+                    var way:Vector3D = anyWay(5);
+                    if (queries.overlapping(structure, null, found).length > 0)
+                    {
+                        continue;
+                    }
+                    var was:String = structure.toString();
+                    var hit:ShapeHit = queries.castShape(structure, way.x, way.y, way.z);
+                    assertEquals(name + ": not changed", was, structure.toString());
+                    var most:Number = hit == null ? 1 : hit.time;
+                    for (var k:int = 0; k <= 40; k++)
+                    {
+                        var share:Number = most * (1 - 1e-7) * k / 40;
+                        if (queries.overlapping(moved(structure, way, share), null, found).length > 0)
+                        {
+                            _wrong.add(name + ": goes through", structure + " along " + way + ", at " + share + " of " + most);
+                            break;
+                        }
+                    }
+                    if (hit == null)
+                    {
+                        free++;
+                        continue;
+                    }
+                    stopped++;
+                    assertHit(name, queries, structure, way, hit);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(stopped + " stopped, " + free + " free", stopped > 50 && free > 60);
+        }
+
+        // What a system has for an agent is cast as the agent is.
+        [Test]
+        public function fitsAreCastAsTheirAgents():void
+        {
+            var stopped:int = 0;
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("tightest fits", sGreatLand));
+            for (var i:int = Effort.choose(150, 10000); i > 0; i--)
+            {
+                var agents:Vector.<Agent> = anyAgents(6, 3);
+                queries.update(agents);
+                var structure:BoundingStructure = TransformedStructure.of(sGreatLand.boundingStructures.tightestFit(agents[0].shape), agents[0]);
+                stopped += assertCastAlike("fit " + i, queries, structure, agents[0]);
+            }
+            assertTrue(String(stopped), stopped > 12);
+        }
+
+        [Test]
+        public function boxesMeetTrianglesAsCubesDo():void
+        {
+            var stopped:int = 0;
+            for each (var name:String in ["triangles", "combinations, exact"])
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                for (var i:int = Effort.choose(100, 10000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = anyAgents(5, 4);
+                    agents[0].shape = "cube";
+                    for each (var agent:Agent in agents)
+                    {
+                        agent.hierarchical = true;
+                    }
+                    queries.update(agents);
+                    var box:Box = new Box(new Vector3D(0, 0, 0.5), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.5, 0.5, 0.5);
+                    stopped += assertCastAlike(name + " " + i, queries, TransformedStructure.of(box, agents[0]), agents[0]);
+                }
+            }
+            assertTrue(String(stopped), stopped > 12);
+        }
+
+        [Test]
+        public function whatIsTouchedAtTheBeginning():void
+        {
+            for each (var name:String in EachCollider.NAMES.slice(1))
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var cube:Agent = new Agent("cube");
+                queries.update(new <Agent>[cube]);
+                for each (var structure:BoundingStructure in [new Sphere(new Vector3D(0.2, 0, 1.5), 0.5),
+                            new Capsule(new Vector3D(-0.2, 0, 1.5), new Vector3D(0.2, 0.1, 1.5), 0.5),
+                            new Box(new Vector3D(0.1, 0, 1.5), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.5, 0.5, 0.5)])
+                {
+                    var message:String = name + ", " + structure;
+                    var into:ShapeHit = queries.castShape(structure, 0.3, 0, -1);
+                    assertTrue(message, into != null && into.time < NEAR && into.agent == cube && into.normal.z > 1 - NEAR);
+                    assertNull(message, queries.castShape(structure, 0, 0, 1));
+                    assertNull(message, queries.castShape(structure, 2, 1, 0));
+                    assertNull(message, queries.castShape(structure, 0, 0, 0));
+                    structure.translate(new Vector3D(0, 0, -0.3));
+                    into = queries.castShape(structure, 0, 0, -1);
+                    assertTrue(message, into.time == 0 && into.agent == cube && into.normal.z > 1 - NEAR);
+                    assertNull(message, queries.castShape(structure, 0, 0, 1));
+                    assertEquals(message, 1, queries.castShapeAll(structure, 0, 0, -1).length);
+                    assertEquals(message, 0, queries.castShapeAll(structure, 0, 0, 0).length);
+                }
+            }
+        }
+
+        // A large triangle has no corner and no edge near a small structure, nor the other way round.
+        [Test]
+        public function structuresMeetFacesEdgesAndCorners():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
+            var cube:Agent = new Agent("cube");
+            cube.size = 10;
+            queries.update(new <Agent>[cube]);
+            for each (var radius:Number in [1e-6, 0.001, 1, 30])
+            {
+                assertStops(queries, new Sphere(new Vector3D(1, 2, 60), radius), 0, 0, -100, (50 - radius) / 100, 0, 0, 1);
+                var up:Number = Math.sqrt(0.5);
+                assertStops(queries, new Sphere(new Vector3D(60, 1, 65), radius), -100, 0, -100, (60 - 5 - radius * up) / 100, up, 0, up);
+                var third:Number = Math.sqrt(1 / 3);
+                assertStops(queries, new Sphere(new Vector3D(60, 60, 65), radius), -100, -100, -100, (60 - 5 - radius * third) / 100, third, third, third);
+                assertStops(queries, new Capsule(new Vector3D(1, -40, 60), new Vector3D(1, 40, 60), radius), 0, 0, -100, (50 - radius) / 100, 0, 0, 1);
+            }
+            assertStops(queries, new Box(new Vector3D(0, 0, 100), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 20, 30, 40), 0, 0, -100, 0.5, 0, 0, 1);
+            assertStops(queries, new Box(new Vector3D(1, 2, 60), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.1, 0.1, 0.1), 0, 0, -100, 0.499, 0, 0, 1);
+            // inside of the closed surface
+            var inside:ShapeHit = queries.castShape(new Sphere(new Vector3D(0, 0, 7), 1), 0, 0, -1);
+            assertTrue("inside", inside != null && inside.time == 0);
+        }
+
+        [Test]
+        public function filtersAndQuestionsOfTheirOwn():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var agents:Vector.<Agent> = new <Agent>[cubeAt(0, "movers"), cubeAt(3, "ghosts"), cubeAt(6, "walls"), cubeAt(9, "walls")];
+                queries.update(agents);
+                var ball:Sphere = new Sphere(new Vector3D(-3, 0, 0.5), 0.25);
+                var filter:AgentFilter = new AgentFilter();
+                filter.exceptBreeds = new <String>["ghosts"];
+                assertStrictlyEquals(name, agents[2], queries.castAgent(agents[0], 20, 0, 0, filter).agent);
+                assertStrictlyEquals(name, agents[0], queries.castShape(ball, 20, 0, 0).agent);
+                filter.accepts = function(agent:Agent):Boolean
+                {
+                    // questions of its own: of another structure, and of another agent that is in the list
+                    queries.castShape(new Sphere(new Vector3D(0, 0, 40), 1), 0, 1, 0);
+                    queries.castAgent(agents[3], -20, 0, 0);
+                    return agent.x > 7;
+                };
+                assertStrictlyEquals(name, agents[3], queries.castShape(ball, 20, 0, 0, filter).agent);
+                assertStrictlyEquals(name, agents[3], queries.castAgent(agents[0], 20, 0, 0, filter).agent);
+                var hit:ShapeHit = new ShapeHit();
+                assertStrictlyEquals(name, hit, queries.castAgent(agents[0], 20, 0, 0, null, hit));
+                assertStrictlyEquals(name, agents[1], hit.agent);
+                assertNull(name, queries.castAgent(agents[0], 1, 0, 0, null, hit));
+                assertStrictlyEquals(name, agents[1], hit.agent);
+                var hits:Vector.<ShapeHit> = queries.castShapeAll(ball, 20, 0, 0);
+                assertEquals(name, 4, hits.length);
+                hit = hits[0];
+                assertStrictlyEquals(name, hits, queries.castShapeAll(ball, 7, 0, 0, null, hits));
+                assertEquals(name, 2, hits.length);
+                assertStrictlyEquals(name, hit, hits[0]);
+                assertTrue(name, hits[0].agent == agents[0] && hits[1].agent == agents[1] && hits[0].time < hits[1].time);
+            }
+        }
+
+        [Test]
+        public function whatIsRefusedChangesNothing():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
+            var agents:Vector.<Agent> = new <Agent>[cubeAt(0, "a"), cubeAt(3, "b")];
+            queries.update(agents);
+            var ball:Sphere = new Sphere(new Vector3D(), 1);
+            assertThrows(ArgumentError, /structure|sphere, box or capsule.*null/, queries.castShape, null, 1, 0, 0);
+            assertThrows(ArgumentError, /Cylinder/, queries.castShapeAll, new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1), 1, 0, 0);
+            assertThrows(RangeError, /NaN/, queries.castShape, ball, NaN, 0, 0);
+            assertThrows(RangeError, /Infinity/, queries.castAgent, agents[0], 0, Infinity, 0);
+            assertThrows(ArgumentError, /null/, queries.castAgent, null, 1, 0, 0);
+            assertThrows(ArgumentError, /unicorn/, queries.castAgent, new Agent("unicorn"), 1, 0, 0);
+            ball.radius = Infinity;
+            assertThrows(RangeError, /finite/, queries.castShape, ball, 1, 0, 0);
+            assertThrows(RangeError, /NaN/, queries.overlapsAgent, agents[0], 0, NaN, 0);
+            assertThrows(ArgumentError, /null/, queries.overlapsAgent, null, 0, 0, 0);
+            assertTrue(Math.abs(queries.castAgent(agents[0], 4, 0, 0).time - 0.5) < NEAR);
+        }
+
+        [Test]
+        public function agentsOverlapWhatTheyWouldTouch():void
+        {
+            var touches:int = 0;
+            var misses:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var queries:AgentQueries = new AgentQueries(collider);
+                for (var i:int = Effort.choose(60, 5000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = anyAgents(4, 2);
+                    queries.update(i % 3 == 0 ? agents.slice(1) : agents);
+                    var agent:Agent = agents[0];
+                    var before:String = traitsOf(agent);
+                    var to:Vector3D = anyWay(2);
+                    var overlaps:Boolean = queries.overlapsAgent(agent, to.x, to.y, to.z);
+                    var touching:Boolean = queries.touchesAny(agent);
+                    assertEquals(name + ": does not move", before, traitsOf(agent));
+                    assertEquals(name + ": where it is", touching, queries.overlapsAgent(agent, agent.x, agent.y, agent.z));
+                    agent.moveTo(to.x, to.y, to.z);
+                    assertEquals(name + " " + i, overlaps, queries.touchesAny(agent));
+                    overlaps ? touches++ : misses++;
+                    var filter:AgentFilter = new AgentFilter();
+                    filter.accepts = function(other:Agent):Boolean
+                    {
+                        return !collider.areColliding(agent, other);
+                    };
+                    assertFalse(name + ": none is accepted", queries.overlapsAgent(agent, to.x, to.y, to.z, filter));
+                }
+            }
+            assertTrue(touches + " touch, " + misses + " do not", touches > 50 && misses > 50);
+        }
+
+        // Each agent of the list is hit as it is when it is the only one that counts.
+        private function assertHitsAreThoseOfEach(name:String, queries:AgentQueries, agent:Agent, way:Vector3D, hits:Vector.<ShapeHit>):void
+        {
+            for (var i:int = 0; i < hits.length; i++)
+            {
+                var filter:AgentFilter = new AgentFilter();
+                filter.accepts = function(other:Agent):Boolean
+                {
+                    return other == hits[i].agent;
+                };
+                var single:ShapeHit = queries.castAgent(agent, way.x, way.y, way.z, filter);
+                assertEquals(name + ": alone", single.time, hits[i].time);
+                assertTrue(name + ": alone", single.normal.equals(hits[i].normal) && single.point.equals(hits[i].point));
+                assertTrue(name + ": sorted", i == 0 || hits[i - 1].time <= hits[i].time);
+                assertTrue(name + ": once", hits[i].agent != agent && (i == 0 || hits[i - 1].agent != hits[i].agent));
+            }
+        }
+
+        private function assertHit(name:String, queries:AgentQueries, structure:BoundingStructure, way:Vector3D, hit:ShapeHit):void
+        {
+            var message:String = structure + " along " + way + " at " + hit.time + ", normal " + hit.normal + ", point " + hit.point + ", " + hit.agent;
+            if (Math.abs(hit.normal.length - 1) > 1e-12 || !(hit.normal.dotProduct(way) < 0))
+            {
+                _wrong.add(name + ": normal", message);
+            }
+            var there:BoundingStructure = moved(structure, way, hit.time);
+            var surface:Number = SurfaceDistance.of(there, hit.point);
+            if (!(surface < NEAR) || !(queries.distanceToPoint(hit.agent, hit.point) < NEAR))
+            {
+                _wrong.add(name + ": point", surface + ", " + queries.distanceToPoint(hit.agent, hit.point) + ": " + message);
+            }
+            var deeper:BoundingStructure = moved(there, hit.normal, -1e-7);
+            if (queries.overlapping(deeper).indexOf(hit.agent) < 0)
+            {
+                _wrong.add(name + ": no touch", message);
+            }
+            var apart:BoundingStructure = moved(there, hit.normal, 1e-7);
+            if (queries.overlapping(apart).indexOf(hit.agent) >= 0)
+            {
+                _wrong.add(name + ": normal does not separate", message);
+            }
+        }
+
+        private function assertCastAlike(message:String, queries:AgentQueries, structure:BoundingStructure, agent:Agent):int
+        {
+            var way:Vector3D = anyWay(5);
+            if (queries.touchesAny(agent))
+            {
+                // the way out of an overlap need not be the same
+                return 0;
+            }
+            var filter:AgentFilter = new AgentFilter();
+            filter.except = new <Agent>[agent];
+            var expected:ShapeHit = queries.castAgent(agent, way.x, way.y, way.z);
+            var hit:ShapeHit = queries.castShape(structure, way.x, way.y, way.z, filter);
+            assertEquals(message, expected == null, hit == null);
+            if (hit == null)
+            {
+                return 0;
+            }
+            assertTrue(message + ": " + hit.time + " and " + expected.time, Math.abs(hit.time - expected.time) < 1e-7);
+            return 1;
+        }
+
+        private static function assertStops(queries:AgentQueries, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, time:Number, x:Number, y:Number,
+                z:Number):void
+        {
+            var hit:ShapeHit = queries.castShape(structure, dx, dy, dz);
+            assertTrue(structure + ": met", hit != null);
+            assertTrue(structure + ": " + hit.time + " is not " + time, Math.abs(hit.time - time) < NEAR);
+            assertTrue(structure + ": normal " + hit.normal, Vector3D.distance(hit.normal, new Vector3D(x, y, z)) < 1e-6);
+        }
+
+        private static function moved(structure:BoundingStructure, way:Vector3D, share:Number):BoundingStructure
+        {
+            return structure.clone().translate(new Vector3D(share * way.x, share * way.y, share * way.z));
+        }
+
+        private static function traitsOf(agent:Agent):String
+        {
+            return [agent.x, agent.y, agent.z, agent.heading, agent.pitch, agent.roll, agent.size].join();
+        }
+
+        private static function cubeAt(x:Number, breed:String):Agent
+        {
+            var agent:Agent = new Agent("cube", breed);
+            agent.x = x;
+            return agent;
+        }
+
+        private function anyWay(most:Number):Vector3D
+        {
+            return new Vector3D(_random.between(-most, most), _random.between(-most, most), _random.between(-most, most));
+        }
+
+        private function anyAgents(count:int, spread:Number):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                var agent:Agent = new Agent(_random.pick(SHAPES));
+                agent.moveTo(_random.between(-spread, spread), _random.between(-spread, spread), _random.between(-spread, spread) / 2);
+                agent.heading = _random.between(0, 360);
+                agent.size = _random.logBetween(0.5, 3);
+                agent.hierarchical = _random.chance();
+                if (_random.chance())
+                {
+                    agent.pitch = _random.between(-90, 90);
+                    agent.roll = _random.between(-90, 90);
+                }
+                agents.push(agent);
+            }
+            return agents;
+        }
+    }
+}

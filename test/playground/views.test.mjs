@@ -281,7 +281,7 @@ test('Inspect: rays, nearest agents, distances and contacts by the pointer', asy
 	const [x, y] = [1.2 * Math.cos(angle), 1.2 * Math.sin(angle)];
 	await page.mouse.move(...await pixel(x, y - 0.7, 0));
 	assert.match(await answer('ray'), /^meets nothing$/);
-	assert.match(await answer('nearest'), /^Sphere 1, /);
+	assert.match(await answer('nearest'), /^Sphere 1: /);
 	near(await numbers('nearest'), [0.7, x, y - 0.7, 0], 0.02);
 	await page.mouse.move(...await pixel(x, y, 0.3));
 	assert.match(await answer('ray'), /^meets Sphere 1/);

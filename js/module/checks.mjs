@@ -3,9 +3,9 @@
  * JavaScript has no types, so without checks a string could be stored in place of a number. The functions that they call are in
  * language.mjs.
  *
- * Numbers, strings, Booleans and functions are checked in place. Such a check costs almost nothing in an optimised function, and passes no
- * Number on. null is accepted if the documentation mentions it, and for names, agents, models and files. Numbers that are not finite are
- * accepted if the documentation mentions errors. In these cases the engine itself throws the error.
+ * Numbers, strings, Booleans and functions are checked in place. Such a check costs almost nothing in an optimised function, and no Number
+ * is passed to another function. null is accepted if the documentation mentions it, and for names, agents, models and files. Numbers that
+ * are not finite are accepted if the documentation mentions errors. In these cases the engine itself throws the error.
  */
 
 /** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */

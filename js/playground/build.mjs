@@ -95,8 +95,9 @@ const UNUSED_PARTS = {
 const UNUSED_CLASSES = ["KeyframeTrack", "BooleanKeyframeTrack", "ColorKeyframeTrack", "NumberKeyframeTrack", "QuaternionKeyframeTrack", "StringKeyframeTrack", "VectorKeyframeTrack", "PropertyBinding", "Loader"];
 
 /**
- * Removes unused parts of three.js. It brings every shader for every material as text, which no bundler leaves out. Shaders that the page
- * does not use become empty. They are included in others only if a feature switches them on. Unused parts of the renderer are removed too.
+ * Removes unused parts of three.js. three.js contains every shader for every material as text, which no bundler leaves out. Shaders that
+ * the page does not use become empty. Other shaders include them only if a feature switches them on. Unused parts of the renderer are
+ * removed too.
  */
 const leanThree = {
 	name: "lean-three",

@@ -39,7 +39,7 @@ package evaluation
             {
                 _greatLand.addModel(_models[name]);
             }
-            _literal = new LiteralColliders(_greatLand, [_models.sphere, _models.cube, _models.bear]);
+            _literal = new LiteralColliders(_greatLand, [_models.sphere, _models.cube, _models.bear, _models.dragon]);
             var planners:Object = {volumes: planVolumes, fits: planFits, access: planAccess, tests: planTests,
                     hierarchies: planHierarchies, crowds: planCrowds, combination: planCombination, scattered: planScattered,
                     monitor: planMonitor};
@@ -103,7 +103,7 @@ package evaluation
         {
             for each (var count:int in _settings.crowds)
             {
-                for each (var cast:String in Scenes.CASTS)
+                for each (var cast:String in Scenes.CROWD_CASTS)
                 {
                     for each (var collider:String in _settings.colliders)
                     {

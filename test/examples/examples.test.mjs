@@ -54,7 +54,7 @@ before(async () => {
 	page.on('request', (request) => request.url().startsWith(new URL('/', site.url)) || /^(data|blob):/.test(request.url()) || said.push(request.url()));
 });
 after(async () => {
-	await browser.close();
+	await browser?.close();
 	site.close();
 });
 

@@ -200,7 +200,7 @@ test('Inspect: a glTF file with its data beside it, and which way is up', async 
 	}));
 	await drop(page, ['boar.gltf', scene]);
 	await page.waitForSelector('.status.problem');
-	assert.match(await page.textContent('.status'), /boar\.gltf has its data in the boar\.bin\. Drop or choose all of them together/);
+	assert.match(await page.textContent('.status'), /boar\.gltf also needs the boar\.bin\. Drop or choose all of these files together/);
 	await drop(page, ['the boar.bin', data], ['boar.gltf', scene]);
 	await measured(page, 'boar.gltf');
 	assert.equal(await page.textContent('.status'), 'boar.gltf: 3 vertices, 1 triangle');
@@ -271,7 +271,7 @@ test('Measure: times of each system, live, in a chart that is kept, downloaded, 
 	await page.setInputFiles('input[type=file]', { name: 'other.json', mimeType: 'application/json', buffer: Buffer.from(file.replace('the old laptop', 'the new one')) });
 	await page.waitForFunction(() => /the new one/.test(document.querySelector('.status').textContent));
 	await page.setInputFiles('input[type=file]', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{}') });
-	await page.waitForFunction(() => /broken\.json is nothing/.test(document.querySelector('.status').textContent));
+	await page.waitForFunction(() => /broken\.json is no measurement/.test(document.querySelector('.status').textContent));
 	assert.deepEqual(said.splice(0), []);
 });
 

@@ -608,7 +608,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 		};
 	});
 	await dropped('cone.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n');
-	await told(page, /^Agents can have the shape “cone 2” now, as long as this page is open: this browser keeps no models/);
+	await told(page, /^Agents can have the shape “cone 2” now, as long as this page is open\. This browser keeps no models/);
 	// what is kept can be looked at, and forgotten
 	await press(page, 'Lessons and games');
 	const cards = page.locator('.gallery section', { hasText: 'Your models' });

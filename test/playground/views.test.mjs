@@ -240,7 +240,7 @@ test('Inspect: settings change what is found', async () => {
 	await page.getByLabel('Tolerance for cheaper tests').fill('10');
 	await page.getByRole('button', { name: 'Measure again' }).click();
 	await page.waitForFunction((old) => document.querySelector('.results .card:last-child .note').textContent !== old, before);
-	assert.match(await page.textContent('.results .card .note'), /takes the naive sphere/);
+	assert.match(await page.textContent('.results .card .note'), /chooses the naive sphere/);
 	await page.getByLabel('Fewest vertices to split').fill('0');
 	await page.evaluate(() => document.querySelector('form').noValidate = true);
 	await page.getByRole('button', { name: 'Measure again' }).click();
@@ -281,7 +281,7 @@ test('Inspect: rays, nearest agents, distances and contacts by the pointer', asy
 	const [x, y] = [1.2 * Math.cos(angle), 1.2 * Math.sin(angle)];
 	await page.mouse.move(...await pixel(x, y - 0.7, 0));
 	assert.match(await answer('ray'), /^meets nothing$/);
-	assert.match(await answer('nearest'), /^Sphere 1, /);
+	assert.match(await answer('nearest'), /^Sphere 1: /);
 	near(await numbers('nearest'), [0.7, x, y - 0.7, 0], 0.02);
 	await page.mouse.move(...await pixel(x, y, 0.3));
 	assert.match(await answer('ray'), /^meets Sphere 1/);
@@ -548,7 +548,7 @@ test('a near miss that stands still is coloured as the chosen system sees it, an
 test('a file that is dropped elsewhere, and a graphics card that goes away, are said in words', async () => {
 	const { page, leave } = await open(site, 'compare');
 	await drop(page, ['bear.obj', Buffer.from('v 1 2 3')]);
-	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened: models are looked at in Inspect/);
+	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened\. Open models in the view “Inspect”/);
 	await page.getByRole('link', { name: 'Inspect' }).click();
 	await ready(page, 'inspect');
 	assert.equal(await page.textContent('header [role=status]'), '');

@@ -185,7 +185,7 @@ test('too many agents, and blocks that are about nobody, are errors that name th
 	assert.throws(() => played(program(start({ ...create(5000, 'bears', 'bear'), id: 'many' })), 0), { block: 'many', message: /^there are 2000 agents already/ });
 	assert.throws(() => played(program(start({ ...forward(1), id: 'lost' })), 0), { block: 'lost', message: /the block “forward” is about an agent/ });
 	const paint = { type: 'starlogo_colour', id: 'who', fields: { WHO: 'collidee' }, inputs: { COLOUR: value('starlogo_pick', { COLOUR: 'red' }) } };
-	assert.throws(() => played(program(start(create(1, 'bears', 'bear', paint))), 0), { block: 'who', message: /^the block “set colour of … to” speaks of the collidee/ });
+	assert.throws(() => played(program(start(create(1, 'bears', 'bear', paint))), 0), { block: 'who', message: /^the block “set colour of … to” uses the collidee/ });
 });
 
 test('nested endless loops name the inner one', () => {

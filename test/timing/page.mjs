@@ -24,7 +24,7 @@ export async function page(report) {
 <header>
 <h1>Collision engine: timing report</h1>
 <p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on ${date} UTC. Blue is this engine,
-amber the thesis's algorithms word for word in the same player, grey the thesis's own numbers of 2015.</p>
+amber the thesis's algorithms as it describes them in the same player, grey the thesis's own numbers of 2015.</p>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
 </header>

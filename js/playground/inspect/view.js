@@ -219,8 +219,8 @@ class InspectView {
 }
 
 /**
- * The place of a model's point if another axis is up. The engine turns what a file says in this way. If the axis points down, the model is
- * then turned over.
+ * The place of a model's point if another axis is up. The engine turns files in the same way. If the axis points down, the model is then
+ * turned over.
  */
 const UPS = { z: ([x, y, z]) => [x, y, z], y: ([x, y, z]) => [x, -z, y], x: ([x, y, z]) => [-y, -z, x] };
 

@@ -8,7 +8,8 @@ export const COUNTS = [25, 50, 100, 200, 400, 800, 1600];
 const USUAL = 150;
 const WARM = 10;
 /**
- * The number of samples, and their least milliseconds, because browsers' clocks have steps of a tenth. Each sample has at least one frame.
+ * The fewest and the most samples, the least milliseconds of a sample, and the milliseconds after which no more samples are taken.
+ * Browsers' clocks have steps of a tenth. Each sample has at least one frame.
  */
 const [FEWEST, MOST_TIMES] = [5, 15];
 const LEAST_MS = 6;

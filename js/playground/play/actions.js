@@ -1,9 +1,9 @@
-/** What single blocks do, and what values they have: functions that act upon a world. Nothing here needs Blockly or a page. */
+/** The actions and values of single blocks: functions that act on a world. Nothing here needs Blockly or a page. */
 import { Collision } from "starlogo-collision";
 import { plain, texts } from "../shared/language.js";
 import { COLOURS } from "./colours.js";
 
-/** What a student did wrong, and where. */
+/** An error that a student made, and its block. */
 export class ProgramError extends Error {
 	constructor(message, block) {
 		super(message);
@@ -11,13 +11,13 @@ export class ProgramError extends Error {
 	}
 }
 
-/** A block's words, without what is put into it. */
+/** A block's words, without its inputs. */
 const wordsOf = (type) => texts.blocks[type].replaceAll(/ ?%\d/g, " …").replace(/^ … |[ :]*…$/g, "").trim();
 
 /** The breed that a collision block names. */
 export const breedOf = (field) => (field === "anyone" ? Collision.ANY_BREED : field);
 
-/** What is in an input: the block put there, or else the shadow. */
+/** The content of an input: the block put there, or else the shadow. */
 const inputOf = (block, name) => block.inputs?.[name]?.block ?? block.inputs?.[name]?.shadow;
 
 export function value(block, name, world, missing = 0) {
@@ -45,7 +45,7 @@ export function fail(message, block) {
 	throw new ProgramError(message, block.id);
 }
 
-/** Whom a block is about: me, the collidee, or a breed's name. */
+/** The subject of a block: me, the collidee, or a breed's name. */
 function whom(block, world) {
 	const who = block.fields.WHO;
 	if (who === "me") return me(block, world);
@@ -159,10 +159,10 @@ export const STATEMENTS = {
 	},
 };
 
-/** How far nothing is. */
+/** The distance to nothing. */
 const FAR = 1000000;
 
-/** What an agent says: numbers without tails. */
+/** The text that an agent says. Numbers have few decimals. */
 export function said(value) {
 	if (typeof value === "number") return plain(value);
 	return typeof value === "boolean" ? texts.blocks.truths[String(value).toUpperCase()] : String(value ?? "").slice(0, 80);

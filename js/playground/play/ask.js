@@ -1,4 +1,4 @@
-/** Asks for a name in words of the page's own. */
+/** Asks for a name in a dialog of the page's own. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
@@ -7,9 +7,9 @@ const words = texts.play.ask;
 /**
  * Asks for a few words.
  *
- * @param {string} message what is asked
- * @param {string} value what is there at first
- * @param {number} longest how many letters the answer may have
+ * @param {string} message the question
+ * @param {string} value the first text
+ * @param {number} longest the most letters of the answer
  * @returns {Promise<string|null>} the answer, or null if there is none
  */
 export function ask(message, value, longest) {

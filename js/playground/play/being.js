@@ -1,18 +1,18 @@
-/** Who is in a game. */
+/** The agents of a game. */
 import { Agent } from "starlogo-collision";
 import { OWN_COLOURS } from "../shared/colours.js";
 
-/** An agent of a game, with what blocks ask about it. */
+/** An agent of a game, with data for blocks. */
 export class Being extends Agent {
 	born = 0;
-	/** Which of all that the game has made it is: the same in another game that has gone the same way. */
+	/** Its number among all agents that the game has made. A game that goes the same way gives the same numbers. */
 	number = 0;
-	/** Where it was when the frame began: x, y, z, heading. */
+	/** Its place when the frame began: x, y, z, heading. */
 	before = [0, 0, 0, 0];
 	isAlive = true;
-	/** What it says, and until when. */
+	/** Its words, and the frame until which they are shown. */
 	said = { text: "", until: 0 };
-	/** The frame in which it last touched another one, and that in which such a touch began. */
+	/** The frame of its last touch, and the frame in which that touch began. */
 	touched = -1;
 	hit = -1000;
 	color = OWN_COLOURS;

@@ -1,4 +1,4 @@
-/** The same game once more, as another collision system sees it: from the same start and with the same keys, beside the first one. */
+/** Plays the same game a second time with another collision system, beside the first one. It has the same start and the same keys. */
 import { h } from "../shared/dom.js";
 import { Stage } from "../shared/stage.js";
 import { fixed, texts } from "../shared/language.js";
@@ -9,12 +9,12 @@ import { FRAMES_A_SECOND, World } from "./world.js";
 const words = texts.play;
 
 export class Beside {
-	/** Frames in which the two did not report the same, in order, and what was the first difference. */
+	/** The frames in which the two games reported different touches, in order, and the first difference. */
 	#frames = [];
 	#first = "";
 
 	/**
-	 * @param {object} view Play, whose game it is
+	 * @param {object} view Play, which has the game
 	 * @param {string} system the collision system
 	 */
 	constructor(view, system) {
@@ -48,7 +48,7 @@ export class Beside {
 		for (const { scene } of [this.view, this]) scene.differing = new Map();
 	}
 
-	/** A frame, before the first game makes its own. */
+	/** Does a frame, before the first game does its own. */
 	step() {
 		if (this.world.ended) return;
 		this.world.hear(this.view.world);
@@ -62,7 +62,7 @@ export class Beside {
 		this.compare();
 	}
 
-	/** Looks who touches in one of the two games alone. */
+	/** Finds the agents that touch in only one of the two games. */
 	compare() {
 		const games = [this.view, this];
 		const [mine, its] = games.map(({ world }) => world.state.pairs);

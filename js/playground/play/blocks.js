@@ -6,14 +6,14 @@ const words = texts.blocks;
 const options = (table) => Object.entries(table).map(([value, text]) => [text, value]);
 const dropdown = (name, list) => ({ type: "field_dropdown", name, options: list });
 
-/** What agents of a breed look like at first. */
+/** The first shape of a breed's agents. */
 export const SHAPE_OF = {
 	bears: "bear", turtles: "turtle", seagulls: "seagull", walls: "wall", paintballs: "sphere", people: "person", dragons: "dragon", firemen: "fireman", trees: "tree", kelp: "kelp",
 	fortresses: "fortress", spaceships: "spaceship",
 };
-/** What menus of breeds offer, own ones too. Programs bring theirs. */
+/** The breeds in menus, also the user's own. Programs add theirs. */
 export const breeds = ["bears", "turtles", "seagulls", "walls", "paintballs"];
-/** What menus of shapes offer. */
+/** The shapes in menus. */
 export const shapes = [...SHAPES];
 /** The menu's entry that asks for the name of a new breed. */
 export const NEW_BREED = "new breed";
@@ -29,7 +29,7 @@ export const MENUS = {
 };
 
 /**
- * Takes in the breeds and shapes that a program names, so that menus have them.
+ * Adds the breeds and shapes that a program names to the menus.
  *
  * @param {string} field BREED, OTHER, WHO or SHAPE
  * @param {string} value
@@ -39,7 +39,7 @@ export function meet(field, value) {
 	if (field in MENUS && typeof value === "string" && value !== NEW_BREED && !MENUS[field]().some(([, each]) => each === value)) list.push(value);
 }
 
-/** A menu that grows: `menu` says what its options are when it opens. */
+/** A menu whose options may grow. `menu` gives its options when it opens. */
 const menu = (name, kind = name) => ({ ...dropdown(name, MENUS[kind]()), menu: kind });
 const SHAPE = menu("SHAPE");
 const SYSTEM = dropdown("SYSTEM", options(texts.systems).map(([text, value]) => [texts.inSentence(text), value]));
@@ -57,7 +57,7 @@ const input = (name) => ({ type: "input_value", name, check: "Number" });
 
 const STYLES = { event: "event_blocks", collision: "collision_blocks", movement: "movement_blocks", agent: "agent_blocks", look: "look_blocks", sense: "sense_blocks", game: "game_blocks", logic: "logic_blocks", math: "math_blocks", text: "text_blocks", variable: "variable_blocks" };
 
-/** A block: its style, what its words' places take, and what it is. */
+/** A block: its style, its arguments, and its shape. */
 const define = (type, style, args, shape) => ({ type, style: STYLES[style], message0: words[type], args0: args, inputsInline: true, ...shape });
 const STATEMENT = { previousStatement: null, nextStatement: null };
 const NUMBER = { output: "Number" };
@@ -66,7 +66,7 @@ const BODY = { message1: "%1", args1: [{ type: "input_statement", name: "DO" }] 
 const HAT = BODY;
 const truth = (name) => ({ type: "input_value", name, check: "Boolean" });
 const VARIABLE = { type: "field_variable", name: "VAR", variable: words.variable };
-/** Places for blocks, the second one after a word. */
+/** Inputs for blocks, the second one after a word. */
 const then = (first, second) => ({
 	message1: "%1", args1: [{ type: "input_statement", name: first }], ...(second && { message2: words.otherwise, args2: [{ type: "input_statement", name: second }] }),
 });
@@ -125,7 +125,7 @@ export const DEFINITIONS = [
 	define("starlogo_clock", "game", [], NUMBER),
 	define("starlogo_end", "game", [dropdown("HOW", options(words.ends)), text(words.someEnd)], STATEMENT),
 	define("starlogo_wait", "logic", [input("SECONDS")], STATEMENT),
-	// those that Blockly has too, under its names
+	// blocks that Blockly has too, under its names
 	define("controls_if", "logic", [truth("IF0")], { ...STATEMENT, ...then("DO0"), mutator: "branches" }),
 	define("controls_ifelse", "logic", [truth("IF0")], { ...STATEMENT, ...then("DO0", "ELSE") }),
 	define("controls_repeat_ext", "logic", [input("TIMES")], { ...STATEMENT, ...BODY }),
@@ -171,7 +171,7 @@ export const TOOLBOX = {
 	],
 };
 
-/** The colours of the styles: for white words on all of them. */
+/** The colours of the styles. White words are readable on all of them. */
 const COLOURS = { event: "#9a6200", collision: "#b3384a", movement: "#2c66c9", sense: "#0b7285", agent: "#2d7a46", look: "#7a4bb5", game: "#a8326e", logic: "#3d6a80", loop: "#3d6a80", math: "#57606e", text: "#57606e", variable: "#8a4a2c" };
 
 export const BLOCK_STYLES = Object.fromEntries(Object.entries(COLOURS).map(([name, colour]) => [`${name}_blocks`, { colourPrimary: colour }]));

@@ -1,4 +1,4 @@
-/** Shows a program as a module of JavaScript, to be copied or handed over as a file, with the way to documentation and examples. */
+/** Shows a program as a JavaScript module, to copy or download, with links to documentation and examples. */
 import { button, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
@@ -10,8 +10,8 @@ const words = texts.play.javascript;
  * Opens a dialog with a program's module.
  *
  * @param {object} program in Blockly's notation
- * @param {string} title what it is called
- * @param {string} file a name for its file, without an ending
+ * @param {string} title the program's title
+ * @param {string} file the file's name without its ending
  * @param {Map} models by their names
  */
 export function showJavascript(program, title, file, models) {

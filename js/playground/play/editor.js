@@ -1,4 +1,4 @@
-/** The program as blocks: Blockly, dressed as the page and tamed for its policy. */
+/** Shows and edits the program as blocks, with Blockly. Blockly gets the page's style, and keeps to the page's policy. */
 import * as Blockly from "blockly/core";
 import "./locale.js";
 import { KeyboardNavigation } from "@blockly/keyboard-navigation";
@@ -10,19 +10,19 @@ const PARTS = {
 	light: { workspaceBackgroundColour: "#ffffff", toolboxBackgroundColour: "#f4f6fa", toolboxForegroundColour: "#1c2430", flyoutBackgroundColour: "#e9edf4", flyoutForegroundColour: "#1c2430", flyoutOpacity: 1, scrollbarColour: "#9aa6b6" },
 	dark: { workspaceBackgroundColour: "#1a1f27", toolboxBackgroundColour: "#20262f", toolboxForegroundColour: "#e6eaf0", flyoutBackgroundColour: "#2a313c", flyoutForegroundColour: "#e6eaf0", flyoutOpacity: 1, scrollbarColour: "#5a6675" },
 };
-/** Blocks' words in points, and how large they are drawn: together 14 pixels and more. */
+/** The size of blocks' words in points, and the blocks' scale. Together the words are at least 14 pixels high. */
 const [WORDS, SCALE] = [12, 0.9];
 const [SMALLEST, LARGEST, ZOOM] = [0.3, 1.5, 1.2];
-/** How long the name of a breed or a variable may be. */
+/** The most letters in the name of a breed or a variable. */
 const LONGEST = 30;
-/** How far the first script is from the corner, in pixels. */
+/** The distance of the first script from the corner, in pixels. */
 const MARGIN = 12;
 const words = texts.play.editor;
 
-/** The picture of a shape, as an address; the page that has an editor sets it. */
+/** Gives the address of a shape's picture. The page that has an editor sets it. */
 const pictures = { of: () => null };
 
-/** The menu of shapes: each with its picture. */
+/** The menu of shapes, with a picture of each. */
 const picturedShapes = () => MENUS.SHAPE().map(([text, value]) => [h("span.shape", { title: text }, h("img", { "data-shape": value, alt: "", width: 80, height: 60 }), text), value]);
 
 Blockly.dialog.setPrompt(async (message, value, callback) => {
@@ -46,7 +46,7 @@ Blockly.Extensions.register("new_breed", function askForBreeds() {
 				const breed = answer?.trim();
 				if (!breed) return;
 				meet(name, breed);
-				// else those of before count
+				// otherwise the old options would count
 				field.getOptions(false);
 				field.setValue(breed);
 			});
@@ -74,7 +74,7 @@ class FieldShape extends Blockly.FieldDropdown {
 }
 Blockly.fieldRegistry.register("field_shape", FieldShape);
 
-/** Branches beyond the first, which programs may bring: each condition with its place, and one for what is done otherwise. */
+/** Further branches of a condition, which programs may have: a condition and an input for each, and an input for the other case. */
 Blockly.Extensions.registerMutator("branches", {
 	saveExtraState() {
 		return this.branches ?? null;
@@ -95,9 +95,7 @@ const themes = Object.fromEntries(Object.entries(PARTS).map(([name, componentSty
 })]));
 const theme = () => themes[isDark() ? "dark" : "light"];
 
-/**
- * Blockly writes style elements, which the page's policy forbids: the sheets that they would make are adopted by the document.
- */
+/** Blockly writes style elements, which the page's policy forbids. The document adopts their style sheets instead. */
 function adoptStyles(action) {
 	const { head } = document;
 	const adopt = (node) => {
@@ -116,13 +114,13 @@ function adoptStyles(action) {
 	}
 }
 
-/** The toolbox hears no keys by itself: the plugin does. */
+/** The toolbox does not listen to keys, because the plugin does. */
 class Toolbox extends Blockly.Toolbox {
 	onKeyDown_() {}
 }
 Blockly.registry.register(Blockly.registry.Type.TOOLBOX, Blockly.registry.DEFAULT, Toolbox, true);
 
-/** A bin that takes blocks which are dropped on it. */
+/** A trash can for blocks that are dropped on it. */
 class Bin extends Blockly.DeleteArea {
 	id = "bin";
 
@@ -149,7 +147,7 @@ class Bin extends Blockly.DeleteArea {
 	}
 }
 
-/** Tells menus of what a program names. */
+/** Adds everything that a program names to the menus. */
 function meetAll(program) {
 	JSON.stringify(program, (key, value) => {
 		meet(key, value);
@@ -162,7 +160,7 @@ function meetAll(program) {
  *
  * @param {HTMLElement} host as wide as the picture
  * @param {object} program in Blockly's notation
- * @param {number} highest how high the picture may be, in pixels
+ * @param {number} highest the largest height of the picture, in pixels
  */
 export function showBlocks(host, program, highest) {
 	meetAll(program);
@@ -170,7 +168,7 @@ export function showBlocks(host, program, highest) {
 	Blockly.serialization.workspaces.load(program, workspace);
 	const blocks = workspace.getTopBlocks(true);
 	for (const block of blocks) block.setCollapsed(false);
-	// else blocks have no sizes yet
+	// otherwise blocks have no sizes yet
 	Blockly.renderManagement.triggerQueuedRenders();
 	const heights = blocks.map((block) => block.getHeightWidth().height + MARGIN);
 	const half = heights.reduce((sum, height) => sum + height, 0) / 2;
@@ -188,7 +186,7 @@ export function showBlocks(host, program, highest) {
 	host.style.height = `${Math.ceil(Math.max(...ends) * scale)}px`;
 	Blockly.svgResize(workspace);
 	workspace.translate(0, 0);
-	// the picture has a name of its own, and what Blockly measures words with is in no part of the page
+	// The picture has its own name. Blockly measures words in an element outside of the page's parts.
 	for (const part of host.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label");
 	document.querySelector(".blocklyComputeCanvas")?.setAttribute("aria-hidden", "true");
 }
@@ -198,14 +196,14 @@ let isKeyboardReady = false;
 export class Editor {
 	#isLoading = false;
 	#failed = null;
-	/** Blocks that the last change has deleted, with those that it has deleted before. */
+	/** The blocks that the last change deleted, with those that it deleted in earlier events. */
 	#deleted = { group: "", count: 0 };
 
 	/**
-	 * @param {HTMLElement} host what it fills
+	 * @param {HTMLElement} host contains the editor
 	 * @param {HTMLElement} bar takes the buttons that change the program and its size
-	 * @param {{onChange: (deleted: number) => void, pictureOf: (shape: string) => string|null, say: (text: string) => void}} page onChange is called when the
-	 *     user has changed the program, with the number of blocks that this has deleted
+	 * @param {{onChange: (deleted: number) => void, pictureOf: (shape: string) => string|null, say: (text: string) => void}} page onChange is
+	 * called when the user has changed the program, with the number of deleted blocks
 	 */
 	constructor(host, bar, { onChange, pictureOf, say }) {
 		pictures.of = pictureOf;
@@ -221,21 +219,21 @@ export class Editor {
 				zoom: { controls: false, wheel: false, pinch: true, startScale: SCALE, scaleSpeed: ZOOM, minScale: SMALLEST, maxScale: LARGEST }, move: { scrollbars: true, drag: true, wheel: true },
 			});
 			this.keyboard = new KeyboardNavigation(workspace);
-			// Blockly leaves them out where the drawer is above
+			// Blockly leaves them out if the drawer is above
 			if (narrow) workspace.getToolbox().getToolboxItems().forEach((item, i) => item.getDiv().querySelector("[role=presentation]").classList.add(...TOOLBOX.contents[i].cssconfig.icon.split(" ")));
 			return workspace;
 		});
-		// a block comes out of the drawer whichever way it is pulled; the drawer is scrolled beside its blocks, and by the wheel
+		// A block leaves the drawer in whatever direction it is pulled. The drawer scrolls beside its blocks, and by the wheel.
 		this.workspace.getFlyout().isDragTowardWorkspace = () => true;
 		this.#addTools(host, bar, say);
 		this.forgetTheme = onThemeChange(() => adoptStyles(() => this.workspace.setTheme(theme())));
 		this.observer = new ResizeObserver(() => Blockly.svgResize(this.workspace));
 		this.observer.observe(host);
 		this.workspace.addChangeListener((event) => {
-			// events come later than what they tell of: those of loading end with this one
+			// Events come later than their cause. The events of loading end with this one.
 			if (event.type === Blockly.Events.FINISHED_LOADING) {
 				this.#isLoading = false;
-				// what is undone belongs to the program that is there
+				// undo must not go back to an earlier program
 				this.workspace.clearUndo();
 			} else if (!event.isUiEvent && !this.#isLoading) {
 				onChange(this.#countDeleted(event));
@@ -255,7 +253,7 @@ export class Editor {
 			if (block?.isDeletable?.()) block.checkAndDelete();
 			else say(words.howToDelete);
 		});
-		// the block stays chosen
+		// the block stays selected
 		bin.addEventListener("pointerdown", (event) => event.preventDefault());
 		host.append(bin);
 		workspace.getComponentManager().addComponent({ component: new Bin(bin), weight: 2, capabilities: [Blockly.ComponentManager.Capability.DELETE_AREA, Blockly.ComponentManager.Capability.DRAG_TARGET] });
@@ -263,12 +261,12 @@ export class Editor {
 	}
 
 	#showTools() {
-		// a button that is disabled would lose the focus
+		// a disabled button would lose the focus
 		this.undoButton.setAttribute("aria-disabled", String(!this.canUndo));
 		this.redoButton.setAttribute("aria-disabled", String(this.workspace.getRedoStack().length === 0));
 	}
 
-	/** How many blocks the user has deleted at once, by the events until this one. */
+	/** The number of blocks that the user has deleted at once, in the events up to this one. */
 	#countDeleted({ type, group, ids, recordUndo }) {
 		if (type !== Blockly.Events.BLOCK_DELETE || !recordUndo) return 0;
 		this.#deleted = { group, count: ids.length + (this.#deleted.group === group ? this.#deleted.count : 0) };
@@ -280,10 +278,10 @@ export class Editor {
 	}
 
 	/**
-	 * Shows a program; throws if Blockly finds none in it, and then shows what it did before.
+	 * Shows a program. If Blockly finds none in it, it throws, and shows the old one again.
 	 *
 	 * @param {object} program in Blockly's notation
-	 * @param {boolean} inOrder whether its scripts are put in order
+	 * @param {boolean} inOrder whether to arrange its scripts
 	 */
 	show(program, inOrder) {
 		const before = this.program;
@@ -313,17 +311,17 @@ export class Editor {
 		Blockly.Events.fire(new (Blockly.Events.get(Blockly.Events.FINISHED_LOADING))(this.workspace));
 	}
 
-	/** Whether the user has changed anything since this program is shown. */
+	/** Whether the user has changed anything since this program was shown. */
 	get canUndo() {
 		return this.workspace.getUndoStack().length > 0;
 	}
 
-	/** Takes back the user's last change. */
+	/** Undoes the user's last change. */
 	undo() {
 		this.workspace.undo(false);
 	}
 
-	/** The system that the program begins with, if its start has a block for that; null if not. */
+	/** The collision system in the program's start block, or null. */
 	get system() {
 		return this.#systemBlock?.getFieldValue("SYSTEM") ?? null;
 	}
@@ -332,12 +330,12 @@ export class Editor {
 		this.#systemBlock?.setFieldValue(name, "SYSTEM");
 	}
 
-	/** The block that decides which collision system a program begins with: the last one in a start, or null. */
+	/** The block that sets the collision system at a program's start: the last one in a start, or null. */
 	get #systemBlock() {
 		return this.workspace.getBlocksByType("starlogo_system", true).filter((block) => block.getRootBlock().type === "starlogo_start" && block.isEnabled()).at(-1) ?? null;
 	}
 
-	/** Marks the block that an error is about, and goes there if told; none for null. */
+	/** Marks the block of an error, and scrolls to it if isSought; null removes the mark. */
 	mark(id, isSought = true) {
 		this.#failed?.getSvgRoot()?.classList.remove("failed");
 		this.#failed = id ? this.workspace.getBlockById(id) : null;

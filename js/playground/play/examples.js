@@ -1,11 +1,11 @@
-/** Near misses, on which collision systems do not agree. */
+/** Near misses, for which collision systems give different answers. */
 import { nearMiss } from "./notation.js";
 
 export const EXAMPLES = {
-	// all of the helmet is above the unit sphere
+	// the helmet is completely above the unit sphere
 	helmet: nearMiss("firemen", "fireman", 3, 0, 0, 6.6, 0.6),
-	// in the box around the dragon, and nowhere near its body
+	// in the box around the dragon, but far from its body
 	wing: nearMiss("dragons", "dragon", 8, 0.8, -2.6, 0.4, 0.8),
-	// in the unit sphere of the wall, and a good way from it
+	// in the unit sphere of the wall, but far from it
 	wall: nearMiss("walls", "wall", 6, 1.5, 0, 1.5, 0.6),
 };

@@ -1,4 +1,4 @@
-/** The games that the playground brings, in Blockly's notation. */
+/** The page's games, in Blockly's notation. */
 import { texts } from "../shared/language.js";
 import {
 	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, forward, get, go, goal, ground, hatch, heading, key, many, math, move, nearest, number, numbers, paint,
@@ -36,7 +36,7 @@ const paintball = program(
 	folded(collision("turtles", "walls", bounce)),
 );
 
-/** The arrow keys walk and turn one of a breed, around those of another one. */
+/** Arrow keys make the agents of a breed walk and turn, and slide along those of another breed. */
 const walks = (breed, steps, others) => [
 	folded(key("up", "held", breed, along(steps, others))),
 	folded(key("down", "held", breed, along(-steps / 2, others))),
@@ -56,7 +56,7 @@ const chase = program(
 		create(1, "people", "person", size(1.2), go(-9, -9, 0), heading(45)),
 		create(1, "dragons", "dragon", size(3), go(9, -9, 0), heading(180)),
 		create(1, "fortresses", "fortress", size(4), go(8, 8, 0)),
-		// around the trees, so that no tree stands in the way of one
+		// around the trees, so that no tree stands in their way
 		create(GEMS, "gems", "sphere", heading(numbers(0, 359)), move(9), size(0.6), up(0.3), paint("me", colour("yellow"))),
 		create(7, "trees", "tree", heading(numbers(0, 359)), move(5), size(1.6)),
 	)),
@@ -116,7 +116,7 @@ const catching = many(["missed"],
 		ground("sea"), goal(words.catch.goal), score(number(0)), set("missed", 0),
 		create(1, "turtles", "turtle", size(2.4), heading(0)),
 		create(12, "kelp", "kelp", scatter, go(numbers(-7, 7), numbers(2, 5), 0), size(2.6)),
-		// the view shows as far up as somebody is
+		// the view reaches as high as the highest agent
 		create(1, "seagulls", "seagull", go(0, 4, 6.5), size(2)),
 	)),
 	folded(key("left", "held", "turtles", heading(180), move(0.16))),

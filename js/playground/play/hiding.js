@@ -1,7 +1,7 @@
-/** Who hides the agent that the camera follows: large ones that stand still, as walls do. */
+/** Finds the agents that hide the agent followed by the camera: large ones that stand still, for example walls. */
 import { AgentQueries, CollisionBlocks, Vector3D } from "starlogo-collision";
 
-/** What is looked for of an agent: its feet and its head, as shares of its height. */
+/** The two points of an agent that must be visible, feet and head, as shares of its height. */
 const PLACES = [0.15, 0.9];
 
 export class Hiding {
@@ -19,8 +19,8 @@ export class Hiding {
 	 * @param {{agents: object[], frame: number}} world the game
 	 * @param {object} main the agent that is followed
 	 * @param {number} height its height
-	 * @param {{x: number, y: number, z: number}} eye where it is seen from
-	 * @returns {Set} those that are between the eye and it; overwritten by the next call
+	 * @param {{x: number, y: number, z: number}} eye the camera's place
+	 * @returns {Set} the agents between the eye and it; overwritten by the next call
 	 */
 	of({ agents, frame }, main, height, eye) {
 		this.#found.clear();
@@ -38,5 +38,5 @@ export class Hiding {
 	}
 }
 
-/** Whether an agent is where it was, as everyone is who has just come. */
+/** Whether an agent has not moved in this frame. A new agent counts as not moved. */
 const isStill = (agent, frame) => agent.born === frame || (agent.before[0] === agent.x && agent.before[1] === agent.y);

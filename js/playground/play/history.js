@@ -1,6 +1,4 @@
-/** The frames that a game has been through, to go back to: agents' traits, what scripts know, and the engine's own snapshot. */
-
-/** How many frames are kept at most, and how many agents in all of them. */
+/** The most frames that are kept, and the most agents in all of them together. */
 const MOST_FRAMES = 900;
 const MOST_AGENTS = 150000;
 
@@ -21,13 +19,13 @@ export class History {
 		this.shown = undefined;
 	}
 
-	/** How many frames one can go back. */
+	/** The number of frames that one can go back. */
 	get length() {
 		return Math.max(0, this.#frames.length - 1);
 	}
 
 	/**
-	 * Keeps the frame that has just been.
+	 * Keeps the last frame.
 	 *
 	 * @param {object[]} listed the agents that the engine was given in it
 	 */
@@ -42,12 +40,12 @@ export class History {
 		while (this.#frames.length > MOST_FRAMES || (this.#agents > MOST_AGENTS && this.#frames.length > 2)) this.#agents -= this.#frames.shift().all.length;
 	}
 
-	/** How many frames back the world is. */
+	/** The number of frames that the world has gone back. */
 	get back() {
 		return this.shown === undefined ? 0 : this.#frames.length - 1 - this.shown;
 	}
 
-	/** Makes an earlier frame the world's again; those after it are forgotten once the game goes on. */
+	/** Takes the world back to an earlier frame. When the game goes on, the frames after it are removed. */
 	show(back) {
 		const { world } = this;
 		const at = Math.max(0, this.#frames.length - 1 - back);
@@ -60,7 +58,7 @@ export class History {
 		this.shown = at;
 	}
 
-	/** Forgets the frames after the one that is shown: the game goes on from there. */
+	/** Removes the frames after the one that is shown, because the game goes on from there. */
 	goOn() {
 		if (this.shown === undefined) return;
 		for (const { all } of this.#frames.splice(this.shown + 1)) this.#agents -= all.length;

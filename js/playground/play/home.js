@@ -1,4 +1,4 @@
-/** The first screen: lessons, games and the user's own programs, each with a picture of how it begins. */
+/** The first screen: lessons, games and the user's own programs. Each has a picture of its beginning. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
@@ -7,7 +7,7 @@ const words = texts.gallery;
 export class Home {
 	/**
 	 * @param {import("./programs.js").Programs} programs
-	 * @param {HTMLElement} main where it is shown in place of everything else
+	 * @param {HTMLElement} main shows the screen instead of everything else
 	 */
 	constructor(programs, main) {
 		Object.assign(this, { programs, main });
@@ -60,7 +60,7 @@ export class Home {
 		return item;
 	}
 
-	/** Draws the pictures, one after the other, so that the page answers meanwhile. */
+	/** Draws the pictures one after the other, so that the page stays responsive. */
 	async #draw() {
 		const { programs } = this;
 		for (const picture of this.element.querySelectorAll("img")) {

@@ -1,4 +1,7 @@
-/** A program of blocks as a module of JavaScript on the npm package, which plays the same game: the same agents at the same places in every frame. */
+/**
+ * Writes a program of blocks as a JavaScript module for the npm package. It plays the same game: in every frame the same agents are at the
+ * same places.
+ */
 import { CollisionBlocks } from "starlogo-collision";
 import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
 import { COLOURS } from "./colours.js";
@@ -9,16 +12,16 @@ const INDENT = "\t";
 const text = JSON.stringify;
 const NAME = /^[a-z_$][\w$]*$/i;
 
-/** What modules may take from the package. */
+/** The classes that a module may import from the package. */
 const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "ModelLoader", "TraitBlocks"];
 
 const breedOf = (field) => (field === "anyone" ? "Collision.ANY_BREED" : text(field));
 const systemOf = (program) => (CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
 
-/** What is in an input: the block put there, or else the shadow. */
+/** The content of an input: the block put there, or else the shadow. */
 const inputOf = (block, name) => block.inputs?.[name]?.block ?? block.inputs?.[name]?.shadow;
 
-/** The words of a place in a script: the agent that it is about, the collidee, and how deep it is. */
+/** The names at a place in a script: its agent, the collidee, and the depth of nesting. */
 class Place {
 	constructor(me, collidee, depth = 0) {
 		Object.assign(this, { me, collidee, depth });
@@ -47,7 +50,7 @@ class Writer {
 		return input ? VALUES[input.type](input, place, this) : missing;
 	}
 
-	/** The statements of an input, one or more lines. */
+	/** The statements of an input, in one or more lines. */
 	body(block, name, place) {
 		const lines = [];
 		for (let each = block.inputs?.[name]?.block; each; each = each.next?.block) {
@@ -56,7 +59,7 @@ class Writer {
 		return lines.map((line) => INDENT + line);
 	}
 
-	/** Of a statement about me, the collidee or a breed, the lines: \`line\` is given the agent's name. */
+	/** The lines of a statement about me, the collidee or a breed. `line` is called with the agent's name. */
 	whom({ fields: { WHO } }, place, line) {
 		if (WHO === "me") return [line(place.me)];
 		if (WHO === "collidee") return [line(place.collidee)];
@@ -68,7 +71,7 @@ class Writer {
 	}
 }
 
-/** An expression without brackets around all of it. */
+/** An expression without its outer brackets. */
 function bare(expression) {
 	if (!expression.startsWith("(")) return expression;
 	let depth = 0;
@@ -79,14 +82,14 @@ function bare(expression) {
 	return end === expression.length - 1 ? expression.slice(1, -1) : expression;
 }
 
-/** How many rounds a loop makes: a number, or its first value. */
+/** The head of a loop with this count, a number or an expression. */
 function rounds(count, lines) {
 	const isNumber = /^[\d.]+$/.test(count);
 	if (isNumber && Math.floor(count) === 1) return null;
 	return [isNumber ? `for (let i = 0; i < ${Math.floor(count)}; i++) {` : `for (let i = 1, rounds = ${count}; i <= rounds; i++) {`, ...lines, "}"];
 }
 
-/** Makes a new agent, and does what is in the block for it. */
+/** Creates a new agent, and runs the block's content for it. */
 function creating(block, place, writer, parent) {
 	const agent = `agent${place.depth > 0 ? place.depth + 1 : ""}`;
 	const inner = writer.body(block, "DO", place.about(agent));
@@ -160,7 +163,7 @@ const ARITHMETIC = { ADD: "+", MINUS: "-", MULTIPLY: "*", DIVIDE: "/", POWER: "*
 const COMPARISONS = { EQ: "===", NEQ: "!==", LT: "<", LTE: "<=", GT: ">", GTE: ">=" };
 const two = (table, names = ["A", "B"], missing = "0") => (block, place, writer) => {
 	const [a, b] = names.map((name) => writer.value(block, name, place, missing));
-	// the left side of ** may have no sign of its own
+	// the left side of ** must not have a sign
 	return `(${block.fields.OP === "POWER" ? `(${a})` : a} ${table[block.fields.OP]} ${b})`;
 };
 
@@ -192,7 +195,7 @@ const VALUES = {
 	starlogo_colour_of: (block, place, writer) => `${writer.who(block, place)}.color`,
 };
 
-/** How each kind of script is told to the game. */
+/** The registration of each kind of script with the game. */
 const EVENTS = {
 	starlogo_start: () => "whenTheGameStarts(",
 	starlogo_each: ({ fields }) => `everyFrame(${breedOf(fields.BREED)}, `,
@@ -204,7 +207,7 @@ const EVENTS = {
 	starlogo_touch_end: ({ fields }) => `whenTouchingEnds(${breedOf(fields.BREED)}, ${breedOf(fields.OTHER)}, `,
 };
 
-/** Shapes that a program names, in order. */
+/** The shapes that a program names, in order. */
 function shapesOf(program) {
 	const found = new Set();
 	JSON.stringify(program, (key, value) => {
@@ -221,7 +224,7 @@ function adding(name) {
 	return `await loader.loadAsync(${text(name)}, assets + ${text(fileOf(name) ?? `${name}.obj`)});${fileOf(name) ? "" : " // your own file"}`;
 }
 
-/** A model that the page makes itself: its vertices and triangles. */
+/** A model that the page makes itself, by its vertices and triangles. */
 const making = ({ name, given: { vertices, triangles } }) => `function ${name}() {
 	return new Model(${text(name)}, [${vertices.join(", ")}], [${triangles.join(", ")}]);
 }`;
@@ -230,7 +233,7 @@ const making = ({ name, given: { vertices, triangles } }) => `function ${name}()
  * Writes a program as a module.
  *
  * @param {object} program in Blockly's notation
- * @param {string} title what it is called
+ * @param {string} title the program's title
  * @param {Map} models by their names
  * @returns {string}
  */
@@ -292,7 +295,7 @@ export function javascriptOf(program, title, models) {
 	].join("\n");
 }
 
-/** The helpers that a text names, and those that these do. */
+/** The helpers that a text names, and the helpers that these name. */
 function neededBy(code) {
 	const found = new Set();
 	const look = (part) => {

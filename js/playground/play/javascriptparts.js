@@ -1,13 +1,13 @@
-/** The parts of modules that programs of blocks become: what blocks need beyond the language and the engine, as text. */
+/** Texts for the modules of programs: the functions that blocks need in addition to the language and the engine. */
 import { COLOURS } from "./colours.js";
 import { FRAMES_A_SECOND } from "./world.js";
 
-/** A colour as a number of the language. */
+/** A colour as a number in JavaScript. */
 export function hex(colour) {
 	return colour < 0 ? String(colour) : `0x${colour.toString(16).padStart(6, "0")}`;
 }
 
-/** Functions by their names: a module has those that it uses. */
+/** Functions by their names. A module contains the ones that it uses. */
 export const HELPERS = {
 	add: `/** A new agent where its parent is, or in the middle. */
 function add(shape, breed, parent = null) {
@@ -149,7 +149,7 @@ function whileKey(key, mode, breed, script) {
 }`,
 };
 
-/** In every module, before anything runs. */
+/** Part of every module, before anything runs. */
 export const BEING = `/** An agent, and what blocks ask about it. */
 class Being extends Agent {
 	color = -1; // the model's own colours
@@ -159,7 +159,7 @@ class Being extends Agent {
 	said = "";
 }`;
 
-/** What goes from frame to frame, in every module. */
+/** Part of every module: the code that runs in every frame. */
 export const ENGINE = `/** Begins a script, unless it still waits for the same agents. */
 function start(script, me, collidee) {
 	if (threads.some((each) => each.script === script && each.me === me && each.collidee === collidee)) return;

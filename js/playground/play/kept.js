@@ -1,4 +1,4 @@
-/** The user's own models, which the browser keeps between visits if it wants to. */
+/** The user's own models. The browser keeps them between visits, if it can. */
 import { contentOf } from "../shared/files.js";
 import { parseModel } from "../shared/models.js";
 import { texts } from "../shared/language.js";
@@ -9,13 +9,13 @@ export const MODEL_FILE = /\.(obj|dae|zae|glb|gltf|stl)$/i;
 
 const [DATABASE, STORE] = ["starlogo-playground", "models"];
 
-/** What a request gives. */
+/** The result of a request. */
 const answer = (request) => new Promise((resolve, reject) => {
 	request.onsuccess = () => resolve(request.result);
 	request.onerror = () => reject(request.error);
 });
 
-/** Does something with all that is kept, and waits until it is so for good. */
+/** Does something with the stored models, and waits until the change is stored. */
 async function within(action) {
 	const opening = indexedDB.open(DATABASE, 1);
 	opening.onupgradeneeded = () => opening.result.createObjectStore(STORE, { keyPath: "name" });
@@ -34,10 +34,10 @@ async function within(action) {
 }
 
 export class Models {
-	/** Those that this page knows: names and files' contents. */
+	/** The models of this page: names and files' contents. */
 	#known = new Map();
 
-	/** @param {object} view Play, whose shapes they become */
+	/** @param {object} view Play, which gets their shapes */
 	constructor(view) {
 		this.view = view;
 	}
@@ -46,13 +46,13 @@ export class Models {
 		return [...this.#known.keys()];
 	}
 
-	/** Takes what the user has brought before. */
+	/** Loads the models of earlier visits. */
 	async takeKept() {
 		for (const { name, bytes } of await within((store) => store.getAll()).catch(() => [])) {
 			try {
 				await this.#take(name, bytes);
 			} catch {
-				// one that another release can read
+				// another release may be able to read it
 			}
 		}
 	}
@@ -66,7 +66,7 @@ export class Models {
 		this.#known.set(name, bytes);
 	}
 
-	/** Makes what is in a file, and in those that came with it, a shape that agents can have, under a name of its own. */
+	/** Makes a shape for agents from a file and the files that came with it. Gives it a name that is not in use. */
 	async add(file, files) {
 		let bytes;
 		try {
@@ -90,7 +90,7 @@ export class Models {
 		await this.#keep(name, bytes);
 	}
 
-	/** What a file is called that was brought before, or null. */
+	/** The name of a file that was added before, or null. */
 	#nameOf(bytes) {
 		const [name] = [...this.#known].find(([, known]) => known.length === bytes.length && known.every((byte, i) => byte === bytes[i])) ?? [null];
 		return name;
@@ -106,11 +106,11 @@ export class Models {
 		}
 	}
 
-	/** Makes the browser forget one, which can be taken back. */
+	/** Makes the browser forget a model. This can be undone. */
 	async remove(name) {
 		const bytes = this.#known.get(name);
 		this.#known.delete(name);
-		// a browser that keeps nothing has nothing to forget
+		// a browser without storage has nothing to forget
 		await within((store) => store.delete(name)).catch(() => {});
 		this.view.offer(texts.gallery.removedModel(name), words.undo, () => this.#keep(name, bytes));
 	}

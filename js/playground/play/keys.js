@@ -1,21 +1,21 @@
-/** What plays a game: keys, the pad of keys below the world, which says what they do, and the pointer. */
+/** The controls of a game: keys, the key pad below the world with labels, and the pointer. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 import { keysOf } from "./program.js";
 
 const words = texts.play;
 const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
-/** How far a pointer may move in a click. */
+/** The farthest that a pointer may move during a click. */
 const STILL = 6;
 
 export class Keys {
-	/** @param {import("./world.js").World} world whose keys they are */
+	/** @param {import("./world.js").World} world gets the keys */
 	constructor(world) {
 		this.world = world;
 		this.pad = h("div.pad.keys");
 	}
 
-	/** Shows the keys that a program has scripts for. */
+	/** Shows the keys for which a program has scripts. */
 	show(program) {
 		const keys = [...keysOf(program)];
 		this.pad.hidden = keys.length === 0;
@@ -41,7 +41,7 @@ export class Keys {
 	}
 
 	/**
-	 * Hears a stage's host.
+	 * Listens to a stage's host.
 	 *
 	 * @param {import("../shared/stage.js").Stage} stage
 	 * @param {(agent: object) => void} onClick called with the agent that was clicked
@@ -69,7 +69,7 @@ export class Keys {
 		});
 		const up = (event) => {
 			world.mouse.isDown = false;
-			// a click, not a turn of the world
+			// a click, and not a drag that turns the world
 			if (down && event.type === "pointerup" && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < STILL) {
 				const agent = stage.agentAt(event);
 				if (agent) onClick(agent);

@@ -1,4 +1,4 @@
-/** What is said of the lesson that is open: what it is about, what is to be done, whether it is, and why that was right. */
+/** The card of the open lesson: its subject, its task, whether the task is done, and the explanation. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
@@ -6,7 +6,7 @@ const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
 export const LESSON_NAMES = Object.keys(words.list);
 
-/** What the browser keeps of lessons that were done, and of games that were won. */
+/** Remembers, in the browser, the lessons that were done and the games that were won. */
 class Ticks {
 	#names = new Set();
 
@@ -14,7 +14,7 @@ class Ticks {
 		try {
 			this.#names = new Set(JSON.parse(localStorage.getItem(KEY)));
 		} catch {
-			// a browser that keeps nothing
+			// the browser stores nothing
 		}
 	}
 
@@ -27,7 +27,7 @@ class Ticks {
 		try {
 			localStorage.setItem(KEY, JSON.stringify([...this.#names]));
 		} catch {
-			// it counts as long as the page is open
+			// remembered until the page is closed
 		}
 	}
 }
@@ -58,7 +58,7 @@ export class LessonCard {
 		this.#ticks.add(`game ${name}`);
 	}
 
-	/** Shows a lesson; none for null. */
+	/** Shows a lesson's card; null hides it. */
 	show(name) {
 		this.#name = name;
 		this.begin();
@@ -88,12 +88,12 @@ export class LessonCard {
 		this.#sayIfDone();
 	}
 
-	/** Reads on here. */
+	/** Moves the focus to the card. */
 	focus() {
 		this.heading?.focus({ preventScroll: true });
 	}
 
-	/** Leaves of the card what is to be done, or shows all of it. */
+	/** Shows only the task, or the whole card. */
 	#fold(isFolded) {
 		this.card.classList.toggle("folded", isFolded);
 		this.foldButton.textContent = isFolded ? words.unfold : words.fold;
@@ -107,12 +107,12 @@ export class LessonCard {
 		this.next.classList.add("primary");
 	}
 
-	/** A game begins anew. */
+	/** Called when a game begins again. */
 	begin() {
 		this.#memory = {};
 	}
 
-	/** Looks at a game after a frame of it: true when that has done the lesson. */
+	/** Checks a game after a frame. Returns true if the frame has completed the lesson. */
 	look(world) {
 		const name = this.#name;
 		if (name === null || this.#memory.isDone || !this.#lessons?.[name].isDone(world, this.#memory)) return false;

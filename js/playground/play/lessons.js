@@ -1,6 +1,6 @@
 /**
- * The lessons: each a program, and a check of the game that its reader is to make of it. A check is asked after every frame, with a memory of the
- * game's own; words are in languages/.
+ * The lessons. Each has a program, and a check of the game that the reader makes from it. The check runs after every frame, and has a
+ * memory for each game. The words are in languages/.
  */
 import { CollisionBlocks } from "starlogo-collision";
 import { said } from "./actions.js";
@@ -9,7 +9,7 @@ import { change, collision, colour, create, each, go, heading, move, nearMiss, n
 const touching = (world) => world.collisions.collision.statistics.collisions;
 const all = (world, name) => world.agents.filter(({ breed }) => breed === name);
 const total = (world, a, b) => world.totals.get([a, b].sort().join("\n")) ?? 0;
-/** Whether all stand where the lesson has put them, as large. */
+/** Whether all agents are still at the lesson's places, with the same sizes. */
 const isUntouched = (world, ...places) => places.every(([breed, x, y, z, large]) => all(world, breed).some((agent) => agent.x === x && agent.y === y && agent.z === z && agent.size === large));
 const use = (SYSTEM) => ({ type: "starlogo_system", fields: { SYSTEM } });
 const wall = (x, y, large, turned = 0) => create(1, "walls", "wall", size(large), heading(turned), go(x, y, 0));
@@ -18,7 +18,7 @@ const ball = (...blocks) => create(1, "paintballs", "sphere", size(0.5), paint("
 const ROOM = 4;
 const LONG = 600;
 
-/** What is to be changed stands first, where it is in sight. */
+/** Blocks that the reader must change come first, so that they are in sight. */
 export const LESSONS = {
 	blocks: {
 		program: program(each("turtles", turn("left", numbers(-4, 4))), start(create(5, "turtles", "turtle", scatter, size(2)))),
@@ -36,7 +36,7 @@ export const LESSONS = {
 		isDone: (world) => world.frame > 1 && isUntouched(world, ["dragons", 0, 0, 0, 8], ["paintballs", 0.8, -2.6, 0.4, 0.8]) && touching(world) === 0,
 	},
 	main: {
-		// all with trees: precise where it matters is enough
+		// must fail if all agents have trees, because the lesson is about precision where it matters
 		program: program(
 			start(use(CollisionBlocks.COMBINATION), create(1, "dragons", "dragon", size(8)), create(1, "paintballs", "sphere", size(0.8), go(0.8, -2.6, 0.4), paint("me", colour("yellow")))),
 			touch("paintballs", "dragons", paint("collidee", colour("red")))),
@@ -45,7 +45,7 @@ export const LESSONS = {
 	},
 	fast: {
 		program: program(
-			// before and behind the wall it is further away than the wall's unit sphere; and after a round of the ground it comes to the same places
+			// Before and behind the wall it is outside the wall's unit sphere. After crossing the ground it returns to the same places.
 			start(wall(0, 0, 4), ball(go(-10, 0, 0.5))),
 			each("paintballs", move(4)),
 			touch("paintballs", "walls", paint("collidee", colour("yellow")), remove("me"))),

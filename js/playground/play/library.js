@@ -1,4 +1,4 @@
-/** The programs that the page brings, by their names; those of lessons begin as addresses do. */
+/** The page's own programs, by name. The names of lessons' programs have a prefix, as in addresses. */
 import { EXAMPLES } from "./examples.js";
 import { GAMES } from "./games.js";
 import { LESSONS } from "./lessons.js";

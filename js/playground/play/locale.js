@@ -1,11 +1,13 @@
-/** Blockly speaks the language of the page. Its keyboard plugin takes words when it is loaded, so this module is imported before it. */
+/**
+ * Sets Blockly's language to the page's. Its keyboard plugin reads the words when it is loaded, so import this module before the plugin.
+ */
 import { FieldNumber, Msg, Toast, fieldRegistry, setLocale } from "blockly/core";
 import { plain, texts } from "../shared/language.js";
 import { messages } from "./messages.js";
 
 setLocale(messages);
 
-/** The plugin has these hints in English alone. */
+/** The plugin has these hints only in English. */
 const { show } = Toast;
 Toast.show = (workspace, options) => {
 	const hint = texts.blocklyHints[options.id];
@@ -13,7 +15,7 @@ Toast.show = (workspace, options) => {
 	show.call(Toast, workspace, hint ? { ...options, message: hint.replace("%1", modifier) } : options);
 };
 
-/** Numbers with the language's decimal sign; a point is understood too. */
+/** Numbers with the language's decimal sign. A point is accepted too. */
 class LocalNumber extends FieldNumber {
 	doClassValidation_(value) {
 		return super.doClassValidation_(typeof value === "string" ? value.replace(texts.numbers.decimal, ".") : value);

@@ -1,9 +1,9 @@
-/** Blockly's own words in the language of the page, loaded before Blockly is. */
+/** Blockly's own words in the page's language. They are loaded before Blockly. */
 import { texts } from "../shared/language.js";
 
 const LANGUAGES = { en: () => import("blockly/msg/en"), de: () => import("blockly/msg/de") };
 
-/** What loadMessages has loaded. */
+/** The words, after loadMessages. */
 export let messages = {};
 
 export async function loadMessages() {

@@ -1,4 +1,4 @@
-/** Words for programs in Blockly's notation. */
+/** Functions for programs in Blockly's notation. */
 
 export const number = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
 export const colour = (name) => ({ block: { type: "starlogo_pick", fields: { COLOUR: name } } });
@@ -10,7 +10,7 @@ export function chain(...blocks) {
 }
 
 export const inside = (...blocks) => ({ block: chain(...blocks) });
-/** What is put into an input: a number, or a block. */
+/** The content of an input: a number, or a block. */
 const input = (value) => (typeof value === "number" ? number(value) : value);
 export const move = (steps) => ({ type: "starlogo_forward", inputs: { STEPS: number(steps) } });
 export const forward = (steps) => ({ type: "starlogo_forward", inputs: { STEPS: steps } });
@@ -30,10 +30,10 @@ export const remove = (WHO) => ({ type: "starlogo_delete", fields: { WHO } });
 
 export const program = (...scripts) => ({ blocks: { languageVersion: 0, blocks: scripts } });
 
-/** Scripts, and the names of the variables that they have. */
+/** Scripts, with the names of their variables. */
 export const many = (names, ...scripts) => ({ ...program(...scripts), variables: names.map((name) => ({ name, id: name })) });
 
-/** A script that shows its first line only. */
+/** A script of which only the first line is shown. */
 export const folded = (script) => ({ ...script, collapsed: true });
 export const field = (type, fields) => ({ block: { type, fields } });
 export const alongside = (steps, BREED) => ({ type: "starlogo_until", fields: { HOW: "slide", BREED }, inputs: { STEPS: steps } });
@@ -62,7 +62,7 @@ export const get = (name) => field("variables_get", { VAR: { id: name } });
 export const set = (name, value) => ({ type: "variables_set", fields: { VAR: { id: name } }, inputs: { VALUE: number(value) } });
 export const step = (name, by) => ({ type: "math_change", fields: { VAR: { id: name } }, inputs: { DELTA: number(by) } });
 
-/** One that stands still, and a ball beside it; who is touched turns red. */
+/** An agent that stands still, and a ball beside it. Agents that touch turn red. */
 export function nearMiss(breed, shape, scale, x, y, z, ball) {
 	return program(
 		start(

@@ -1,4 +1,4 @@
-/** What a game has been through, beside its world: figures, who met whom, totals. */
+/** The panel beside the world: figures, meetings of agents, totals. */
 import { button, h, short } from "../shared/dom.js";
 import { fixed, texts } from "../shared/language.js";
 import { FRAMES_A_SECOND } from "./world.js";
@@ -8,7 +8,7 @@ const LISTED = 12;
 
 const breedName = (breed) => texts.breeds[breed] ?? breed;
 
-/** What an agent is called: its breed, and its number in the game. */
+/** An agent's name: its breed, and its number in the game. */
 export const nameOf = ({ breed, number }) => `${breedName(breed)} ${number}`;
 
 export class Panel {
@@ -16,7 +16,7 @@ export class Panel {
 	#ticks = 0;
 	#frames = 0;
 	#since = 0;
-	/** What was touching in the frames since the figures were shown: the most counts. */
+	/** The largest numbers in the frames since the figures were last shown. */
 	#most = { pairs: 0, tests: 0, collisions: 0 };
 	#shown = "";
 	#chosen = "";
@@ -24,7 +24,7 @@ export class Panel {
 
 	/**
 	 * @param {import("./world.js").World} world
-	 * @param {(agent: object) => void} onChoose called with an agent that is to be looked at
+	 * @param {(agent: object) => void} onChoose called with an agent that the user chose
 	 */
 	constructor(world, onChoose) {
 		this.world = world;
@@ -38,7 +38,7 @@ export class Panel {
 			h("div.meetings", {}, h("div", {}, h("h2", {}, words.cast), this.cast), h("div", {}, h("h2", {}, words.events), this.totals), this.list));
 	}
 
-	/** Takes a frame into account. */
+	/** Counts a frame. */
 	count() {
 		const { collisionMs, collisions } = this.world;
 		this.#ms += collisionMs;
@@ -47,12 +47,12 @@ export class Panel {
 		for (const [name, value] of Object.entries({ pairs, tests: tests + hierarchyTests, collisions: touching })) this.#most[name] = Math.max(this.#most[name], value);
 	}
 
-	/** Shows what was counted; while the game runs, twice a second. */
+	/** Shows the figures; twice a second while the game runs. */
 	show(now = 0) {
 		this.#frames++;
 		if (now > 0 && now - this.#since < 500) return;
 		const { agents, state } = this.world;
-		// of a game that stands still, the figures are those of what was last
+		// while the game stands still, the last figures stay
 		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), ...this.#most } : {};
 		const values = { ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }) };
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
@@ -68,7 +68,7 @@ export class Panel {
 		this.#most = { pairs: 0, tests: 0, collisions: 0 };
 	}
 
-	/** Who is there, by breeds: what they are called chooses one after the other. */
+	/** Lists the agents by breed. Clicking a breed's name chooses its agents one after the other. */
 	#listCast() {
 		const counts = new Map();
 		for (const { breed } of this.world.agents) counts.set(breed, (counts.get(breed) ?? 0) + 1);

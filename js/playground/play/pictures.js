@@ -1,4 +1,4 @@
-/** Pictures of how games begin, for pages that play none. */
+/** Draws pictures of games' beginnings, for pages that play no game. */
 import { GreatLand } from "starlogo-collision";
 import { h } from "../shared/dom.js";
 import { loadModel } from "../shared/models.js";
@@ -7,7 +7,7 @@ import { Stage } from "../shared/stage.js";
 import { STAGE, Scene } from "./scene.js";
 import { World } from "./world.js";
 
-/** How large they are, in pixels: enough for paper. */
+/** The size of the pictures in pixels. It is large enough for printing. */
 export const PICTURE = [800, 500];
 
 let loading = null;
@@ -20,11 +20,11 @@ async function load() {
 }
 
 /**
- * Draws how a program's game begins.
+ * Draws the beginning of a program's game.
  *
  * @param {object} program
- * @param {HTMLElement} parent has the stage while it draws
- * @returns {Promise<string|null>} its address; null where nothing is drawn
+ * @param {HTMLElement} parent contains the stage while it draws
+ * @returns {Promise<string|null>} the picture's address; null if nothing can be drawn
  */
 export async function pictureOf(program, parent) {
 	loading ??= load();

@@ -1,16 +1,16 @@
 /**
- * Programs: Blockly's own notation, made into lists of steps. Nothing here needs Blockly or a page.
+ * Programs: compiles Blockly's own notation to lists of steps. Nothing here needs Blockly or a page.
  *
- * A script is run for an agent, "me"; in a collision block there is a "collidee" too. Both stand in `world`, as do the variables. What a run of
- * a script knows besides is a Thread, which can wait, and can be copied: so a game can be set back to an earlier frame.
+ * A script runs for an agent, "me". In a collision block there is a "collidee" too. `world` has both, and the variables. All other data of
+ * a running script is in a Thread. A Thread can wait and can be copied, so a game can go back to an earlier frame.
  */
 import { texts } from "../shared/language.js";
 import { ProgramError, STATEMENTS, fail, me, number, value } from "./actions.js";
 
-/** How many times the loops of one frame may go round. */
+/** The most rounds of all loops in one frame. */
 const MOST_ROUNDS = 100000;
 
-/** Counts the rounds of a frame's loops. */
+/** Counts the rounds of loops in a frame. */
 export class Rounds {
 	#left = MOST_ROUNDS;
 
@@ -23,10 +23,10 @@ export class Rounds {
 	}
 }
 
-/** A run of a script: where it is, and for whom. */
+/** A running script: its place, and its agent. */
 export class Thread {
 	at = 0;
-	/** Rounds that loops have left, and agents that blocks go back to. */
+	/** The remaining rounds of loops, and the agents that blocks go back to. */
 	stack = [];
 	/** The frame in which it goes on. */
 	until = 0;
@@ -39,7 +39,7 @@ export class Thread {
 		return Object.assign(new Thread(this.code, this.me, this.collidee), { at: this.at, until: this.until, stack: [...this.stack] });
 	}
 
-	/** Goes on until the end, which is true, or until it waits. Errors, the engine's too, say which block they are about. */
+	/** Runs until the end, and returns true, or until it waits. Errors, also the engine's, get the block in which they happened. */
 	run(world) {
 		const { steps, blocks } = this.code;
 		world.me = this.me;
@@ -60,7 +60,7 @@ export class Thread {
 	}
 }
 
-/** The steps of a script, each with the block that it is of. A step that returns true waits. */
+/** The steps of a script, with the block of each. A step that returns true waits. */
 class Code {
 	steps = [];
 	blocks = [];
@@ -70,7 +70,7 @@ class Code {
 		this.blocks.push(block);
 	}
 
-	/** Steps for a chain of blocks. */
+	/** Adds the steps of a chain of blocks. */
 	addChain(first, world) {
 		for (let block = first; block; block = block.next?.block) {
 			const control = CONTROL[block.type];
@@ -82,7 +82,7 @@ class Code {
 		}
 	}
 
-	/** Steps for what is in an input, and after that a step back to an earlier one, if told. */
+	/** Adds the steps of an input, and then, if `back` is given, a step back to that one. */
 	addBody(block, name, world, back = -1) {
 		this.addChain(block.inputs?.[name]?.block, world);
 		if (back >= 0) this.addJump(block).to = back;
@@ -104,8 +104,8 @@ class Code {
 /**
  * A program's scripts.
  *
- * @param {object} state what Blockly.serialization.workspaces.save gives
- * @param {import("./world.js").World} world what they act upon
+ * @param {object} state the result of Blockly.serialization.workspaces.save
+ * @param {import("./world.js").World} world the scripts act on it
  * @returns {{event: string, fields: object, seconds: Function|null, code: Code}[]}
  */
 export function compile(state, world) {
@@ -118,7 +118,7 @@ export function compile(state, world) {
 }
 
 /**
- * The keys that a program has scripts for, each with what its first block does.
+ * The keys for which a program has scripts, with the effect of each script's first block.
  *
  * @returns {Map<string, string>}
  */
@@ -131,19 +131,19 @@ export function keysOf(state) {
 	return keys;
 }
 
-/** The breeds that keys turn: who sees such a game from behind one of them sees where it goes. */
+/** The breeds that keys turn. A player who looks over the shoulder of such an agent sees where it goes. */
 export function breedsThatKeysTurn(state) {
 	const tops = state?.blocks?.blocks ?? [];
 	return [...new Set(tops.filter((block) => block.type === "starlogo_key" && has(block, "starlogo_turn")).map(({ fields }) => fields.BREED))];
 }
 
-/** Whether a block of a type is in a block, or follows. */
+/** Whether a block contains a block of a type, or is followed by one. */
 function has(block, type) {
 	if (!block) return false;
 	return block.type === type || Object.values(block.inputs ?? {}).some((input) => has(input.block, type)) || has(block.next?.block, type);
 }
 
-/** What a key does in a word or two, by its first block. A block that only prepares something says less than the key itself. */
+/** The effect of a key in a word or two, by its first block. If that block only prepares something, the key's name is used. */
 function doing({ type, fields, inputs }, key) {
 	if (inputs?.STEPS?.shadow?.fields.NUM < 0) return texts.blocks.back;
 	if (/^(starlogo_(heading|go|ask)|controls_\w+|variables_set|math_change)$/.test(type) && key in texts.play.keyWays) return texts.play.keyWays[key];
@@ -156,7 +156,7 @@ const EVENTS = {
 	starlogo_touch_start: "touchStart", starlogo_touch_end: "touchEnd",
 };
 
-/** Blocks that have others inside of them, or wait. */
+/** Blocks that contain other blocks, or wait. */
 const CONTROL = {
 	starlogo_create: (block, world, code) => {
 		const count = number(block, "COUNT", world);
@@ -197,7 +197,7 @@ const CONTROL = {
 	},
 };
 
-/** Rounds of a loop; each for the agent that `who` gives, if it is told. */
+/** Adds the rounds of a loop. If `who` is given, each round is for the agent that it returns. */
 function addRounds(block, world, code, times, who = null) {
 	code.add(block, ({ stack }) => {
 		stack.push(world.me, times());
@@ -221,7 +221,7 @@ function addRounds(block, world, code, times, who = null) {
 	jump.to = code.end;
 }
 
-/** The branches of a condition, and what is done otherwise. */
+/** Adds the branches of a condition, and of the other case. */
 function addBranches(block, world, code, numbers) {
 	const ends = numbers.map((i) => {
 		const holds = value(block, `IF${i}`, world, false);

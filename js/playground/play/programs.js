@@ -1,4 +1,4 @@
-/** Which program is open, and what becomes of it: the user's own are never lost, whatever is opened in their place. */
+/** Manages which program is open, and what happens to it. The user's own programs are never lost when another one is opened. */
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
@@ -9,35 +9,35 @@ import { create, program as programOf, size, start } from "./notation.js";
 import { Shelf, fileName, fromLink, isProgram, meaning, toLink } from "./storage.js";
 
 const words = texts.play;
-/** What the first screen's names of models begin with. */
+/** On the first screen, the ids of models have this prefix. */
 const MODEL = "model ";
 const LESSON = "lesson-";
-/** What is open in a browser that has nothing open yet. */
+/** The program that is opened if the browser remembers none. */
 const FIRST = "paintball";
-/** What an address names if it is the first screen. */
+/** The address's argument for the first screen. */
 const HOME = "all";
 
 const library = () => import("./library.js");
 const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
-/** Whether the page brings a program of this name. */
+/** Whether the page has a program with this name. */
 const isBrought = (name) => name in words.games || name in words.examples || LESSON_NAMES.includes(lessonOf(name));
 const brought = async (name) => (await library()).BROUGHT[name];
 
 export class Programs {
-	/** Which program is shown: the name of one that the page brings, the id of one of the user's, or "link". */
+	/** The program that is shown: the name of one of the page's, the id of one of the user's, or "link". */
 	#name = null;
 	#title = "";
-	/** The collision system that the program is played with, if it is not the default one. */
+	/** The collision system for the program, if it is not the default one. */
 	#system = null;
-	/** Whether another tab has changed the program that is open. */
+	/** Whether another tab has changed the open program. */
 	#isTaken = false;
 	/** The lesson that is open, or null. */
 	#lesson = null;
-	/** The program that was asked for last. */
+	/** The last program that was requested. */
 	#asked = null;
 	#home = null;
 
-	/** @param {object} view whose programs they are */
+	/** @param {object} view shows the programs */
 	constructor(view) {
 		this.view = view;
 		this.shelf = new Shelf();
@@ -52,12 +52,15 @@ export class Programs {
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
-	/** The program as it is now, with the collision system that it is played with. */
+	/** The present program, with its collision system. */
 	get program() {
 		return { ...this.view.editor.program, ...(this.#system && { system: this.#system }) };
 	}
 
-	/** Opens what an address names: a program that the page brings, one of the user's, one in a link; else that which was open last, or the first screen. */
+	/**
+	 * Opens the program in an address: one of the page's, one of the user's, or one in a link. Otherwise it opens the last program, or the
+	 * first screen.
+	 */
 	async open(argument) {
 		if (argument === this.#name) {
 			this.#home?.leave();
@@ -86,7 +89,7 @@ export class Programs {
 		}
 	}
 
-	/** The program that will be opened, as far as that is known. */
+	/** The program that will be opened, if it is known already. */
 	async first(argument) {
 		try {
 			if (this.shelf.find(argument)) return this.shelf.find(argument).program;
@@ -106,7 +109,7 @@ export class Programs {
 		return this.shelf.last !== null || this.shelf.all.length > 0;
 	}
 
-	/** What was open last, or else the paintball game. */
+	/** The program that was open last, otherwise the paintball game. */
 	async #last() {
 		const { last, all } = this.shelf;
 		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
@@ -117,17 +120,17 @@ export class Programs {
 
 	async #openLast() {
 		const { program, name } = await this.#last();
-		// something was chosen meanwhile
+		// the user has chosen another one meanwhile
 		if (this.#asked !== null) return;
 		try {
 			this.#show(program, name);
 		} catch {
-			// one of another version
+			// of another version
 			this.#show(await brought(FIRST), FIRST);
 		}
 	}
 
-	/** Shows a program; throws if it is none, and leaves what was there. */
+	/** Shows a program. If it is none, it throws, and the old one stays. */
 	#show(program, name, title = this.#titleOf(name)) {
 		const { view } = this;
 		const before = this.#name === null ? null : { program: this.program, name: this.#name, title: this.#title };
@@ -136,7 +139,7 @@ export class Programs {
 		this.#name = name;
 		this.#isTaken = false;
 		this.#system = CollisionBlocks.systemNames.includes(program.system) ? program.system : null;
-		// what is made of a lesson's program is in the lesson
+		// a program made from a lesson's program still belongs to the lesson
 		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? null;
 		this.lessons.show(this.#lesson);
 		this.#showTitle(title);
@@ -148,7 +151,7 @@ export class Programs {
 		}
 	}
 
-	/** Opens what another program has replaced, as it was. */
+	/** Opens the program that another one has replaced, unchanged. */
 	#goBackTo({ program, name, title }) {
 		this.#show(program, name, title);
 		if (name !== "link") this.shelf.last = name;
@@ -168,7 +171,7 @@ export class Programs {
 		else this.kept.replaceChildren(button(words.keep, () => this.#keep(), { title: words.keepNote }));
 	}
 
-	/** Gives the program another name, under which it is kept. */
+	/** Renames the program and keeps it under the new name. */
 	#rename() {
 		const title = this.title.value.trim();
 		if (title === "" || title === this.#title) this.title.value = this.#title;
@@ -183,7 +186,7 @@ export class Programs {
 		this.title.focus();
 	}
 
-	/** The address names the program that is open. */
+	/** Puts the open program's name into the address. */
 	#setAddress(name, isStep = false) {
 		const hash = `#play/${name}`;
 		if (name === "link" || location.hash === hash) return;
@@ -199,7 +202,7 @@ export class Programs {
 		this.#home = new Home(this, this.view.main);
 	}
 
-	/** What the first screen shows: groups of programs, and what may be done with them. */
+	/** The first screen's groups of programs, and what the user can do with them. */
 	get groups() {
 		const { own } = this.view;
 		const named = (table) => Object.entries(table).map(([id, name]) => ({ id, name }));
@@ -225,7 +228,7 @@ export class Programs {
 		else await this.choose(id, id.startsWith(LESSON));
 	}
 
-	/** A game is won. Those that the page brings get a tick. */
+	/** Called when a game is won. The page's own games get a tick. */
 	win() {
 		if (this.#name in words.games) this.lessons.win(this.#name);
 	}
@@ -240,7 +243,7 @@ export class Programs {
 		return this.#remove(id);
 	}
 
-	/** Deletes a program of the user's; it can be taken back. */
+	/** Deletes one of the user's programs. This can be undone. */
 	async #remove(id) {
 		const entry = this.shelf.find(id);
 		this.shelf.remove(id);
@@ -252,10 +255,10 @@ export class Programs {
 	}
 
 	/**
-	 * Opens a program that the page brings, or one of the user's.
+	 * Opens one of the page's or the user's programs.
 	 *
 	 * @param {string} name its name, or its id
-	 * @param {boolean} isRead whether its lesson is read next
+	 * @param {boolean} isRead whether the focus goes to its lesson
 	 */
 	async choose(name, isRead = false) {
 		this.#asked = name;
@@ -272,7 +275,7 @@ export class Programs {
 		}
 	}
 
-	/** Opens a program of the user's that has one agent in it. */
+	/** Opens a new program of the user's, with one agent. */
 	async openNew() {
 		await this.view.editing;
 		this.#open(programOf(start(create(1, "bears", "bear", size(1.4)))), words.newName);
@@ -280,7 +283,7 @@ export class Programs {
 		this.title.select();
 	}
 
-	/** Leaves the lesson, and nothing else: the program stays. */
+	/** Leaves the lesson. The program stays. */
 	#leaveLesson() {
 		this.#lesson = null;
 		if (this.shelf.find(this.#name)) this.shelf.put({ id: this.#name, lesson: null });
@@ -288,7 +291,7 @@ export class Programs {
 		this.title.focus();
 	}
 
-	/** Plays the program with another collision system: its block says so, if it has one for that. */
+	/** Plays the program with another collision system. If the program has a block for that, the block changes too. */
 	useSystem(name) {
 		const { editor } = this.view;
 		if (editor.system !== null) {
@@ -305,9 +308,9 @@ export class Programs {
 	}
 
 	/**
-	 * What the user changes is the user's: an example, and what a link brought, becomes a program with a name of its own.
+	 * Called when the user has changed the program. A changed example, or a program from a link, becomes one of the user's with its own name.
 	 *
-	 * @param {number} deleted how many blocks the change has deleted
+	 * @param {number} deleted the number of blocks that the change deleted
 	 */
 	changed(deleted) {
 		const { view } = this;
@@ -325,7 +328,7 @@ export class Programs {
 		});
 	}
 
-	/** Keeps the program as a new one of the user's, under a name that no other has. */
+	/** Keeps the program as a new one of the user's, under a new name. */
 	#putNew(title) {
 		const names = new Set(this.shelf.all.map(({ name }) => name));
 		let name = title;
@@ -336,7 +339,7 @@ export class Programs {
 		this.#name = id;
 		this.#isTaken = false;
 		this.#showTitle(name);
-		// what is kept counts from now on, not what a link brought
+		// the kept program counts from now on, not the link
 		this.#setAddress(id);
 		return name;
 	}
@@ -349,7 +352,7 @@ export class Programs {
 		this.view.say(words.elsewhere(entry?.name ?? this.#title));
 	}
 
-	/** Opens a program, or makes a model a shape that agents can have. */
+	/** Opens a program, or adds a model as a shape for agents. */
 	async openFile(file, files = [file]) {
 		if (MODEL_FILE.test(file.name)) {
 			await this.view.own.add(file, files);
@@ -368,7 +371,7 @@ export class Programs {
 		}
 	}
 
-	/** Opens a program as one more of the user's; throws if it is none. */
+	/** Opens a program as a new one of the user's. Throws if it is none. */
 	#open(program, title) {
 		this.#asked = title;
 		this.#show(program, "link", title);

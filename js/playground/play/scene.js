@@ -1,4 +1,4 @@
-/** How a game looks: its agents, what they say, where they met, what the engine sees of them, goal, score and end. */
+/** Draws a game: its agents, their words, their meetings, the shapes that the engine tests, goal, score and end. */
 import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { pairsOf } from "../compare/game.js";
 import { LINES, VERDICTS } from "../shared/colours.js";
@@ -13,16 +13,16 @@ import { HALF_WIDTH } from "./world.js";
 const words = texts.play;
 const STRUCTURES = { color: LINES.tested };
 const CHOSEN = { color: LINES.chosen };
-/** How stages look at the ground. */
+/** The view of stages on the ground. */
 export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HALF_WIDTH, isLand: true };
-/** How many frames a flash and a mark last. */
+/** The length of a flash and of a mark, in frames. */
 const [FLASH, MARK] = [9, 45];
 const MOST_SAID = 40;
-/** How high signs stand over heads. */
+/** The height of signs above heads. */
 const ABOVE = 0.35;
-/** How large the pictures of shapes are in menus. */
+/** The size of the shapes' pictures in menus. */
 const SMALL = [80, 60];
-/** What small pictures of games show that have agents all over the ground: the middle of it. */
+/** If agents are all over the ground, small pictures show this part of it in the middle. */
 const NEAR = 0.6 * HALF_WIDTH;
 const MIDDLE = [-NEAR, -NEAR, 0, NEAR, NEAR, 2];
 
@@ -30,7 +30,7 @@ export class Scene {
 	camera = "all";
 	isSeen = false;
 	chosen = null;
-	/** Who touches in this game and not in the one beside it ("wrong"), or there and not here ("missed"). */
+	/** Agents that touch in this game only ("wrong"), or in the game beside it only ("missed"). */
 	differing = new Map();
 	/** Whether the same game is played beside this one. */
 	isBeside = false;
@@ -46,7 +46,7 @@ export class Scene {
 	 * @param {import("../shared/stage.js").Stage} stage
 	 * @param {import("./world.js").World} world
 	 * @param {Map} models by their names
-	 * @param {HTMLElement} screen what lies over the stage
+	 * @param {HTMLElement} screen lies over the stage
 	 */
 	constructor(stage, world, models, screen) {
 		Object.assign(this, { stage, world, models });
@@ -61,15 +61,16 @@ export class Scene {
 		stage.onDrawn = () => this.#placeBubbles();
 	}
 
-	/** A game begins. */
+	/** Called when a game begins. */
 	begin() {
 		this.chosen = null;
 	}
 
 	/**
-	 * Looks at a new program's game: over the shoulder of its main character, or else at all of its agents, or all of the ground if they are all over it.
+	 * Points the camera at a new program's game: over the shoulder of its main character, otherwise at all of its agents. If they are all over
+	 * the ground, at the whole ground.
 	 *
-	 * @returns {string} which camera that is
+	 * @returns {string} the name of the camera
 	 */
 	lookAt(program) {
 		const { agents } = this.world;
@@ -79,12 +80,12 @@ export class Scene {
 		return this.camera;
 	}
 
-	/** Whom the camera follows if nobody was clicked. */
+	/** The agent that the camera follows if none was clicked. */
 	get main() {
 		return this.world.agents.find(({ breed }) => breed === this.#mainBreed) ?? this.world.agents[0];
 	}
 
-	/** The least and the largest x, y and z of agents; null if they are all over the ground. */
+	/** The bounds of agents in x, y and z; null if they are all over the ground. */
 	#partOf(agents) {
 		const low = [Infinity, Infinity, 0];
 		const high = [-Infinity, -Infinity, 0];
@@ -99,7 +100,7 @@ export class Scene {
 		return width > 0 && width < 1.5 * HALF_WIDTH ? [...low, ...high] : null;
 	}
 
-	/** Draws the game as it is; `again` begins another one, null if that is not for this scene. */
+	/** Draws the present game. `again` begins another one; null if this scene cannot. */
 	draw(again) {
 		const { stage, world } = this;
 		const { frame } = world;
@@ -121,13 +122,13 @@ export class Scene {
 		stage.draw();
 	}
 
-	/** A picture of how a program's game begins, which is shown until the game is drawn again. */
+	/** A picture of the beginning of a program's game. It stays on the stage until the game is drawn again. */
 	pictureOfGame(program, world, width, height) {
 		const breed = mainBreedOf(program, world.agents);
 		return this.#picture(world, width, height, world.agents.find((agent) => agent.breed === breed));
 	}
 
-	/** A picture of agents, from behind one of them or else of all. */
+	/** A picture of agents, from behind one of them, or of all. */
 	#picture(world, width, height, main) {
 		this.stage.setGround(world.ground);
 		this.stage.showMarks([], []);
@@ -140,7 +141,7 @@ export class Scene {
 		});
 	}
 
-	/** The agents without those between the eye and one that it follows, if it does. */
+	/** The agents without those that hide the followed agent. */
 	#notHiding(main, world) {
 		const { agents } = world;
 		if (!main || !this.stage.renderer) return agents;
@@ -149,12 +150,12 @@ export class Scene {
 		return hiding.size > 0 ? agents.filter((agent) => !hiding.has(agent)) : agents;
 	}
 
-	/** A picture of one agent of a shape, as an address; made once. */
+	/** The address of a picture of one agent of a shape. It is made once. */
 	pictureOf(shape) {
 		const model = this.models.get(shape);
 		if (model && !this.#pictures.has(model)) {
 			this.#pictures.set(model, this.#picture({ agents: [new Being(shape, shape)], frame: 0, ground: "meadow" }, ...SMALL, null));
-			// what the game shows comes back after the last one
+			// after the last picture, the game is shown again
 			if (!this.#isPictured) queueMicrotask(() => {
 				this.#isPictured = false;
 				this.draw(null);
@@ -184,7 +185,7 @@ export class Scene {
 		}
 	}
 
-	/** Says once what colours and signs of the pictures mean. */
+	/** Explains, once, the colours and signs in the pictures. */
 	#explain(notes) {
 		if (this.#explained === notes) return;
 		this.#explained = notes;
@@ -192,12 +193,12 @@ export class Scene {
 		this.legend.replaceChildren(...Object.entries(notes).map(([name, text]) => h(`li.${name}`, {}, text)));
 	}
 
-	/** What each agent that touches, or should, is in: "hit" where the models touch as well, "wrong" where they do not, "missed". */
+	/** The verdict about each agent that touches or should: "hit" if the models touch too, "wrong" if they do not, or "missed". */
 	#verdicts() {
 		const { world } = this;
 		const { agents, collisions } = world;
 		const truth = pairsOf(collisions.systemNamed(CollisionBlocks.EXACT), agents);
-		// a system of its own: from where the game's has seen agents, their motions begin
+		// A separate system, because motions begin where the game's own system has last seen the agents.
 		this.blocks ??= new CollisionBlocks(world.greatLand, agents);
 		const found = pairsOf(this.blocks.systemNamed(collisions.systemName), agents);
 		const verdicts = new Map();
@@ -210,7 +211,9 @@ export class Scene {
 		return verdicts;
 	}
 
-	/** The solids that the collision system tests of an agent; in the model's space, or in the world if no agent is given back. */
+	/**
+	 * The solids that the collision system tests for an agent, in the model's space. Without an agent in the result, they are in the world.
+	 */
 	#structuresOf(agent) {
 		const { collisions, greatLand } = this.world;
 		const { systemName } = collisions;
@@ -228,7 +231,7 @@ export class Scene {
 		return { agent, structures: [agent.collideAs === "tightest" ? library.tightestFit(agent.shape) : library[agent.collideAs](agent.shape)] };
 	}
 
-	/** What agents say, over their heads. */
+	/** Shows the agents' words over their heads. */
 	#placeBubbles() {
 		const { agents, frame } = this.world;
 		const talking = agents.filter(({ said }) => said.text !== "" && said.until > frame).slice(0, MOST_SAID);
@@ -247,7 +250,7 @@ export class Scene {
 		}
 	}
 
-	/** What is known of the agent that was clicked. */
+	/** Shows the data of the agent that was clicked. */
 	#inspect() {
 		const { chosen, world } = this;
 		this.facts.hidden = !chosen;
@@ -267,10 +270,10 @@ export class Scene {
 	}
 }
 
-/** The breed of a game's main character, whom keys turn and who is alone in it; null if there is none. */
+/** The breed of a game's main character: keys turn it, and it has only one agent. Null if there is none. */
 const mainBreedOf = (program, agents) => breedsThatKeysTurn(program).find((breed) => agents.filter((agent) => agent.breed === breed).length === 1) ?? null;
 
-/** The structures of a tree that a test ends at. */
+/** The structures of a tree at which a test ends. */
 function boundsAt(node, level, out = []) {
 	if (level <= 1 || node.isLeaf) return [...out, node.bounds];
 	return boundsAt(node.right, level - 1, boundsAt(node.left, level - 1, out));

@@ -1,12 +1,12 @@
-/** What a game sounds like: a tone for a touch, a few for something done or lost. It can be muted, and the browser keeps that. */
+/** The sounds of a game: a tone for a touch, some tones for a success or a defeat. The user can mute it, and the browser remembers that. */
 import { button } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.play;
 const KEY = "starlogo-playground.muted";
-/** How many frames lie between two tones of touches. */
+/** The least number of frames between two tones of touches. */
 const BETWEEN = 6;
-/** Tones in hertz: of a touch, of something done, of a game that is lost. */
+/** Tones in hertz: for touches, for a success, for a lost game. */
 const TOUCHES = [523, 587, 659, 784, 880];
 const DONE = [523, 659, 784, 1047];
 const LOST = [392, 330, 262];
@@ -14,7 +14,7 @@ const LOST = [392, 330, 262];
 export class Sound {
 	#context = null;
 	#isMuted = false;
-	/** The frame that was heard last, that of the last tone, and how many meetings there had been. */
+	/** The last frame that was heard, the frame of the last tone, and the number of meetings then. */
 	#frame = 0;
 	#last = -BETWEEN;
 	#met = 0;
@@ -23,7 +23,7 @@ export class Sound {
 		try {
 			this.#isMuted = localStorage.getItem(KEY) === "true";
 		} catch {
-			// a browser that keeps nothing
+			// the browser stores nothing
 		}
 		this.button = button("", () => this.#mute(!this.#isMuted), { class: "tool sound" });
 		this.#show();
@@ -42,15 +42,15 @@ export class Sound {
 		try {
 			localStorage.setItem(KEY, String(isMuted));
 		} catch {
-			// it is so as long as the page is open
+			// remembered until the page is closed
 		}
 		if (!isMuted) this.#play([TOUCHES[0]], 0.08);
 	}
 
-	/** Hears a frame of a game: a tone if a touch has begun in it. */
+	/** Listens to a frame of a game. Plays a tone if a touch has begun in it. */
 	hear({ frame, state: { meetings }, events: [event] }) {
 		if (frame <= this.#frame) {
-			// a game has begun anew, or gone back
+			// the game has begun again, or gone back
 			this.#last = -BETWEEN;
 			this.#met = 0;
 		}
@@ -70,10 +70,10 @@ export class Sound {
 		this.#play(LOST, 0.2);
 	}
 
-	/** Tones one after the other, each so many seconds long. */
+	/** Plays tones one after the other. Each lasts this many seconds. */
 	#play(tones, seconds) {
 		if (this.#isMuted || !globalThis.AudioContext) return;
-		// browsers let a page sound once something was pressed on it
+		// browsers allow sound only after the user has pressed something
 		this.#context ??= new AudioContext();
 		const { currentTime, destination } = this.#context;
 		tones.forEach((tone, i) => {

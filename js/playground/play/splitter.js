@@ -1,16 +1,16 @@
-/** The line between blocks and world, which can be moved: by the pointer and by arrow keys. */
+/** The movable line between blocks and world. The pointer and arrow keys move it. */
 import { h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
 const KEY = "starlogo-playground.blocks-width";
-/** The least and the largest part of the window that blocks take, in percent, and that which they have at first. */
+/** The least, the largest and the first width of the blocks, in percent of the window. */
 const [LEAST, MOST, FIRST] = [25, 72, 50];
 const STEP = 2;
 
 /**
  * Makes the line.
  *
- * @param {HTMLElement} main whose style gets the width
+ * @param {HTMLElement} main its style gets the width
  */
 export function splitter(main) {
 	const line = h("div.splitter", { role: "separator", tabindex: "0", "aria-orientation": "vertical", "aria-label": texts.play.splitter, "aria-valuemin": LEAST, "aria-valuemax": MOST });
@@ -24,7 +24,7 @@ export function splitter(main) {
 		try {
 			localStorage.setItem(KEY, String(width));
 		} catch {
-			// it is so as long as the page is open
+			// remembered until the page is closed
 		}
 	};
 	try {

@@ -1,24 +1,24 @@
 /** Where programs are kept: in the browser, each under a name of its own, in files, in links. */
 
 const KEY = "starlogo-playground.programs";
-/** What the browser kept before programs had names: the last one. */
+/** The key for the last program, from a release in which programs had no names. */
 const OLD_KEY = "starlogo-playground.program";
 
 /**
- * The programs of the browser's user, each {id, name, program, picture, changed}. Another tab may change them too: they are read anew before
- * each change.
+ * The programs of the browser's user, each {id, name, program, picture, changed}. Another tab may change them too, so they are read again
+ * before each change.
  */
 export class Shelf {
-	/** Whether what was put here last is kept. */
+	/** Whether the last change is stored. */
 	isKept = true;
-	/** The programs, if the browser refuses them. */
+	/** The programs, if the browser refuses to store them. */
 	#unkept = null;
 
 	get all() {
 		return this.#unkept ?? read(KEY) ?? this.#taken();
 	}
 
-	/** What an earlier release has kept. */
+	/** The program that an earlier release has stored. */
 	#taken() {
 		const old = read(OLD_KEY);
 		return old?.name === "own" && isProgram(old.program) ? [{ id: "own", name: "1", program: old.program, changed: 0 }] : [];
@@ -28,7 +28,7 @@ export class Shelf {
 		return this.all.find((each) => each.id === id) ?? null;
 	}
 
-	/** Puts one here, in place of that with the same id. */
+	/** Adds a program, or replaces the one with the same id. */
 	put(entry) {
 		const { all } = this;
 		const at = all.findIndex(({ id }) => id === entry.id);
@@ -64,7 +64,7 @@ export class Shelf {
 		}
 	}
 
-	/** Tells of changes by other tabs, until the function that it returns is called. */
+	/** Calls the listener for changes by other tabs, until the returned function is called. */
 	watch(listener) {
 		const heard = ({ key }) => {
 			if (key === KEY) listener();
@@ -82,10 +82,10 @@ function read(key) {
 	}
 }
 
-/** Whether something read from outside may be a program. */
+/** Whether a value from outside can be a program. */
 export const isProgram = (value) => Array.isArray(value?.blocks?.blocks);
 
-/** A program without what Blockly makes anew: names of blocks, places. */
+/** A program without data that Blockly makes again: ids of blocks, places. */
 function bare(value, key) {
 	if (Array.isArray(value)) return value.map((each) => bare(each));
 	if (value === null || typeof value !== "object") return value;
@@ -94,12 +94,12 @@ function bare(value, key) {
 		.map(([name, each]) => [name, name === "variables" ? each : bare(each, name)]));
 }
 
-/** The words that links are full of, for the compressor to point to. */
+/** Frequent words in links, for the compressor. */
 const WORDS = ["starlogo_", "\"inputs\":{", "\"fields\":{", "{\"block\":{\"type\":\"", "{\"shadow\":{\"type\":\"math_number\",\"fields\":{\"NUM\":", "\"next\":{\"block\":{\"type\":\"", "\"BREED\":\"", "\"WHO\":\"", "\"SHAPE\":\"", "\"COLOUR\":", "\"STEPS\":", "\"DO\":{\"block\":{\"type\":\"", "\"collapsed\":true", "\"DEGREES\":", "\"}},", "}}}"];
 const shorten = (text) => WORDS.reduce((all, word, i) => all.replaceAll(word, String.fromCharCode(1 + i)), text);
 const lengthen = (text) => WORDS.reduceRight((all, word, i) => all.replaceAll(String.fromCharCode(1 + i), word), text);
 
-// A Response would read it in one call, but Firefox writes on the console what a Response cannot read.
+// A Response would read it in one call. But if it cannot be read, Firefox writes an error on the console.
 async function squeezed(text, stream) {
 	const parts = [];
 	const reader = new Blob([text]).stream().pipeThrough(stream).getReader();
@@ -114,7 +114,7 @@ export async function toLink(program) {
 	return text.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-/** The program in such a text; throws if there is none. */
+/** The program in such a text. Throws if there is none. */
 export async function fromLink(text) {
 	const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
 	const program = JSON.parse(lengthen(new TextDecoder().decode(await squeezed(bytes, new DecompressionStream("deflate-raw")))));
@@ -122,10 +122,13 @@ export async function fromLink(text) {
 	return program;
 }
 
-/** What of a program its game depends on: not where its blocks lie, nor which are folded; nor the collision system, which changes while it is played. */
+/**
+ * The parts of a program that change its game. Left out are the places of blocks, which ones are folded, and the collision system, which
+ * can change during the game.
+ */
 export const meaning = (program) => JSON.stringify(program, function meant(key, value) {
 	return key === "system" || key === "languageVersion" || ("type" in this && ["id", "x", "y", "collapsed"].includes(key)) ? undefined : value;
 });
 
-/** A name that every system takes for a file. */
+/** A name that is allowed for a file on every system. */
 export const fileName = (title) => title.replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, " ").replaceAll(/\s+/g, " ").trim() || "program";

@@ -1,7 +1,7 @@
 /**
- * Play: a program of blocks beside the world that it moves.
+ * Play: a program of blocks beside its world.
  *
- * This file is long because what a game's controls do, in which order, is one thing: most of it is their layout and starting, stopping and drawing.
+ * This file is long because the controls of a game belong together: most of it is their layout, and starting, stopping and drawing.
  */
 import { CollisionBlocks, GreatLand } from "starlogo-collision";
 import { button, choice, field, h, slider, tick } from "../shared/dom.js";
@@ -21,11 +21,11 @@ import { meaning } from "./storage.js";
 import { FRAMES_A_SECOND, World } from "./world.js";
 
 const words = texts.play;
-/** How many frames may be made up for between two pictures. */
+/** The most frames that are computed between two pictures to make up for lost time. */
 const MOST_AT_ONCE = 8;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const PICTURE = [240, 150];
-/** How many pieces of confetti fall, and for how many milliseconds. */
+/** The number of pieces of confetti, and the milliseconds that they fall. */
 const [PIECES, CELEBRATED] = [36, 3000];
 
 export async function createView(main, link) {
@@ -51,13 +51,13 @@ class PlayView {
 	#owed = 0;
 	#speed = 1;
 	isBroken = false;
-	/** Done when there is an editor. */
+	/** Resolved when the editor is loaded. */
 	editing = new Promise((resolve) => {
 		this.#beginEditing = resolve;
 	});
 	#begun = "";
 	#isQuiet = false;
-	/** The game beside this one, or null; and the one that was asked for last. */
+	/** The game beside this one, or null; and the last one that was requested. */
 	#beside = null;
 	#asked = "";
 
@@ -110,12 +110,12 @@ class PlayView {
 			this.draw();
 			this.#playOn();
 		});
-		// of a small window's two parts, one is in sight
+		// a small window shows one of the two parts
 		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
 		this.#turnTo("game");
 		this.controls = h("div.controls.game", { role: "group", "aria-label": words.run },
 			this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), this.status);
-		// of the whole screen, Run is a part
+		// in full screen, the button Run is included
 		this.theatre.addEventListener("fullscreenchange", () => {
 			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
 			else this.main.querySelector(".show").prepend(this.controls);
@@ -146,7 +146,7 @@ class PlayView {
 		this.draw();
 	}
 
-	/** Shows how a program's game begins, before its blocks have come. */
+	/** Shows the beginning of a program's game before its blocks are loaded. */
 	preview(program) {
 		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = true;
 		this.say(texts.loading);
@@ -155,12 +155,12 @@ class PlayView {
 			this.world.begin(program);
 			this.lookAt(program);
 		} catch {
-			// which is said when they are there
+			// the error is shown when they are loaded
 		}
 		this.draw();
 	}
 
-	/** Looks at a new program's game as it is best seen. */
+	/** Points the camera at a new program's game. */
 	lookAt(program) {
 		this.camera.value = this.scene.lookAt(program);
 		this.draw();
@@ -175,13 +175,13 @@ class PlayView {
 		this.#beginEditing();
 	}
 
-	/** Plays the game on with another collision system. */
+	/** Goes on with another collision system. */
 	#useSystem(name) {
 		const { isStale } = this;
 		this.programs.useSystem(name);
 		if (!isStale) this.#begun = meaning(this.programs.program);
 		this.world.useSystem(name);
-		// a game that stands still is as the new one sees it
+		// a game that stands still shows the new system's results
 		if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
 			this.world.collide();
 			this.#beside?.compare();
@@ -191,7 +191,7 @@ class PlayView {
 		this.#playOn();
 	}
 
-	/** Plays the same game under another system as well, from the start and with the same keys; alone for "". */
+	/** Plays the same game with another system beside this one, from the start and with the same keys; "" removes it. */
 	async putBeside(name) {
 		this.#asked = name;
 		const { Beside } = name === "" ? {} : await import("./beside.js");
@@ -204,12 +204,12 @@ class PlayView {
 		if (isRunning) this.run();
 	}
 
-	/** Gives the keys back to the game after a choice beside it. */
+	/** Gives the keyboard focus back to the game. */
 	#playOn() {
 		if (this.isRunning) this.worldHost.focus({ preventScroll: true });
 	}
 
-	/** What a program's game looks like when it begins; null if it cannot. */
+	/** A picture of the beginning of a program's game; null if there is none. */
 	pictureOf(program) {
 		const world = new World(this.world.greatLand);
 		try {
@@ -221,24 +221,24 @@ class PlayView {
 		return this.scene.pictureOfGame(program, world, ...PICTURE);
 	}
 
-	/** Opens what an address names. */
+	/** Opens the program in an address. */
 	async open(link) {
 		await this.editing;
 		await this.programs.open(link);
 	}
 
-	/** Opens what the user has chosen, or dropped anywhere on the page. */
+	/** Opens a file that the user has chosen, or dropped on the page. */
 	openFile(file, files) {
 		return this.programs.openFile(file, files);
 	}
 
-	/** Says something, with what may be done about it. */
+	/** Shows a message with a button. */
 	offer(text, action, onclick) {
 		this.say(text);
 		this.status.append(" ", button(action, onclick));
 	}
 
-	/** The program's beginning. */
+	/** Goes to the program's beginning. */
 	reset() {
 		this.#halt();
 		this.editor.mark(null);
@@ -259,7 +259,7 @@ class PlayView {
 		this.draw();
 	}
 
-	/** Shows how the game begins since its program was changed. What is wrong with it is marked where it is. */
+	/** Shows the beginning of the changed program's game. An error is marked at its block. */
 	showBeginning() {
 		this.#isQuiet = true;
 		this.reset();
@@ -267,7 +267,7 @@ class PlayView {
 	}
 
 	run() {
-		// what was changed since counts from the beginning
+		// changes count from the beginning
 		if (this.isBroken || this.world.ended || this.isStale) this.reset();
 		if (this.isBroken) return;
 		this.isRunning = true;
@@ -281,7 +281,7 @@ class PlayView {
 		this.#request = requestAnimationFrame((now) => this.#frame(now));
 	}
 
-	/** The game, and the one beside it if there is one: each with its world, stage and scene. */
+	/** This game, and the one beside it if there is one, each with its world, stage and scene. */
 	get games() {
 		return this.#beside ? [this, this.#beside] : [this];
 	}
@@ -327,7 +327,7 @@ class PlayView {
 		if (this.world.ended) this.#end();
 	}
 
-	/** Takes a frame into account. */
+	/** Called after a frame. */
 	#take() {
 		this.panel.count();
 		this.sound.hear(this.world);
@@ -346,7 +346,7 @@ class PlayView {
 		}
 	}
 
-	/** Something is done, or won. */
+	/** Celebrates a success or a victory. */
 	#celebrate(text) {
 		this.sound.done();
 		this.say(text);
@@ -375,7 +375,7 @@ class PlayView {
 		if (this.isRunning) this.#request = requestAnimationFrame((next) => this.#frame(next));
 	}
 
-	/** Does what a program may fail at; says how. */
+	/** Does something in which a program may fail. Shows the error. */
 	#attempt(action) {
 		if (this.isBroken) return;
 		try {

@@ -6,15 +6,15 @@ import { Being } from "./being.js";
 import { History } from "./history.js";
 import { Rounds, Thread, compile } from "./program.js";
 
-/** Half the width of the ground; who leaves it comes in on the other side. */
+/** Half the width of the ground. An agent that leaves it comes in on the other side. */
 export const HALF_WIDTH = 12;
 export const FRAMES_A_SECOND = 60;
 const MOST_AGENTS = 2000;
-/** The ground of games that choose none. */
+/** The ground of games that do not choose one. */
 const MEADOW = "meadow";
-/** How many meetings are listed. */
+/** The number of meetings in the list. */
 const MOST_EVENTS = 60;
-/** How long what an agent says stays. */
+/** The seconds for which an agent's words are shown. */
 const SECONDS_SAID = 2;
 
 export class World {
@@ -24,11 +24,11 @@ export class World {
 	collidee = null;
 	held = new Set();
 	mouse = { x: 0, y: 0, isDown: false };
-	/** What the last frame's collision detection took, in milliseconds. */
+	/** The milliseconds of the last frame's collision detection. */
 	collisionMs = 0;
-	/** Whether who touches is listed in state.pairs, in each frame anew: by the numbers of both. */
+	/** Whether the pairs that touch are listed in state.pairs, in each frame, by their numbers. */
 	isWatched = false;
-	/** Whether blocks leave the collision system as it is. */
+	/** Whether blocks may not change the collision system. */
 	isSystemFixed = false;
 	#pressed = new Set();
 	#clicked = null;
@@ -36,23 +36,21 @@ export class World {
 	#areSensesOld = true;
 	#now;
 
-	/**
-	 * @param {object} greatLand has every shape that programs name
-	 */
+	/** @param {object} greatLand has every shape that programs name */
 	constructor(greatLand) {
 		this.greatLand = greatLand;
 		this.collisions = new CollisionBlocks(greatLand, this.agents);
 		this.traits = new TraitBlocks(this.agents);
 		this.structures = new StructureBlocks(this.collisions);
 		this.detection = new DetectionBlocks(this.collisions);
-		// of systems that have searched, contacts are those of that search
+		// A separate system, because a system that has searched gives the contacts of its last search.
 		this.#now = new CollisionBlocks(greatLand, []);
 		this.history = new History(this);
 		this.#forget();
 	}
 
 	#forget() {
-		/** What History keeps of a frame, beside the agents. */
+		/** The data of a frame that History keeps, in addition to the agents. */
 		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
 		this.agents.length = 0;
 		this.#pressed.clear();
@@ -60,7 +58,7 @@ export class World {
 		this.#areSensesOld = true;
 	}
 
-	/** Makes the world the beginning of a program, which may name the collision system that it is played with. */
+	/** Begins a program. The program may choose the collision system. */
 	begin(program) {
 		this.#forget();
 		this.collisions.forgetScripts();
@@ -70,7 +68,7 @@ export class World {
 		if (!this.isSystemFixed) this.useSystem(CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
 		this.#scripts = [];
 		this.#scripts = compile(program, this);
-		// all that touch, whoever has scripts
+		// all pairs that touch, also those without scripts
 		this.collisions.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => {
 			a.touched = b.touched = this.frame;
 			if (this.isWatched && a.number < b.number) this.state.pairs.set(`${a.number} ${b.number}`, [a, b]);
@@ -89,7 +87,7 @@ export class World {
 		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#start(code, collider, collidee));
 	}
 
-	/** Begins a script, unless it is still at it for the same agents. */
+	/** Begins a script, unless it is still running for the same agents. */
 	#start(code, me, collidee) {
 		if (this.threads.some((each) => each.code === code && each.me === me && each.collidee === collidee)) return;
 		this.#go(new Thread(code, me, collidee));
@@ -100,7 +98,7 @@ export class World {
 	}
 
 	#meet(a, b, { x, y, z }) {
-		// what touches from the beginning has not been hit
+		// agents that touch from the beginning have not hit each other
 		if (this.frame > 1) a.hit = b.hit = this.frame;
 		const names = [a.breed, b.breed].sort().join("\n");
 		this.totals.set(names, (this.totals.get(names) ?? 0) + 1);
@@ -109,7 +107,7 @@ export class World {
 		this.events.length = Math.min(this.events.length, MOST_EVENTS);
 	}
 
-	/** One frame: scripts, then collisions. */
+	/** Does one frame: scripts, then collisions. */
 	step() {
 		this.history.goOn();
 		this.state.frame++;
@@ -134,7 +132,7 @@ export class World {
 		this.history.add(listed);
 	}
 
-	/** The end of a frame: who touches whom. */
+	/** Ends the frame: finds the pairs that touch. */
 	collide() {
 		if (this.isWatched) this.state.pairs = new Map();
 		const start = performance.now();
@@ -146,13 +144,13 @@ export class World {
 	#isDue(event, fields, seconds) {
 		if (event === "each") return true;
 		if (event === "click") return this.#clicked !== null;
-		// a key that was pressed for less than a frame was held in it
+		// a key that was pressed for less than a frame counts for the whole frame
 		if (event === "key") return this.#pressed.has(fields.KEY) || (fields.MODE === "held" && this.held.has(fields.KEY));
 		return event === "timer" && this.frame % Math.max(1, Math.round(seconds() * FRAMES_A_SECOND)) === 0;
 	}
 
 	#forEach(breed, event, code) {
-		// who is created meanwhile begins with the next frame
+		// agents that are created meanwhile begin with the next frame
 		for (const agent of event === "click" ? [this.#clicked] : [...this.agents]) {
 			if (agent.isAlive && (breed === "anyone" || agent.breed === breed)) this.#start(code, agent, null);
 		}
@@ -175,7 +173,7 @@ export class World {
 		this.#clicked = agent;
 	}
 
-	/** Takes the keys and the mouse of another game, which has not made its next step yet. */
+	/** Takes the keys and the mouse of another game, which has not done its next step yet. */
 	hear(other) {
 		this.held = other.held;
 		this.mouse = other.mouse;
@@ -187,14 +185,14 @@ export class World {
 		return this.agents.find((agent) => agent.number === number) ?? null;
 	}
 
-	/** Uses a system, by a block or by the user, who is told of blocks'. */
+	/** Changes the collision system, for a block or the user. The user is told if a block does it. */
 	useSystem(name) {
 		if (this.collisions.systemName === name) return;
 		this.collisions.useCollisionSystem(name);
 		this.onSystem?.(name);
 	}
 
-	/** A new agent where its parent is, or in the middle; null if there are too many. */
+	/** A new agent at its parent's place, or in the middle; null if there are too many. */
 	add(shape, breed, parent) {
 		if (this.agents.length >= MOST_AGENTS) return null;
 		if (!this.greatLand.hasModel(shape)) throw new ProgramError(texts.play.noModel(shape));
@@ -220,7 +218,7 @@ export class World {
 		this.#areSensesOld = true;
 	}
 
-	/** Whom a block is about: an agent, or all of a breed. */
+	/** The agents that a block is about: one agent, or all of a breed. */
 	subjects(whom) {
 		return typeof whom === "string" ? this.agents.filter(({ breed }) => breed === whom) : [whom];
 	}
@@ -242,7 +240,7 @@ export class World {
 		else agent.jumpTo(wrappedX, wrappedY, agent.z);
 	}
 
-	/** Forward, until it touches one of a breed, or along that; as high as it was, also along something that leans. */
+	/** Moves an agent forward, until it touches an agent of a breed, or sliding along it. The agent keeps its height, even on a slope. */
 	advance(agent, steps, breed, how) {
 		const { z } = agent;
 		const angle = (agent.heading * Math.PI) / 180;
@@ -256,7 +254,7 @@ export class World {
 		if (other && (other.x !== agent.x || other.y !== agent.y)) agent.heading = degrees(other.x - agent.x, other.y - agent.y);
 	}
 
-	/** Turns an agent that moves into another one as light is mirrored. */
+	/** Turns an agent that moves into another one, as a mirror reflects light. */
 	bounce(agent, other) {
 		const { normal } = this.#system.contactOf(agent, other);
 		const angle = (agent.heading * Math.PI) / 180;
@@ -275,8 +273,8 @@ export class World {
 	}
 
 	/**
-	 * Undoes the frame's steps and turns. Who touched the other before as well, as after a change of the collision system, does not get
-	 * stuck: it may turn, and go where they overlap no deeper.
+	 * Undoes the agent's steps and turns of this frame. If it touched the other agent before, for example after a change of the collision
+	 * system, it must not get stuck. Then it may turn, and move to where the overlap is not deeper.
 	 */
 	goBack(agent, other) {
 		const { x, y, z, heading } = agent;
@@ -288,7 +286,7 @@ export class World {
 		if (deep <= this.#depth(agent, other)) agent.jumpTo(x, y, z);
 	}
 
-	/** How deep two overlap as they are now; 0 if they do not touch. */
+	/** The depth of the overlap of two agents now; 0 if they do not touch. */
 	#depth(agent, other) {
 		if (!this.#system.areColliding(agent, other)) return 0;
 		return Math.max(Number.MIN_VALUE, this.#now.systemNamed(this.collisions.systemName).contactOf(agent, other).depth);
@@ -307,7 +305,7 @@ export class World {
 		return trait === "age" ? (this.frame - agent.born) / FRAMES_A_SECOND : agent[trait];
 	}
 
-	/** What agents know of others: as these were when the frame began, or when one came or went. */
+	/** The queries of the agents. They see the others as they were when the frame began, or when an agent was last created or deleted. */
 	get senses() {
 		if (this.#areSensesOld) {
 			this.detection.update();
@@ -316,7 +314,7 @@ export class World {
 		return this.detection;
 	}
 
-	/** The frame that is so many seconds on, at least one. */
+	/** The number of the frame that is this many seconds away, at least the next one. */
 	frameIn(seconds) {
 		return this.frame + Math.max(1, Math.round(seconds * FRAMES_A_SECOND));
 	}
@@ -325,7 +323,7 @@ export class World {
 		return this.frame / FRAMES_A_SECOND;
 	}
 
-	/** The same games for the same programs: a generator of Park and Miller. */
+	/** A random number, by a generator of Park and Miller. The same program always plays the same game. */
 	random() {
 		this.state.seed = (this.state.seed * 48271) % 2147483647;
 		return this.state.seed / 2147483647;
@@ -345,7 +343,7 @@ for (const name of ["frame", "variables", "threads", "score", "goal", "ground", 
 
 const degrees = (x, y) => (Math.atan2(y, x) * 180) / Math.PI;
 
-/** The place on the ground that a coordinate beyond its border means. */
+/** The coordinate on the ground for one beyond its border. */
 function wrapped(coordinate) {
 	if (Math.abs(coordinate) <= HALF_WIDTH) return coordinate;
 	const width = 2 * HALF_WIDTH;

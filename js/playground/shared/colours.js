@@ -1,26 +1,27 @@
-/** Colours of worlds. What a colour means is the same in every view, and a sign says it too. */
+/** The colours in worlds. A colour has the same meaning in every view, and a sign with the same meaning. */
 
 /**
- * What is said of agents, of pairs and of what stands around them. "hit" is a touch that is found, "wrong" a false collision or what one system alone finds, "missed" a
- * touch that is not found or that another system alone finds, "none" what touches nothing. They differ in brightness as well, for who sees no red or green.
+ * The verdicts about agents, pairs and surrounding shapes. "hit" is a touch that is found. "wrong" is a false collision, or one that only
+ * one system finds. "missed" is a touch that is not found, or that only another system finds. "none" touches nothing. Their brightness
+ * differs too, for people who cannot tell red from green.
  */
 export const VERDICTS = { hit: 0xd62f5a, wrong: 0xffb000, missed: 0x6a3df0, none: 0x8c98a9 };
 
-/** What an engine tests, a level of its trees, how far it is to something, a ray, and the agent that is looked at: by day and by night. */
+/** The shapes that the engine tests, a level of its trees, a distance, a ray, and the selected agent: by day and by night. */
 export const LINES = {
 	tested: { light: 0x1667c9, dark: 0x5ea4ff }, level: { light: 0x0a2f73, dark: 0xb8d6ff }, distance: { light: 0x0b7a5f, dark: 0x4fd8b0 }, ray: { light: 0x1c2430, dark: 0xf2f5fa },
 	chosen: { light: 0x1c2430, dark: 0x1c2430 },
 };
 
-/** Agents that nothing is said of: the first one, and others. */
+/** Agents without a verdict: the first one, and others. */
 export const AGENTS = { first: 0x9db6dc, other: 0xb9d3c4 };
 
-/** Two agents that touch, apart from each other. */
+/** Two agents that touch, in colours that differ. */
 export const TOUCHING = [0xb81f49, 0xe9708f];
 
 const css = (colour) => `#${colour.toString(16).padStart(6, "0")}`;
 
-/** Lets style sheets have the colours: --hit, --wrong and so on, --tested, --tested-dark and so on. */
+/** Makes the colours available to style sheets: --hit, --wrong and so on, --tested, --tested-dark and so on. */
 export function lendColours({ style }) {
 	for (const [name, colour] of Object.entries(VERDICTS)) style.setProperty(`--${name}`, css(colour));
 	for (const [name, { light, dark }] of Object.entries(LINES)) {
@@ -29,13 +30,13 @@ export function lendColours({ style }) {
 	}
 }
 
-/** An agent's colour that leaves its model the colours it has. */
+/** An agent's colour that keeps the model's own colours. */
 export const OWN_COLOURS = -1;
 
-/** Of the outlines of agents. */
+/** The agents' outlines. */
 export const INK = 0x14202a;
 
-/** Of the outlines where ground and sky are dark. */
+/** The outlines if ground and sky are dark. */
 const CHALK = 0xe6ecf5;
 
 const MEADOW = {
@@ -48,5 +49,5 @@ const SEA = {
 };
 const NIGHT = { zenith: 0x05070f, horizon: 0x141b33, field: ["#1b2340", "#161d37"], around: ["#0c1122", "#0a0e1d"], edge: 0x5b6ea8, ambient: 1.9, sun: 2.3, ink: CHALK, stars: 500 };
 
-/** Ground and sky, of which outlines stand out three to one, by day and at dusk. */
+/** Ground and sky by day and at dusk. Outlines have a contrast of three to one against them. */
 export const GROUNDS = { meadow: MEADOW, sea: SEA, space: { light: NIGHT, dark: NIGHT } };

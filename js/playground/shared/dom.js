@@ -1,4 +1,4 @@
-/** Elements in few words. Styles are classes: the page's policy allows no style attributes. */
+/** Makes elements with few words. Styles are classes, because the page's policy allows no style attributes. */
 import { chiefOf } from "./files.js";
 import { fixed } from "./language.js";
 
@@ -6,8 +6,8 @@ import { fixed } from "./language.js";
  * Makes an element.
  *
  * @param {string} tag its name, with classes: "div.card.wide"
- * @param {object} properties attributes; those that begin with "on" are listeners; null and false are left out
- * @param {...(Node|string|null)} children what it holds
+ * @param {object} properties attributes; names that begin with "on" are listeners; null and false are left out
+ * @param {...(Node|string|null)} children its content
  */
 export function h(tag, properties = {}, ...children) {
 	const [name, ...classes] = tag.split(".");
@@ -24,7 +24,7 @@ export function h(tag, properties = {}, ...children) {
 
 let labelled = 0;
 
-/** A control under its label. */
+/** A control with a label above it. */
 export function field(label, control, note = null) {
 	control.id ||= `control-${++labelled}`;
 	const hint = note === null ? null : h("small", { id: `${control.id}-note` }, note);
@@ -32,13 +32,13 @@ export function field(label, control, note = null) {
 	return h("div.field", {}, h("label", { for: control.id }, label), control, hint);
 }
 
-/** A list to choose from: options are [value, text]. */
+/** A menu. Its options are [value, text]. */
 export function choice(options, value, onChange) {
 	const select = h("select", { onchange: () => onChange(select.value) }, ...options.map(([each, text]) => h("option", { value: each, selected: each === value }, text)));
 	return select;
 }
 
-/** A box to tick, with its label. */
+/** A check box with its label. */
 export function tick(label, checked, onChange) {
 	const box = h("input", { type: "checkbox", checked, onchange: () => onChange(box.checked) });
 	return h("label.tick", {}, box, label);
@@ -70,7 +70,7 @@ export function button(text, onclick, properties = {}) {
 	return h("button", { type: "button", onclick, ...properties }, text);
 }
 
-/** Asks for files of the user's: onFile is called with the chief one and with all. */
+/** A button that asks for files. onFile is called with the main file, and with all files. */
 export function fileButton(text, accept, onFile) {
 	const input = h("input.visually-hidden", { type: "file", accept, multiple: true, tabindex: "-1", "aria-hidden": "true", onchange: () => {
 		const files = [...input.files];
@@ -89,7 +89,7 @@ export function onThemeChange(listener) {
 
 export const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches;
 
-/** Numbers for people: three digits that say something. */
+/** A number with three significant digits. */
 export function short(value) {
 	if (!Number.isFinite(value)) return "–";
 	const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;

@@ -1,18 +1,18 @@
-/** Files of the user's that come together: one is the model, and a glTF file has its data in others. */
+/** Files that the user gives together: one is the model, and a glTF file may need others. */
 import { texts } from "./language.js";
 
 const MODEL = /\.(obj|dae|zae|glb|gltf|stl)$/i;
 
-/** The one of some files that is to be opened. */
+/** The main file among some files. */
 export function chiefOf(files) {
 	return files.find(({ name }) => MODEL.test(name)) ?? files.find(({ name }) => /\.json$/i.test(name)) ?? files[0];
 }
 
 /**
- * A model file's content, with what it has in files beside it put inside; throws an error that names those that are missing.
+ * The content of a model file. Data from other files are put inside. Throws an error that names missing files.
  *
  * @param {File} file
- * @param {File[]} files those that came with it
+ * @param {File[]} files the files that came with it
  */
 export async function contentOf(file, files) {
 	const bytes = new Uint8Array(await file.arrayBuffer());
@@ -30,7 +30,7 @@ export async function contentOf(file, files) {
 	return new TextEncoder().encode(JSON.stringify(scene));
 }
 
-/** The glTF scene in a file that is text and has buffers, or null: what is no such file, the engine has its own words for. */
+/** The glTF scene in a text file with buffers, or null. The engine itself reports other problems. */
 function gltfIn(bytes) {
 	try {
 		const scene = JSON.parse(new TextDecoder().decode(bytes));
@@ -40,7 +40,7 @@ function gltfIn(bytes) {
 	}
 }
 
-/** A file as an address that holds it. */
+/** A data address with a file's content. */
 async function inPlace(file) {
 	const bytes = new Uint8Array(await file.arrayBuffer());
 	let text = "";

@@ -1,10 +1,10 @@
-/** How near a camera can be to see certain places. */
+/** Finds how near a camera can be and still show certain places. */
 import { Vector3 } from "three";
 
-/** How many times it comes as near as they fit, and looks at the middle of them. */
+/** The number of times that it moves as near as possible and turns to their middle. */
 const ROUNDS = 3;
 
-/** Looks at a place from another one, which is told as the way there. */
+/** Points a camera at a target, from an offset relative to it. */
 export function look(camera, offset, target) {
 	camera.position.copy(offset).add(target);
 	camera.lookAt(target);
@@ -12,11 +12,11 @@ export function look(camera, offset, target) {
 }
 
 /**
- * The distance from which places fit into a camera's picture.
+ * The distance from which all places fit into a camera's picture.
  *
  * @param {import("three").PerspectiveCamera} camera is moved
- * @param {Vector3} from the way from what it looks at to itself, as long as it may
- * @param {Vector3} target what it looks at; moved over the ground so that the places are as far from every border
+ * @param {Vector3} from the offset from the target to the camera, at its longest
+ * @param {Vector3} target is moved over the ground so that the places are equally far from all borders
  * @param {number[][]} places x, y and z of each
  * @param {number} farthest the largest distance
  */
@@ -35,7 +35,7 @@ export function fit(camera, from, target, places, farthest) {
 		for (let i = 0; i < 4; i++) {
 			look(camera, from.setLength(distance), target);
 			const { across, up } = extentOf(camera, places);
-			// not all of the way, which is not the same for those in front and behind
+			// not the whole way, because it differs for near and far places
 			const scale = 0.8 * half * distance;
 			target.addScaledVector(ahead, (up * scale * distance) / from.z).addScaledVector(right, across * scale * camera.aspect);
 		}
@@ -43,7 +43,7 @@ export function fit(camera, from, target, places, farthest) {
 	return distance;
 }
 
-/** How wide and high places are seen, and where the middle of them all is; half of the picture is 1. */
+/** The width and height of all places in the picture, and their middle; half of the picture is 1. */
 function extentOf(camera, places) {
 	const seen = places.map((place) => new Vector3(...place).project(camera));
 	const [[left, right], [low, high]] = ["x", "y"].map((axis) => [Math.min(...seen.map((each) => each[axis])), Math.max(...seen.map((each) => each[axis]))]);

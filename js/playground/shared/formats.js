@@ -1,10 +1,10 @@
-/** Reads model files. The engine that it imports is the build's second one, of which only this is bundled: what goes out of here are numbers. */
+/** Reads model files. It is the only user of the build's second copy of the engine, so it returns only numbers. */
 import { ErrorEvent, ModelEvent, ModelLoader } from "starlogo-collision";
 
 /**
  * The vertices and triangles in a file.
  *
- * @param {string} name what errors call the model
+ * @param {string} name the model's name in errors
  * @param {Uint8Array} bytes the file's content
  */
 export function surfaceIn(name, bytes) {

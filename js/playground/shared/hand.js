@@ -1,4 +1,4 @@
-/** Hands text over as a file of the user's. */
+/** Downloads a text as a file. */
 export function hand(text, name, type) {
 	const url = URL.createObjectURL(new Blob([text], { type }));
 	const link = document.createElement("a");

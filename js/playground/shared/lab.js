@@ -1,4 +1,4 @@
-/** A stage for a closer look: what has no triangles is drawn as points, and how deep two touch as an arrow. */
+/** A stage for a closer look. It draws models without triangles as points, and the depth of an overlap as an arrow. */
 import { BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Points, PointsMaterial, Quaternion, Vector3 } from "three";
 import { VERDICTS } from "./colours.js";
 import { h } from "./dom.js";
@@ -11,7 +11,7 @@ const UP = new Vector3(0, 0, 1);
 export class Lab extends Stage {
 	#clouds = [];
 	#arrow = null;
-	/** Where its label stands. */
+	/** The place of its label. */
 	#told = null;
 
 	constructor(host, view) {
@@ -36,9 +36,9 @@ export class Lab extends Stage {
 	}
 
 	/**
-	 * Shows how deep two touch: an arrow from the contact's point, whose shaft is as long as they are deep and whose head says where to.
+	 * Shows the depth of an overlap as an arrow from the contact's point. The shaft is as long as the depth, and the head shows the direction.
 	 *
-	 * @param {object|null} contact the engine's; nothing is shown for null
+	 * @param {object|null} contact the engine's contact; nothing is shown for null
 	 */
 	showDepth(contact) {
 		if (!this.renderer) return;
@@ -63,7 +63,7 @@ export class Lab extends Stage {
 		return arrow;
 	}
 
-	/** Says a measure at its place in the picture; nothing for an empty one. */
+	/** Shows a measure at its place in the picture; an empty one is hidden. */
 	tell(text, x = 0, y = 0, z = 0) {
 		this.label.textContent = text;
 		this.#told = text === "" ? null : [x, y, z];

@@ -1,4 +1,4 @@
-/** What agents stand on and beneath: chequered ground, sky, soft shadows where they touch the ground. */
+/** The surroundings of agents: chequered ground, sky, and soft shadows on the ground. */
 import {
 	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, InstancedMesh, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, Points, PointsMaterial, RepeatWrapping,
 	RingGeometry, SphereGeometry, BackSide, BufferAttribute, BufferGeometry, SRGBColorSpace,
@@ -11,9 +11,9 @@ export class Land {
 	#footprints = new Map();
 
 	/**
-	 * @param {object} scene where it is
-	 * @param {number} width of the field that games are played on
-	 * @param {number} cell how wide a square of it is
+	 * @param {object} scene contains the land
+	 * @param {number} width the width of the field for games
+	 * @param {number} cell the width of a square
 	 */
 	constructor(scene, width, cell) {
 		this.scene = scene;
@@ -21,7 +21,7 @@ export class Land {
 		this.cell = cell;
 	}
 
-	/** Makes it anew for light or dark. */
+	/** Builds it again for light or dark. */
 	dress({ zenith, horizon, field, around, edge, stars = 0 }) {
 		this.dispose();
 		this.group = new Group();
@@ -33,7 +33,7 @@ export class Land {
 		const colours = Array.from({ length: position.count }, (_, i) => low.clone().lerp(high, Math.min(1, Math.max(0, position.getZ(i) / FAR) * 1.7)).toArray()).flat();
 		sky.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 3));
 		const dome = new Mesh(sky, new MeshBasicMaterial({ vertexColors: true, side: BackSide, depthWrite: false, fog: false }));
-		// last, so that nothing is drawn that something hides
+		// drawn last, so that hidden parts are not drawn
 		dome.renderOrder = 3;
 		const half = this.width / 2;
 		const frame = new Mesh(new RingGeometry(half * Math.SQRT2, (half + 0.12) * Math.SQRT2, 4, 1, Math.PI / 4), new MeshBasicMaterial({ color: edge }));
@@ -64,7 +64,7 @@ export class Land {
 		return ground;
 	}
 
-	/** Puts a soft shadow beneath each agent, as wide as its model, smaller the higher it is. */
+	/** Draws a soft shadow below each agent, as wide as its model. The higher the agent, the smaller the shadow. */
 	showShadows(agents, models) {
 		if (!this.#shadows || this.#shadows.instanceMatrix.count < agents.length) this.#makeShadows(2 * agents.length + 16);
 		const { array } = this.#shadows.instanceMatrix;
@@ -111,7 +111,7 @@ export class Land {
 		return this.#footprints.get(model);
 	}
 
-	/** Frees all but the shadows' places. */
+	/** Frees everything except the shadows' places. */
 	dispose() {
 		this.group?.removeFromParent();
 		this.group?.traverse(({ geometry, material }) => {
@@ -122,7 +122,7 @@ export class Land {
 	}
 }
 
-/** Stars all over the sky, each where the golden angle puts it. */
+/** Stars all over the sky, placed by the golden angle. */
 function starry(count) {
 	const places = Array.from({ length: count }, (_, i) => {
 		const height = (i + 0.5) / count;

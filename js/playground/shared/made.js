@@ -1,11 +1,11 @@
-/** Models that the playground makes itself, of three.js's shapes. */
+/** Models that the playground itself makes, from three.js's shapes. */
 import { BoxGeometry, Group, Mesh, SphereGeometry } from "three";
 import { Model } from "starlogo-collision";
 import { modelFromObject } from "starlogo-collision/three";
 
 const [SHELL, SKIN, BRICK] = ["#1f6b3a", "#5d7f1e", "#a4553d"];
 
-/** A ball, stretched along the axes; of few triangles, since crowds have many of them. */
+/** A ball, stretched along the axes. It has few triangles, because crowds have many of them. */
 function ball(x, y, z, a, b, c, round = 8) {
 	return new Mesh(new SphereGeometry(1, round, round / 2).rotateX(Math.PI / 2).scale(a, b, c).translate(x, y, z));
 }
@@ -20,12 +20,12 @@ export function turtle() {
 	return made("turtle", new Group().add(...parts), colours);
 }
 
-/** A wall along y: a plate. */
+/** A wall along y: a flat box. */
 export function wall() {
 	return made("wall", new BoxGeometry(0.12, 1, 0.5), [[12, BRICK]]);
 }
 
-/** A model of an object's triangles, with what it is made of in few digits: a program that is shown as text has the same. */
+/** A model from an object's triangles. Its coordinates have few digits, so that a program shown as text has exactly the same. */
 function made(name, object, colours) {
 	const { vertices, triangles } = modelFromObject(name, object, { up: "z" });
 	const given = { vertices: Array.from(vertices, (value) => Number(value.toFixed(4))), triangles: Array.from(triangles) };

@@ -1,11 +1,11 @@
-/** Marks in the world: rings where agents met, and translucent solids of what the engine tests. */
+/** Marks in the world: rings where agents met, and translucent solids for the shapes that the engine tests. */
 import { BoxGeometry, Color, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, SphereGeometry, Vector3 } from "three";
 
-/** One geometry, many places and colours. */
+/** One geometry at many places, in many colours. */
 export class Crowd {
 	mesh = null;
 	count = 0;
-	/** What comes later is drawn over what came before. */
+	/** The drawing order: later crowds are drawn over earlier ones. */
 	order = 5;
 
 	constructor(parent, geometry, material) {
@@ -31,7 +31,7 @@ export class Crowd {
 		this.mesh.setColorAt(this.count++, tint.set(color));
 	}
 
-	/** One more at a place, turned and as large as told. */
+	/** Adds one at a point, with a rotation, a size and a colour. */
 	addAt(point, rotation, size, color) {
 		this.add(matrix.compose(point, rotation, factors.setScalar(size)), color);
 	}
@@ -71,14 +71,14 @@ export class Marks {
 		this.tubes = new Crowd(this.group, new CylinderGeometry(1, 1, 1, 20, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5), glass);
 	}
 
-	/** A dot and a ring that grows; age is from 0 to 1. */
+	/** A dot and a growing ring. Age is from 0 to 1. */
 	addHit(point, age, color, eye) {
 		place.set(point.x, point.y, point.z);
 		if (age < 0.4) this.rings.add(matrix.compose(place, eye, factors.setScalar(0.15 + 1.6 * age)), color);
 		this.dots.add(matrix.compose(place, turn.identity(), factors.setScalar(0.09 * (1 - age * age))), color);
 	}
 
-	/** A Sphere, Box or Capsule of the engine, in the space that a matrix takes to the world. */
+	/** Adds a Sphere, Box or Capsule of the engine. The matrix takes its space to the world. */
 	addSolid(structure, world, color) {
 		const { center, start, end, radius } = structure;
 		if (structure.halfX !== undefined) {

@@ -1,4 +1,4 @@
-/** The models of the game: the twelve of the thesis's table, and the two that only the playground has. */
+/** The game's models: the twelve in the thesis's table, and two that only the playground has. */
 import { BuiltInModel, Model } from "starlogo-collision";
 import { turtle, wall } from "./made.js";
 
@@ -7,8 +7,8 @@ const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel
 const loaded = new Map();
 
 /**
- * A model by its name; loaded once, and again only if that failed. Its `colours` are of its triangles, in their order: how many of one, and
- * that.
+ * A model by its name. It is loaded once; after a failure, the next call tries again. Its `colours` are those of its triangles, in their
+ * order: pairs of a count and a colour.
  */
 export function loadModel(name) {
 	if (!loaded.has(name)) {
@@ -28,9 +28,9 @@ async function read(name) {
 }
 
 /**
- * The model in a file, whose content says what it is; throws an error that says what is wrong if it is none.
+ * The model in a file. The content decides the format. Throws an error that says what is wrong.
  *
- * @param {string} name what the model is called
+ * @param {string} name the model's name
  * @param {Uint8Array} bytes the file's content
  */
 export async function parseModel(name, bytes) {

@@ -1,15 +1,15 @@
-/** How agents are drawn: each shape once, all its agents as instances, with an ink outline, in the model's own colours or painted. */
+/** Draws agents: each shape once with all its agents as instances, with outlines, in the model's own colours or painted. */
 import {
 	BackSide, BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, MeshBasicMaterial, MeshLambertMaterial,
 } from "three";
 import { INK, OWN_COLOURS } from "./colours.js";
 
-/** What a model without colours of its own is drawn in. */
+/** The colour of a model without colours of its own. */
 const PLAIN = 0xa9b3c1;
-/** Wider than a hair from afar, and no blot from near. */
+/** The width of outlines: visible from far away, and not too wide from near. */
 const OUTLINE = 0.0024;
 
-/** Mixes an instance's paint into what is drawn: `paint` is a colour and how much of it; light and dark parts stay so. */
+/** Mixes an instance's paint into its colours: `paint` is a colour and its share. Light and dark parts stay light and dark. */
 function takePaint(shader) {
 	shader.vertexShader = shader.vertexShader.replace("#include <common>", "#include <common>\nattribute vec4 paint;\nvarying vec4 vPaint;")
 		.replace("#include <begin_vertex>", "#include <begin_vertex>\nvPaint = paint;");
@@ -17,14 +17,14 @@ function takePaint(shader) {
 		.replace("#include <color_fragment>", "#include <color_fragment>\nfloat light = dot(diffuseColor.rgb, vec3(0.3, 0.6, 0.1));\ndiffuseColor.rgb = mix(diffuseColor.rgb, vPaint.rgb * (0.55 + 0.6 * sqrt(light)), vPaint.a);");
 }
 
-/** Draws a shape a little larger, by as much of the distance everywhere. */
+/** Makes a shape a little larger, in proportion to its distance. */
 function swell(shader) {
 	shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
 		vec3 outward = normalize((modelViewMatrix * instanceMatrix * vec4(normal, 0.0)).xyz);
 		gl_Position = projectionMatrix * (mvPosition + vec4(outward * ${OUTLINE} * min(-mvPosition.z, 40.0), 0.0));`);
 }
 
-/** Materials with changed shaders keep them apart by these keys. */
+/** Gives a material with a changed shader its own key. */
 function changed(material, name, change) {
 	material.onBeforeCompile = change;
 	material.customProgramCacheKey = () => name;
@@ -91,7 +91,7 @@ class Shape {
 		this.body.visible = this.outline.visible = this.count > 0;
 		this.body.instanceMatrix.needsUpdate = true;
 		this.paint.needsUpdate = true;
-		// of where the instances were
+		// they were computed for the instances' old places
 		this.body.boundingSphere = null;
 		this.count = 0;
 	}
@@ -122,7 +122,7 @@ export class Agents {
 		this.materials.outline.color.set(ink);
 	}
 
-	/** Shows exactly these; glow says of an agent how bright its flash is, from 0 to 1. */
+	/** Shows exactly these agents. glow gives the brightness of an agent's flash, from 0 to 1. */
 	show(agents, models, glow) {
 		for (const agent of agents) {
 			const model = models.get(agent.shape);
@@ -132,7 +132,7 @@ export class Agents {
 		for (const shape of this.#shapes.values()) shape.finish();
 	}
 
-	/** Whom a ray meets first, or null. */
+	/** The first agent that a ray meets, or null. */
 	meets(caster) {
 		const [hit] = caster.intersectObjects([...this.#shapes.values()].map(({ body }) => body).filter(({ visible }) => visible), false);
 		return hit ? hit.object.userData.shape.agents[hit.instanceId] : null;
@@ -144,7 +144,7 @@ export class Agents {
 	}
 }
 
-/** A model's triangles, flat, in its colours, with the normals of round surfaces, along which the outline swells. */
+/** A model's triangles with flat shading, in its colours. The outline grows along the normals of smooth surfaces. */
 function geometryOf(model) {
 	const indexed = new BufferGeometry();
 	indexed.setAttribute("position", new BufferAttribute(Float32Array.from(model.vertices), 3));

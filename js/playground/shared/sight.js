@@ -1,4 +1,4 @@
-/** Agents on a stage as a collision system sees them. */
+/** Shows agents on a stage as a collision system sees them. */
 import { AgentQueries, CollisionBlocks, Contact, StructureBlocks, Vector3D } from "starlogo-collision";
 import { fixed, texts } from "./language.js";
 import { LINES, VERDICTS } from "./colours.js";
@@ -24,19 +24,19 @@ export class Sight {
 		this.blocks.useCollisionSystem(name);
 	}
 
-	/** Takes the agents as they are now, for questions and on the stage. */
+	/** Takes the agents' present places, for questions and on the stage. */
 	update() {
 		this.queries.update(this.agents);
 		this.stage.showAgents(this.agents, this.models);
 	}
 
-	/** Draws what the collision system tests. */
+	/** Draws the shapes that the collision system tests. */
 	showTested(isShown = true) {
 		const lines = this.stage.wireframe("tested", { color: LINES.tested, opacity: this.system === CollisionBlocks.EXACT ? 0.4 : 1 });
 		for (const agent of isShown ? this.agents : []) lines.showLines(this.structures.linesOf(agent));
 	}
 
-	/** Draws how two agents are apart, or touch; what to say of it. */
+	/** Draws the gap or the contact between two agents. Returns words for it. */
 	showMeeting(a, b) {
 		const distance = this.queries.distance(a, b, from, to);
 		const lines = this.stage.wireframe("meeting", { color: distance > 0 ? LINES.distance : VERDICTS.hit, isOnTop: true });
@@ -54,5 +54,5 @@ export class Sight {
 	}
 }
 
-/** A place, or a direction, in words. */
+/** A place or a direction in words. */
 export const placeText = ({ x, y, z }) => [x, y, z].map((each) => fixed(Math.abs(each) < 0.005 ? 0 : each, 2)).join(texts.numbers.between);

@@ -1,4 +1,4 @@
-/** Signs over agents and pairs, which say without colours what is so: a dot for "hit", a triangle for "wrong", a ring for "missed". */
+/** Signs over agents and pairs, for people who do not see the colours: a dot for "hit", a triangle for "wrong", a ring for "missed". */
 import { CircleGeometry, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
 import { INK, VERDICTS } from "./colours.js";
 import { Crowd } from "./marks.js";
@@ -18,16 +18,16 @@ export class Signs {
 		this.faces = { hit: make(new CircleGeometry(1, 20), 7), wrong: make(new CircleGeometry(1.1, 3, upright), 7), missed: make(new RingGeometry(0.55, 1, 20), 7) };
 	}
 
-	/** @param {{kind: string, x: number, y: number, z: number}[]} signs those to be seen from now on */
+	/** @param {{kind: string, x: number, y: number, z: number}[]} signs the signs to show from now on */
 	show(signs) {
 		this.#shown = signs;
 	}
 
 	/**
-	 * Turns them to the eye, all as large wherever they are.
+	 * Turns the signs to the camera, and gives all of them the same size in the picture.
 	 *
 	 * @param {import("three").PerspectiveCamera} camera
-	 * @param {number} height of its picture, in pixels
+	 * @param {number} height the height of its picture, in pixels
 	 */
 	face(camera, height) {
 		const scale = (2 * RADIUS * Math.tan((camera.fov * Math.PI) / 360)) / height;
@@ -40,7 +40,7 @@ export class Signs {
 		for (const crowd of this.#crowds) crowd.finish();
 	}
 
-	/** How many signs of a kind there are. */
+	/** The number of signs of a kind. */
 	count(kind) {
 		return this.#shown.filter((sign) => sign.kind === kind).length;
 	}

@@ -1,7 +1,8 @@
 /**
- * A world drawn with three.js: z up, orbited and zoomed, drawn when something has changed. Without WebGL it says so, and draws nothing.
+ * A world drawn with three.js: z up, with orbit and zoom. It is drawn when something has changed. Without WebGL it shows a message and
+ * draws nothing.
  *
- * This file is long because a stage has few fields, and what moves its camera, shows things and answers the pointer all needs most of them.
+ * This file is long because a stage has few fields, and the code for its camera, its contents and the pointer needs most of them.
  */
 import { AmbientLight, Color, DirectionalLight, GridHelper, Group, Matrix4, PerspectiveCamera, Plane, Raycaster, Scene, TOUCH, Vector2, Vector3, WebGLRenderer } from "three";
 import { ThreeWireframe } from "starlogo-collision/three";
@@ -33,9 +34,10 @@ export class Stage {
 	#land = "meadow";
 
 	/**
-	 * @param {HTMLElement} host what it fills
-	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number, isLand?: boolean}} view what it is called, where it is
-	 *     seen from, how wide the ground is and its cells are, and whether that is a land beneath a sky; seen from so far that it fits
+	 * @param {HTMLElement} host contains the stage
+	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number, isLand?: boolean}} view its label, the
+	 * direction of the camera, the width of the ground and of its cells, and whether there is a land with a sky; the camera is so far away
+	 * that everything fits
 	 */
 	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1, isLand = false }) {
 		this.host = host;
@@ -82,7 +84,7 @@ export class Stage {
 		const { controls } = this;
 		this.land = new Land(this.scene, this.ground, this.cell);
 		this.home = { from: this.camera.position.clone().sub(controls.target), target: controls.target.clone() };
-		// neither through the ground, nor so far that nothing is left to see
+		// not through the ground, and not too far away
 		controls.maxPolarAngle = Math.PI * 0.485;
 		controls.minDistance = 1.5;
 		controls.maxDistance = 3 * this.ground;
@@ -97,12 +99,12 @@ export class Stage {
 			this.camera.position.add(kept).sub(target);
 			target.copy(kept);
 		});
-		// one finger up and down scrolls the page, sideways it turns the world
+		// one finger scrolls the page up and down, and turns the world sideways
 		controls.touches.ONE = TOUCH.ROTATE;
 		this.canvas.style.touchAction = "pan-y";
 	}
 
-	/** What agents stand on: a name of GROUNDS. */
+	/** Sets the ground: a name in GROUNDS. */
 	setGround(name) {
 		if (!this.land || this.#land === name) return;
 		this.#land = name;
@@ -145,14 +147,14 @@ export class Stage {
 	#resize(width, height, ratio = Math.min(devicePixelRatio, isDrawnSlowly() ? 1 : 2)) {
 		this.renderer.setPixelRatio(ratio);
 		this.renderer.setSize(width, height);
-		// to ask the host in every frame would lay out the page in every frame
+		// asking the host in every frame would cause a layout of the page in every frame
 		[this.#width, this.#height] = [width, height];
 		this.camera.aspect = width / height;
 		this.camera.fov = this.land || width < height ? 55 : 40;
 		this.camera.updateProjectionMatrix();
 	}
 
-	/** Draws once, with the next frame of the browser. */
+	/** Draws once, in the browser's next frame. */
 	redraw() {
 		if (this.renderer && this.#wanted === 0) this.#wanted = requestAnimationFrame(() => this.draw());
 	}
@@ -168,9 +170,9 @@ export class Stage {
 	}
 
 	/**
-	 * Sees all of the ground, or of a part of it, from the side where it was seen first.
+	 * Shows the whole ground, or a part of it, from the side of the first view.
 	 *
-	 * @param {number[]|null} part the least and the largest x, y and z; the ground if null; left out, the same as before
+	 * @param {number[]|null} part the bounds in x, y and z; null for the ground; without it, the same part as before
 	 */
 	showAll(part = this.home?.part ?? null) {
 		if (!this.renderer) return;
@@ -179,11 +181,11 @@ export class Stage {
 		const border = this.ground / 2;
 		const [x, y, z, endX, endY, endZ] = part ?? [-border, -border, 0, border, border, 1.5];
 		const target = part ? new Vector3((x + endX) / 2, (y + endY) / 2, (z + endZ) / 2) : this.home.target.clone();
-		// the less wide the window is, and on what is flat, the more from above
+		// the narrower the window and the flatter the part, the more from above
 		const isFlat = part !== null && 2 * (endZ - z) < endX - x;
 		const steepness = isFlat ? 1 : Math.min(1, Math.max(0, (1.3 - this.camera.aspect) / 0.4));
 		const from = this.home.from.clone().multiply(new Vector3(1, 1, 1 + 1.2 * steepness));
-		// from higher, who stands seems to lie
+		// seen from higher, standing agents would seem to lie
 		from.z = Math.min(from.z, Math.hypot(from.x, from.y) * Math.tan(STEEPEST));
 		const corners = [[x, y, z], [endX, y, z], [endX, endY, endZ], [x, endY, endZ]];
 		if (part) corners.push([x, y, endZ], [endX, y, endZ]);
@@ -202,7 +204,7 @@ export class Stage {
 		return new Vector3(...place).project(this.camera);
 	}
 
-	/** Where a place is drawn, in pixels from the host's corner, and whether it is in sight. */
+	/** The place of a point in pixels from the host's corner, and whether it is in sight. */
 	pixelOf(x, y, z) {
 		const { x: across, y: up, z: depth } = this.#seen([x, y, z]);
 		return { x: ((across + 1) / 2) * this.#width, y: ((1 - up) / 2) * this.#height, isSeen: depth < 1 && Math.abs(across) < 1 && Math.abs(up) < 1.05 };
@@ -228,7 +230,7 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** Looks from where another stage does. */
+	/** Copies the camera of another stage. */
 	lookAs({ camera, controls }) {
 		if (!this.renderer || !camera) return;
 		this.#isTouched = true;
@@ -243,7 +245,7 @@ export class Stage {
 		return this.#ray(event).ray;
 	}
 
-	/** Moves the eye along its line of sight, so that a ball around the target fits. */
+	/** Moves the camera along its line of sight, so that a ball around the target fits. */
 	frame(target, radius) {
 		if (!this.renderer) return;
 		const back = this.camera.position.clone().sub(this.controls.target).setLength(radius * (this.camera.aspect < 1 ? 3.4 : 3.1));
@@ -253,7 +255,7 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** Turns the eye about the target, or moves it: for keys. */
+	/** Turns the camera about the target, or moves it: for keys. */
 	orbit(around, up, zoom) {
 		if (!this.renderer) return;
 		this.#isTouched = true;
@@ -267,7 +269,7 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** Shows exactly these agents, each in its colour; glow says of an agent how bright its flash is, from 0 to 1. */
+	/** Shows exactly these agents, each in its colour. glow gives the brightness of an agent's flash, from 0 to 1. */
 	showAgents(agents, models, glow = () => 0) {
 		if (!this.renderer) return;
 		this.agents.show(agents, models, glow);
@@ -275,12 +277,12 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** Shows where agents met: places with an age from 0 to 1 and a colour. */
+	/** Shows the places of meetings, each with an age from 0 to 1 and a colour. */
 	showMarks(hits, solids) {
 		if (!this.renderer) return;
 		for (const { point, age, color } of hits) this.marks.addHit(point, age, color, this.camera.quaternion);
 		for (const { agent, structures, color } of solids) {
-			// a sphere of the world has no agent
+			// a sphere in the world has no agent
 			const world = agent ? placement.fromArray(agent.transform.rawData) : placement.identity();
 			for (const structure of structures) this.marks.addSolid(structure, world, color);
 		}
@@ -288,17 +290,19 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** Shows signs: of a kind each, at a place. */
+	/** Shows signs, each of a kind and at a place. */
 	showSigns(signs) {
 		this.signs?.show(signs);
 		this.redraw();
 	}
 
-	/** The wireframe of a name, with nothing in it yet; nothing hides one that is on top. Its colour is a number, or one by day and one by night. */
+	/**
+	 * The wireframe with a name, empty at first. If it is on top, nothing hides it. Its colour is a number, or one for day and one for night.
+	 */
 	wireframe(name, { color, opacity = 1, isOnTop = false }) {
 		if (!this.#wireframes.has(name)) {
 			const made = new ThreeWireframe({ up: "z" });
-			// what comes later is over what is there
+			// later ones are drawn over earlier ones
 			made.renderOrder = isOnTop ? 1 : 0;
 			this.#wireframes.set(name, made);
 			this.scene?.add(made);
@@ -316,18 +320,18 @@ export class Stage {
 		wireframe.material.color.set(typeof colour === "number" ? colour : colour[isDark() ? "dark" : "light"]);
 	}
 
-	/** Leaves nothing in the wireframes of some names. */
+	/** Empties the wireframes with these names. */
 	clearLines(...names) {
 		for (const name of names) this.#wireframes.get(name)?.clearLines();
 		this.redraw();
 	}
 
-	/** Whom of the agents shown the pointer is on, or null. */
+	/** The agent under the pointer, or null. */
 	agentAt(event) {
 		return this.renderer ? this.agents.meets(this.#ray(event)) : null;
 	}
 
-	/** Where the pointer's ray meets a level plane, or null. */
+	/** The point where the pointer's ray meets a level plane, or null. */
 	pointAt(event, height) {
 		return this.#ray(event).ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -height), new Vector3());
 	}
@@ -340,11 +344,11 @@ export class Stage {
 	}
 
 	/**
-	 * A small picture, as an address; null where nothing is drawn. The view stays as it is.
+	 * The address of a small picture; null if nothing can be drawn. The view does not change.
 	 *
 	 * @param {number} width in pixels
 	 * @param {number} height in pixels
-	 * @param {() => void} look looks at what is to be seen
+	 * @param {() => void} look points the camera
 	 */
 	picture(width, height, look) {
 		if (!this.renderer) return null;
@@ -378,11 +382,11 @@ export class Stage {
 	}
 }
 
-/** Says so, and draws again, when the browser takes the graphics card away and gives it back. */
+/** Shows a message if the browser loses the graphics card, and draws again when it is back. */
 function sayIfLost(stage) {
 	const note = h("p.notice.lost", { role: "alert" }, texts.lostWebGL);
 	stage.canvas.addEventListener("webglcontextlost", (event) => {
-		// else it is not given back
+		// otherwise it does not come back
 		event.preventDefault();
 		stage.host.append(note);
 	});
@@ -395,12 +399,12 @@ function sayIfLost(stage) {
 const placement = new Matrix4();
 let slowness = null;
 
-/** Whether the processor draws, for which smooth edges are twice the work. */
+/** Whether the processor draws. Smooth edges are then twice the work. */
 function isDrawnSlowly() {
 	if (slowness === null) {
 		const probe = h("canvas").getContext("webgl2");
 		const name = probe?.getParameter(probe.RENDERER) ?? "";
-		// Chromium says it in another place, of which Firefox warns
+		// Chromium has it in another place, about which Firefox warns
 		const names = /webkit/i.test(name) ? probe.getExtension("WEBGL_debug_renderer_info") : null;
 		slowness = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(names ? probe.getParameter(names.UNMASKED_RENDERER_WEBGL) : name);
 		probe?.getExtension("WEBGL_lose_context")?.loseContext();

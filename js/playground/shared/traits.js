@@ -1,10 +1,10 @@
-/** Where an agent is, how it is turned and how large: by sliders, and by the pointer. */
+/** Controls for an agent's place, turns and size: sliders, and the pointer. */
 import { fixed, texts } from "./language.js";
 import { slider } from "./dom.js";
 
 const RANGES = { x: [-2, 2, 0.01], y: [-2, 2, 0.01], z: [-1, 3, 0.01], heading: [-180, 180, 1], pitch: [-180, 180, 1], roll: [-180, 180, 1], size: [0.2, 3, 0.01] };
 
-/** As many as sliders have. */
+/** The number of decimals of the sliders. */
 const DECIMALS = 2;
 
 /** Sliders for an agent's traits, each with its element. */
@@ -24,13 +24,16 @@ export class TraitSliders {
 		return this.sliders.map(({ element }) => element);
 	}
 
-	/** Shows how the agent is now. */
+	/** Shows the agent's present traits. */
 	update() {
 		for (const { trait, set } of this.sliders) set(this.agent[trait]);
 	}
 }
 
-/** The pointer takes an agent of a stage along the level that it stands on, as far as sliders do; onTake and onMove are told which. */
+/**
+ * Lets the pointer drag a stage's agents on the level on which they stand, within the sliders' limits. onTake and onMove are called with
+ * the agent.
+ */
 export function dragAgents(stage, onMove, onTake = () => {}) {
 	if (!stage.renderer) return;
 	const { canvas, controls } = stage;

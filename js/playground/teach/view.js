@@ -1,12 +1,12 @@
-/** For teachers: what each lesson is about, how long it takes and how it is solved, with a link to it and one page to print. */
+/** For teachers: each lesson's aim, time and solution, with a link to it and one page to print. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.teach;
-/** The lessons in their order, and how many minutes a class needs for each. */
+/** The lessons in their order, with the minutes that a class needs. */
 const MINUTES = { blocks: 10, helmet: 10, wing: 10, main: 15, fast: 15, starts: 15, room: 15, near: 20, see: 20, hunt: 25 };
 const NAMES = Object.keys(MINUTES);
-/** How high the picture of a lesson's blocks may be, in pixels, so that all is on one sheet of paper. */
+/** The largest height of a lesson's blocks in pixels, so that everything fits on one sheet of paper. */
 const HIGHEST = 390;
 
 export async function createView(main, name) {
@@ -59,7 +59,7 @@ class TeachView {
 		this.#draw(name, picture, blocks);
 	}
 
-	/** Draws what comes late: the words can be read meanwhile. */
+	/** Draws the pictures, which come late. The words can be read meanwhile. */
 	async #draw(name, picture, blocks) {
 		const [{ LESSONS }, { pictureOf }, messages] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js")]);
 		if (!picture.isConnected) return;

@@ -10,6 +10,7 @@ package evaluation.scenes
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.ColladaModel;
     import starlogo.models.ObjModel;
     import support.CollisionHash;
     import support.Fixtures;
@@ -17,7 +18,7 @@ package evaluation.scenes
 
     public class ScenesTest
     {
-        public static const FIXTURES:Array = ["/assets/bear.obj"];
+        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/dragon.dae"];
 
         private static const FRAMES:int = 12;
         private static const CROWD:int = 12;
@@ -45,6 +46,7 @@ package evaluation.scenes
             sGreatLand.addModel(BuiltInModel.sphere());
             sGreatLand.addModel(BuiltInModel.cube());
             sGreatLand.addModel(new ObjModel("bear", Fixtures.text("/assets/bear.obj")));
+            sGreatLand.addModel(new ColladaModel("dragon", Fixtures.text("/assets/dragon.dae")));
         }
 
         [Test]
@@ -77,7 +79,7 @@ package evaluation.scenes
         {
             for each (var collider:Class in COLLIDERS)
             {
-                for each (var cast:String in Scenes.CASTS)
+                for each (var cast:String in Scenes.CROWD_CASTS)
                 {
                     var hash:CollisionHash = new CollisionHash(Scenes.crowd(CROWD, cast), new collider(sGreatLand), FRAMES);
                     assertEquals(collider + ", " + cast, FRAMES * CROWD * (CROWD - 1) / 2, hash.collisions);

@@ -213,50 +213,13 @@ export class Stage {
 		for (let row = 0; row < rows; row++) for (let column = 0; column < columns; column++) {
 			const right = (heightOf(column + 1, row) - heightOf(column - 1, row)) / (2 * cellWidth);
 			const up = (heightOf(column, row + 1) - heightOf(column, row - 1)) / (2 * cellWidth);
-			const light = nearOf(corners, this.isSideView);
-			if (light > 0) faces.push({ corners: corners.map(([x, y, z]) => [x, this.isSideView ? z : y]), light, near: Math.max(...corners.map(near)) });
-		}
-		this.#faces.set(name, faces.sort((a, b) => a.near - b.near));
-	}
-
-	line(from, to, colour, width = 0.08) {
-		this.#stroke(colour, width, (path) => {
-			path.moveTo(from.x, this.#up(from));
-			path.lineTo(to.x, this.#up(to));
-		});
-	}
-
-	/** Draws lines as the engine gives them: six numbers each, for two points. */
-	lines(numbers, colour, width = 0.05) {
-		const up = this.isSideView ? 2 : 1;
-		this.#stroke(colour, width, (path) => {
-			for (let i = 0; i < numbers.length; i += 6) {
-				path.moveTo(numbers[i], numbers[i + up]);
-				path.lineTo(numbers[i + 3], numbers[i + 3 + up]);
-			}
-		});
-	}
-
-	ring(place, radius, colour, width = 0.1) {
-		this.#stroke(colour, width, (path) => path.arc(place.x, this.#up(place), radius, 0, 7));
-	}
-
-	/** Draws the ground from above. The light comes from the upper left, and higher ground is paler. */
-	hills(terrain) {
-		const { columns, rows, cellWidth } = terrain;
-		const [picture, pixels] = [new OffscreenCanvas(columns, rows), new ImageData(columns, rows)];
-		const heightOf = (column, row) => terrain.getHeight(Math.max(0, Math.min(columns - 1, column)), Math.max(0, Math.min(rows - 1, row)));
-		for (let row = 0; row < rows; row++) for (let column = 0; column < columns; column++) {
-			const right = (heightOf(column + 1, row) - heightOf(column - 1, row)) / (2 * cellWidth);
-			const up = (heightOf(column, row + 1) - heightOf(column, row - 1)) / (2 * cellWidth);
-			const isContour = Math.floor(2 * heightOf(column, row)) !== Math.floor(2 * Math.min(heightOf(column + 1, row), heightOf(column, row + 1)));
 			const light = 0.45 + 0.7 * Math.max(0, (0.5 * right - 0.5 * up + 0.7) / Math.hypot(right, up, 1));
 			const part = Math.max(0, Math.min(1, (heightOf(column, row) + 2) / 6));
-			pixels.data.set([60 + 260 * part * part + 60 * part, 150 + 110 * part, 110 + 60 * part].map((colour) => colour * light).concat(255), 4 * (row * columns + column));
+			const colour = [60 + 60 * part + 260 * part * part, 150 + 110 * part, 110 + 60 * part].map((value) => value * light);
+			pixels.data.set([...colour, 255], 4 * (row * columns + column));
 		}
 		picture.getContext("2d").putImageData(pixels, 0, 0);
-		const [left, bottom] = [terrain.x - cellWidth / 2, terrain.y - cellWidth / 2];
-		this.#context.drawImage(picture, left, bottom, columns * cellWidth, rows * cellWidth);
+		this.#context.drawImage(picture, terrain.x - cellWidth / 2, terrain.y - cellWidth / 2, columns * cellWidth, rows * cellWidth);
 	}
 
 	/** Fills a polygon. */

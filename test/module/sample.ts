@@ -95,6 +95,7 @@ import {
 	StructureBlocks,
 	StructureTests,
 	Terrain,
+	TerrainBlocks,
 	TightestFitCollider,
 	Tolerances,
 	TraitBlocks,
@@ -222,6 +223,11 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	new TraitBlocks(agents).collideAs("bears", Agent.BOX);
 	structures.show("bears", true);
 	log.push(`${new CollisionLines(greatLand).linesOf(agents[0], new BinCollider(greatLand), []).length / 6} lines of a sphere`);
+	const ground: Terrain = collisions.collision.terrain = new Terrain(9, 9, 1, -4, -4);
+	const groundBlocks = new TerrainBlocks(collisions, new DetectionBlocks(collisions));
+	groundBlocks.buildMound(agents[0], 3, 1);
+	const onMound: boolean = groundBlocks.isTouchingGround(agents[0]) && !groundBlocks.isTouchingEdge(agents[0]) && groundBlocks.terrainHeight(agents[0]) > 0;
+	log.push(`on a mound: ${onMound}, of ${Wireframes.ofTerrain(ground, -2, -2, 2, 2).length / 6} lines`);
 	collisions.whenTouchingStarts("bears", "paintballs", () => log.push(`${structures.lines().length / 6} lines`));
 	collisions.collision.update(agents);
 	try {

@@ -7,9 +7,10 @@ package starlogo.debug
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.terrain.Terrain;
 
     /**
-     * Lists of lines to draw: structures, levels of hierarchies and triangles.
+     * Lists of lines to draw: structures, levels of hierarchies, triangles and the ground.
      *
      * <p>A line is six numbers: x, y and z of one end, then of the other, in the structure's space. The ends lie on the structure's
      * surface. Lines without length are left out, so a point has no lines.</p>
@@ -112,6 +113,30 @@ package starlogo.debug
                     pen.drawLine(vertexAt(vertices, a), vertexAt(vertices, b));
                 }
             }
+            return pen.lines;
+        }
+
+        /**
+         * The surface of the ground in a rectangle. Slopes are the edges of the triangles between the heights that are in it. Columns are the edges
+         * of those whose middles are in it: of their tops, and of the walls between them.
+         *
+         * @param terrain the ground as it is now
+         * @param minX the rectangle's least x; the rectangle may reach beyond the ground
+         * @param minY its least y; may be infinite, as all four
+         * @param maxX its greatest x
+         * @param maxY its greatest y
+         * @param out the lines are added to it, in the world; made if null
+         * @return out
+         * @throws ArgumentError if the terrain is null
+         */
+        public static function ofTerrain(terrain:Terrain, minX:Number, minY:Number, maxX:Number, maxY:Number, out:Vector.<Number> = null):Vector.<Number>
+        {
+            if (terrain == null)
+            {
+                throw new ArgumentError("there is no terrain to draw: null");
+            }
+            var pen:LinePen = new LinePen(out);
+            new TerrainPen(terrain, minX, minY, maxX, maxY, pen).draw();
             return pen.lines;
         }
 

@@ -8,6 +8,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -253,6 +254,19 @@ package starlogo.queries
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
             return _touches.touchesAny(agent, filter);
+        }
+
+        /**
+         * Whether an agent touches an edge of the world or is beyond one. A Collision with these bounds would find the same.
+         *
+         * @param agent the agent that asks. Its shape is read now too
+         * @param bounds the edges, as <code>collision.bounds</code> has them
+         * @return false while its model is loading
+         * @throws ArgumentError if one is null, or if the agent's model is unknown or lacks data that the collision system needs
+         */
+        public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
+        {
+            return _touches.touchesEdge(agent, bounds);
         }
 
         /**

@@ -5,9 +5,13 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
+    import starlogo.search.EdgePairs;
     import starlogo.search.MovedRow;
     import starlogo.search.RowList;
+    import starlogo.search.RowPairs;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -24,6 +28,10 @@ package starlogo.queries
         private var _structure:AskedStructure = null;
         private var _moved:MovedRow = new MovedRow();
         private var _place:Vector3D = new Vector3D();
+
+        // The edges need the pairs of the collision system that is asked.
+        private var _edges:EdgePairs = null;
+        private var _edgesOf:RowPairs = null;
 
         /** @param seen the agents that questions are about */
         public function TouchQuestions(seen:SeenAgents)
@@ -74,6 +82,32 @@ package starlogo.queries
             collectNear(row, table.x[row], table.y[row], table.z[row]);
             table.endGuests();
             return _found.list(out);
+        }
+
+        /** As AgentQueries.touchesEdge. */
+        public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
+        {
+            if (bounds == null)
+            {
+                throw new ArgumentError("bounds must not be null");
+            }
+            if (_edgesOf !== _seen.pairs)
+            {
+                _edgesOf = _seen.pairs;
+                _edges = new EdgePairs(_edgesOf);
+            }
+            var table:AgentTable = _seen.table;
+            var row:int = _seen.rowOfNow(agent);
+            var touches:Boolean = false;
+            if (table.shapes[row] != null)
+            {
+                _edges.bounds = bounds;
+                _place.setTo(0, 0, 0);
+                _edges.findTime(table, row, _place);
+                touches = _edges.time != RelativeMotion.NEVER;
+            }
+            table.endGuests();
+            return touches;
         }
 
         private function findTouching(agent:Agent, filter:AgentFilter, most:int):void

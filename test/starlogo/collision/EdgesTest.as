@@ -17,6 +17,7 @@ package starlogo.collision
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.queries.AgentQueries;
     import starlogo.terrain.WorldBounds;
     import support.Complaints;
     import support.EachCollider;
@@ -82,12 +83,19 @@ package starlogo.collision
                 {
                     _bounds = anyBounds();
                     var agents:Vector.<Agent> = anyAgents(8);
-                    makeCollision(name).update(agents);
+                    var collision:Collision = makeCollision(name);
+                    collision.update(agents);
+                    var queries:AgentQueries = new AgentQueries(collision);
+                    queries.update(agents);
                     for each (var agent:Agent in agents)
                     {
                         var beyond:Array = beyondOf(name, agent);
                         var most:Number = Math.max.apply(null, beyond);
                         var contact:Contact = contactWith(agent);
+                        if (queries.touchesEdge(agent, _bounds) != (contact != null))
+                        {
+                            _wrong.add(name + ": the question", contact + ": " + agent);
+                        }
                         if (Math.abs(most) > NEAR && most > 0 != (contact != null))
                         {
                             _wrong.add(name + ": touches", most + ", " + contact + ": " + agent);

@@ -3,7 +3,7 @@
  * Times the ES module in Node beside other engines, and what only the module has: bindings, snapshots' bytes, memory. The benchmarks that players run
  * too are those of benchmarks.mjs.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, queries, bindings, snapshots
+ *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * It is the time of the processors, of all threads of this process, so that other programs count as little as possible.
@@ -360,5 +360,66 @@ function snapshots() {
 	print("Snapshots of 10,000 agents, ms", ["", "snapshot", "restore", "bytes"], rows);
 }
 
+/** Frames on a ground of a million cells; a hill that rises; rays across it, beside three-mesh-bvh on the same triangles. */
+function ground() {
+	const cells = 1000;
+	const terrain = new engine.Terrain(cells + 1, cells + 1, 1, -cells / 2, -cells / 2);
+	const fine = new engine.Terrain(cells + 1, cells + 1, 0.1, -HALF_WIDTH, -HALF_WIDTH);
+	const heights = Array.from({ length: (cells + 1) ** 2 }, (_, i) => 3 * Math.sin(i % (cells + 1) / 17) + 2 * Math.cos(Math.floor(i / (cells + 1)) / 11));
+	terrain.setHeights(0, 0, cells + 1, cells + 1, heights);
+	fine.setHeights(0, 0, cells + 1, cells + 1, heights.map((height) => height / 10));
+	const random = randomNumbers(38);
+	const systems = Object.entries(SYSTEMS);
+	const frames = systems.flatMap(([name, System]) => [[terrain, HALF_WIDTH], [terrain, cells / 2 - 1], [fine, HALF_WIDTH - 1]].map(([on, half]) => {
+		const agents = Array.from({ length: 10000 }, () => new Agent("sphere"));
+		const prepare = () => agents.forEach((agent) => {
+			const [x, y] = [half * (2 * random() - 1), half * (2 * random() - 1)];
+			agent.moveTo(x, y, on.heightAt(x, y) + 0.5 * random() - 0.1);
+		});
+		const tasks = [false, true].map((isOnGround) => {
+			const collision = new engine.Collision(new System(greatLand));
+			collision.onCollision("turtles", "turtles", () => {});
+			if (isOnGround) {
+				collision.terrain = on;
+				collision.onCollision("turtles", engine.Collision.TERRAIN, () => {});
+			}
+			return { run: () => collision.update(agents) };
+		});
+		const [without, with_] = measure([{ prepare, run: tasks[0].run }, tasks[1]], 40);
+		return [`${name}, ${2 * half} patches wide, cells of ${on.cellWidth}`, without, with_, with_ / without];
+	}));
+	print("10,000 spheres on 1,000 by 1,000 cells, ms a frame", ["", "without ground", "with", "ratio"], frames);
+	const [mound] = measure([{ run: () => terrain.raiseMound(0, 0, 100, 0.001) }], 100);
+	print("A mound of 100 by 100 cells", ["ms"], [[mound]]);
+
+	const vertices = heights.flatMap((height, i) => [i % (cells + 1) - cells / 2, Math.floor(i / (cells + 1)) - cells / 2, height]);
+	const triangles = [];
+	for (let row = 0; row < cells; row++) {
+		for (let column = 0; column < cells; column++) {
+			const corner = row * (cells + 1) + column;
+			triangles.push(corner, corner + 1, corner + cells + 2, corner, corner + cells + 2, corner + cells + 1);
+		}
+	}
+	const { three, bvh } = makeBvh({ vertices, triangles });
+	const queries = new AgentQueries(new BinCollider());
+	queries.terrain = terrain;
+	queries.update([]);
+	terrain.raiseMound(0, 0, 100, -0.2);
+	const rays = [["over it", 7], ["through the tops", 4.5], ["among the hills", 2]].map(([name, height]) => {
+		const origins = Array.from({ length: 1000 }, () => [-cells / 2 + 1, 480 * (2 * random() - 1), height]);
+		const directions = origins.map(() => [1, random() - 0.5, 0.001 * (random() - 0.5)]);
+		const own = origins.map((origin, i) => [new engine.Vector3D(...origin), new engine.Vector3D(...directions[i])]);
+		const its = origins.map((origin, i) => new three.Ray(new three.Vector3(...origin), new three.Vector3(...directions[i]).normalize()));
+		const hit = new engine.RayHit();
+		let [hits, bvhHits] = [0, 0];
+		const [ours, theirs] = measure([
+			{ run: () => { hits = own.filter(([origin, direction]) => queries.cast(origin, direction, 2 * cells, null, hit) !== null).length; } },
+			{ run: () => { bvhHits = its.filter((ray) => bvh.raycastFirst(ray, three.DoubleSide) !== null).length; } },
+		], 10);
+		return [name, ours, theirs, ours / theirs, hits, bvhHits];
+	});
+	print("Rays across the ground, microseconds", ["", "engine", "three-mesh-bvh", "ratio", "hits", "its hits"], rays);
+}
+
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [memory, cold, exact, distances, rays, peers, queries, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -30,7 +30,7 @@ package starlogo.collision
             bytes.writeInt(terrain.columns);
             bytes.writeInt(terrain.rows);
             bytes.writeBoolean(terrain.isBlocky);
-            var heights:Vector.<Number> = terrain.heights;
+            var heights:Vector.<Number> = terrain.grid.heights;
             for (var at:int = 0; at < heights.length; )
             {
                 var first:int = endOfRun(heights, at, true);

@@ -179,8 +179,8 @@ package starlogo.hierarchy
             innerRadius = halfZ < innerRadius ? halfZ : innerRadius;
         }
 
-        /** Sets an axis-aligned box to the node's box, and returns it. */
-        internal function writeBox(box:Box):Box
+        /** @private Sets an axis-aligned box to the node's box, and returns it. */
+        engine function writeBox(box:Box):Box
         {
             var center:Vector3D = box.center;
             center.x = x;

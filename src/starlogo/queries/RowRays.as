@@ -10,7 +10,7 @@ package starlogo.queries
     import starlogo.search.TreePairs;
     import starlogo.solid.SolidRay;
     import starlogo.terrain.GroundRay;
-    import starlogo.terrain.Terrain;
+    import starlogo.terrain.HeightGrid;
     import starlogo.terrain.TerrainAgent;
 
     use namespace engine;
@@ -92,7 +92,7 @@ package starlogo.queries
             }
             if (shape.form == ModelShape.GROUND)
             {
-                return meetsGround(TerrainAgent(_table.agents[row]).terrain);
+                return meetsGround(TerrainAgent(_table.agents[row]).terrain.grid);
             }
             var placement:Placement = _table.placementOf(row, _placement);
             var line:Ray = _line;
@@ -129,11 +129,11 @@ package starlogo.queries
             return true;
         }
 
-        private function meetsGround(terrain:Terrain):Boolean
+        private function meetsGround(grid:HeightGrid):Boolean
         {
             ray.from = 0;
             ray.to = limit;
-            if (!_ground.find(terrain, ray))
+            if (!_ground.find(grid, ray))
             {
                 return false;
             }

@@ -331,10 +331,18 @@ package starlogo.search
             // what writeIndices() makes of it
             _indices.length = Math.max(_indices.length, index + 1);
             _indices[index] = index;
-            for (var i:int = 0; i < _memberCount && fixture >= 0; i++)
+            if (fixture < 0)
+            {
+                return;
+            }
+            var numbers:Vector.<int> = interests.numbers;
+            var areOfInterest:Vector.<Boolean> = interests.areOfInterest;
+            var first:int = fixture * interests.breedCount;
+            for (var i:int = 0; i < _memberCount; i++)
             {
                 var row:int = _memberRows[i];
-                if (!interests.includes(interests.numbers[agents[row].breedNumber], fixture))
+                var number:int = numbers[agents[row].breedNumber];
+                if (number < 0 || !areOfInterest[first + number])
                 {
                     continue;
                 }

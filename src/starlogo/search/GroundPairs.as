@@ -8,7 +8,8 @@ package starlogo.search
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.Terrain;
+    import starlogo.terrain.QuickLook;
+    import starlogo.terrain.HeightGrid;
     import starlogo.terrain.TerrainAgent;
     import starlogo.terrain.TerrainPair;
 
@@ -23,6 +24,7 @@ package starlogo.search
     {
         private var _pairs:RowPairs;
         private var _pair:TerrainPair = new TerrainPair();
+        private var _look:QuickLook = new QuickLook();
         private var _placement:Placement = new Placement();
         private var _turned:RelativeMotion = new RelativeMotion();
 
@@ -38,9 +40,15 @@ package starlogo.search
             var isTurned:Boolean = table.forms[a] == ModelShape.GROUND;
             var row:int = isTurned ? b : a;
             var ground:int = isTurned ? a : b;
-            if (table.forms[row] <= BoundingStructure.BOX && isMiddleUnder(table, row, ground))
+            if (table.sizes[ground] == 1 && isSure(table, row, ground))
             {
-                return true;
+                return _look.isTouching;
+            }
+            if (table.forms[row] <= BoundingStructure.BOX)
+            {
+                _pair.inset = (1 - table.sizes[ground]) * TerrainAgent(table.agents[ground]).terrain.grid.cellWidth / 2;
+                _pair.gap = Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
+                return _pair.isOverlapping(TerrainAgent(table.agents[ground]).terrain.grid, table.structureOf(row), table.extents, row);
             }
             setTo(table, row, ground);
             return _pair.areOverlapping();
@@ -95,20 +103,22 @@ package starlogo.search
             _pair.findClosest(areTouching, out);
         }
 
-        // The middle of a structure's extents is inside the structure. A sphere reaches down from its middle.
-        private function isMiddleUnder(table:AgentTable, row:int, ground:int):Boolean
+        private function isSure(table:AgentTable, row:int, ground:int):Boolean
         {
             var extents:Extents = table.extents;
-            var terrain:Terrain = TerrainAgent(table.agents[ground]).terrain;
-            terrain.placeX = extents.x[row];
-            terrain.placeY = extents.y[row];
-            terrain.findHeight();
-            var low:Number = extents.z[row];
-            if (table.forms[row] == BoundingStructure.SPHERE)
-            {
-                low -= extents.halfZ[row];
-            }
-            return table.sizes[ground] == 1 && terrain.height >= low;
+            _look.x = extents.x[row];
+            _look.y = extents.y[row];
+            _look.z = extents.z[row];
+            var halfX:Number = extents.halfX[row];
+            var halfY:Number = extents.halfY[row];
+            var halfZ:Number = extents.halfZ[row];
+            var isSphere:Boolean = table.forms[row] == BoundingStructure.SPHERE;
+            var share:Number = isSphere ? 1 : 0;
+            _look.isSolid = table.forms[row] != ModelShape.TREE;
+            _look.inner = share * halfX;
+            _look.outer = (isSphere ? halfX : Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ)) * Tolerances.OUTER
+                + 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
+            return _look.decide(TerrainAgent(table.agents[ground]).terrain.grid);
         }
 
         // Sets the pair, and returns the motion of the row that is not the ground.
@@ -127,11 +137,11 @@ package starlogo.search
         private function setTo(table:AgentTable, row:int, ground:int):void
         {
             var shape:ModelShape = table.shapes[row];
-            var terrain:Terrain = TerrainAgent(table.agents[ground]).terrain;
+            var grid:HeightGrid = TerrainAgent(table.agents[ground]).terrain.grid;
             var trees:TreePairs = _pairs.trees;
             // if the ground is made narrower, its size in the table is smaller
-            _pair.inset = (1 - table.sizes[ground]) * terrain.cellWidth / 2;
-            _pair.setTo(terrain, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
+            _pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;
+            _pair.setTo(grid, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
                     trees != null && trees.exact);
         }
     }

@@ -29,7 +29,7 @@ package starlogo.terrain
         /** How far triangles are moved into the ground. */
         public var inset:Number = 0;
 
-        private var _terrain:Terrain;
+        private var _grid:HeightGrid;
         private var _heights:Vector.<Number>;
         private var _isBlocky:Boolean;
         private var _columns:int;
@@ -53,27 +53,27 @@ package starlogo.terrain
         }
 
         /** Begins with the box, which is made a little wider because of rounding. */
-        public function begin(terrain:Terrain):void
+        public function begin(grid:HeightGrid):void
         {
-            var width:Number = terrain.cellWidth;
-            var middle:Number = terrain.isBlocky ? width / 2 : 0;
-            _terrain = terrain;
-            _heights = terrain.heights;
-            _isBlocky = terrain.isBlocky;
-            _columns = terrain.columns;
+            var width:Number = grid.cellWidth;
+            var middle:Number = grid.isBlocky ? width / 2 : 0;
+            _grid = grid;
+            _heights = grid.heights;
+            _isBlocky = grid.isBlocky;
+            _columns = grid.columns;
             _lastColumn = _isBlocky ? _columns - 1 : _columns - 2;
-            _lastRow = _isBlocky ? terrain.rows - 1 : terrain.rows - 2;
+            _lastRow = _isBlocky ? grid.rows - 1 : grid.rows - 2;
             _cells.width = width;
-            _blocks.width = width * (1 << Terrain.BLOCK);
-            _cells.originX = _blocks.originX = terrain.x - middle;
-            _cells.originY = _blocks.originY = terrain.y - middle;
+            _blocks.width = width * (1 << HeightGrid.BLOCK);
+            _cells.originX = _blocks.originX = grid.x - middle;
+            _cells.originY = _blocks.originY = grid.y - middle;
             var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + width
                     + box.limit * (Math.abs(box.wayX) + Math.abs(box.wayY) + Math.abs(box.wayZ)));
             box.halfX += rounding;
             box.halfY += rounding;
             box.halfZ += rounding;
             _cells.begin(0, 0, -1, -1);
-            _blocks.begin(0, 0, _lastColumn >> Terrain.BLOCK, _lastRow >> Terrain.BLOCK);
+            _blocks.begin(0, 0, _lastColumn >> HeightGrid.BLOCK, _lastRow >> HeightGrid.BLOCK);
             _face = FACES;
         }
 
@@ -130,9 +130,9 @@ package starlogo.terrain
                 }
                 if (meetsBlock(_blocks.column, _blocks.row))
                 {
-                    var first:int = _blocks.column << Terrain.BLOCK;
-                    var firstRow:int = _blocks.row << Terrain.BLOCK;
-                    var most:int = (1 << Terrain.BLOCK) - 1;
+                    var first:int = _blocks.column << HeightGrid.BLOCK;
+                    var firstRow:int = _blocks.row << HeightGrid.BLOCK;
+                    var most:int = (1 << HeightGrid.BLOCK) - 1;
                     _cells.begin(first, firstRow, Math.min(first + most, _lastColumn), Math.min(firstRow + most, _lastRow));
                 }
             }
@@ -142,13 +142,13 @@ package starlogo.terrain
         // The walls at the terrain's borders are as deep as may be.
         private function meetsBlock(column:int, row:int):Boolean
         {
-            var block:int = row * _terrain.blockColumns + column;
-            if (_blocks.low > _terrain.greatests[block])
+            var block:int = row * _grid.blockColumns + column;
+            if (_blocks.low > _grid.greatests[block])
             {
                 return false;
             }
-            return _blocks.high >= _terrain.leasts[block] || column == 0 || row == 0 || column == _lastColumn >> Terrain.BLOCK
-                || row == _lastRow >> Terrain.BLOCK;
+            return _blocks.high >= _grid.leasts[block] || column == 0 || row == 0 || column == _lastColumn >> HeightGrid.BLOCK
+                || row == _lastRow >> HeightGrid.BLOCK;
         }
 
         private function readCell(column:int, row:int):void

@@ -41,6 +41,7 @@ package starlogo.terrain
         // Which it is, and by kind the structure in the world.
         private var _kind:int = 0;
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _placed:BoundingStructure = null;
 
         // The triangle, or the middles of the ends of a sphere or capsule as one; how far the piece reaches around it, and still touches.
         private var _core:Vector.<Number> = new Vector.<Number>(9, true);
@@ -68,10 +69,16 @@ package starlogo.terrain
         /** Makes it a structure of a model that stands somewhere, wider by a margin. */
         public function setStructure(structure:BoundingStructure, placement:Placement, margin:Number):void
         {
-            _kind = structure.kind;
-            var placed:BoundingStructure = _structures[_kind] = structure.place(placement, _structures[_kind]);
+            var placed:BoundingStructure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
             placed.widen(margin);
-            placed.extentsInto(_extents);
+            setPlaced(placed);
+        }
+
+        /** Makes it a structure in the world, which is kept. */
+        public function setPlaced(placed:BoundingStructure):void
+        {
+            _kind = placed.kind;
+            _placed = placed;
             _radius = 0;
             _margin = 0;
             if (_kind == BoundingStructure.BOX)
@@ -113,7 +120,7 @@ package starlogo.terrain
             }
         }
 
-        /** Makes a box the piece's extents. */
+        /** Makes a box the triangle's extents. */
         public function writeBox(box:PassingBox):void
         {
             box.x = (_extents[0] + _extents[1]) / 2;
@@ -125,12 +132,12 @@ package starlogo.terrain
         }
 
         /** Whether a point of the piece is under the ground, whose surface the piece does not touch. */
-        public function isUnder(terrain:Terrain):Boolean
+        public function isUnder(grid:HeightGrid):Boolean
         {
-            terrain.placeX = _core[0];
-            terrain.placeY = _core[1];
-            terrain.findHeight();
-            return terrain.height >= _core[2];
+            grid.placeX = _core[0];
+            grid.placeY = _core[1];
+            grid.findHeight();
+            return grid.height >= _core[2];
         }
 
         /** Whether it touches a triangle. */
@@ -142,6 +149,10 @@ package starlogo.terrain
                 return _box.touches(corners, 0);
             }
             _closest.reach = _radius * Tolerances.TOUCHING + _margin + gap;
+            if (isAbove(corners))
+            {
+                return false;
+            }
             if (_kind == TRIANGLE)
             {
                 return triangleTriangle(corners, 0, _core, 0, _closest);
@@ -158,7 +169,7 @@ package starlogo.terrain
             _triangleSweep.tolerance = _overlap.tolerance = _margin;
             if (_kind != TRIANGLE)
             {
-                _sweep.begin(_structures[_kind], _motion);
+                _sweep.begin(_placed, _motion);
             }
             _closest.begin();
             _areSides = false;
@@ -254,6 +265,18 @@ package starlogo.terrain
                 _sides[3 * i + 1] = box.center.y + x * box.axisX.y + y * box.axisY.y + z * box.axisZ.y;
                 _sides[3 * i + 2] = box.center.z + x * box.axisX.z + y * box.axisY.z + z * box.axisZ.z;
             }
+        }
+
+        // Whether all of it is above the plane of a triangle, as most pieces are.
+        private function isAbove(corners:Vector.<Number>):Boolean
+        {
+            GroundFaces.findOutside(corners, _outside);
+            var x:Number = _outside.normalX;
+            var y:Number = _outside.normalY;
+            var z:Number = _outside.normalZ;
+            var plane:Number = x * corners[0] + y * corners[1] + z * corners[2] + _closest.reach;
+            return x * _core[0] + y * _core[1] + z * _core[2] > plane && x * _core[3] + y * _core[4] + z * _core[5] > plane
+                && x * _core[6] + y * _core[7] + z * _core[8] > plane;
         }
 
         private function setCore(start:Vector3D, end:Vector3D):void

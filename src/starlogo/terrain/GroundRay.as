@@ -30,22 +30,22 @@ package starlogo.terrain
          * @param ray in the world; its beginning becomes the hit, with the normal there: out of the ground
          * @return whether there is a hit
          */
-        public function find(terrain:Terrain, ray:Ray):Boolean
+        public function find(grid:HeightGrid, ray:Ray):Boolean
         {
-            terrain.placeX = ray.x;
-            terrain.placeY = ray.y;
-            terrain.findHeight();
-            if (terrain.height >= ray.z)
+            grid.placeX = ray.x;
+            grid.placeY = ray.y;
+            grid.findHeight();
+            if (grid.height >= ray.z)
             {
                 ray.faceBack();
                 return true;
             }
-            if (!beginOver(terrain, ray))
+            if (!beginOver(grid, ray))
             {
                 return false;
             }
             var isHit:Boolean = false;
-            _triangles.begin(ray, terrain.cellWidth);
+            _triangles.begin(ray, grid.cellWidth);
             while (_faces.next())
             {
                 var before:Number = _triangles.at;
@@ -69,10 +69,10 @@ package starlogo.terrain
         }
 
         // Begins with the part of the ray that is over the terrain; false if there is none.
-        private function beginOver(terrain:Terrain, ray:Ray):Boolean
+        private function beginOver(grid:HeightGrid, ray:Ray):Boolean
         {
             var box:PassingBox = _faces.box;
-            var middle:Number = terrain.isBlocky ? terrain.cellWidth / 2 : 0;
+            var middle:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             var highest:Number = 2 * Agent.LARGEST_COORDINATE;
             box.x = ray.x;
             box.y = ray.y;
@@ -83,14 +83,14 @@ package starlogo.terrain
             box.wayZ = ray.directionZ;
             box.from = 0;
             box.to = ray.to;
-            box.cut(box.x, terrain.cellWidth, box.wayX, terrain.x - middle, terrain.x + (terrain.columns - 1) * terrain.cellWidth + middle);
-            box.cut(box.y, terrain.cellWidth, box.wayY, terrain.y - middle, terrain.y + (terrain.rows - 1) * terrain.cellWidth + middle);
-            box.cut(box.z, 0, box.wayZ, -highest, highest);
+            box.cut(box.x, grid.cellWidth, box.wayX, grid.x - middle, grid.x + (grid.columns - 1) * grid.cellWidth + middle);
+            box.cut(box.y, grid.cellWidth, box.wayY, grid.y - middle, grid.y + (grid.rows - 1) * grid.cellWidth + middle);
+            box.cut(box.z, 0, box.wayZ, -highest, grid.greatest);
             box.limit = box.to;
             var isOver:Boolean = box.from <= box.to;
             if (isOver)
             {
-                _faces.begin(terrain);
+                _faces.begin(grid);
             }
             return isOver;
         }

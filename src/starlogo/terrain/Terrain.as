@@ -21,33 +21,9 @@ package starlogo.terrain
         /** The largest number of cells. */
         public static const MOST_CELLS:int = 16000000;
 
-        /** @private How many cells a block is wide, as a shift: blocks have bounds, so that what is far above or below them skips them. */
-        engine static const BLOCK:int = 3;
+        /** @private The heights. */
+        engine var grid:HeightGrid;
 
-        /** Whether the surface is upright columns; otherwise it is slopes. May be changed at any time. */
-        public var isBlocky:Boolean = false;
-
-        /** @private By row times columns plus column: the heights. */
-        engine var heights:Vector.<Number>;
-
-        /** @private By block, row by row: the least height of its cells' corners, and of the neighbours' to which walls lead. */
-        engine var leasts:Vector.<Number>;
-
-        /** @private By block: the greatest of these heights; how many blocks a row of them has. */
-        engine var greatests:Vector.<Number>;
-        engine var blockColumns:int;
-
-        /** @private For <code>findHeight()</code>: the place, and what is found there. Fields, because V8 makes an object of each Number that it passes. */
-        engine var placeX:Number = 0;
-
-        engine var placeY:Number = 0;
-        engine var height:Number = 0;
-
-        private var _columns:int;
-        private var _rows:int;
-        private var _cellWidth:Number;
-        private var _x:Number;
-        private var _y:Number;
         private var _agent:TerrainAgent;
 
         /**
@@ -74,16 +50,7 @@ package starlogo.terrain
             requireCoordinate("a terrain's y", y);
             requireCoordinate("the end of a terrain", x + columns * cellWidth);
             requireCoordinate("the end of a terrain", y + rows * cellWidth);
-            _columns = columns;
-            _rows = rows;
-            _cellWidth = cellWidth;
-            _x = x;
-            _y = y;
-            blockColumns = (columns >> BLOCK) + 1;
-            heights = new Vector.<Number>(columns * rows, true);
-            leasts = new Vector.<Number>(blockColumns * ((rows >> BLOCK) + 1), true);
-            greatests = new Vector.<Number>(leasts.length, true);
-            reset();
+            grid = new HeightGrid(columns, rows, cellWidth, x, y);
             _agent = new TerrainAgent(this);
         }
 
@@ -106,34 +73,45 @@ package starlogo.terrain
             return terrain;
         }
 
+        /** Whether the surface is upright columns; otherwise it is slopes. May be changed at any time. */
+        public function get isBlocky():Boolean
+        {
+            return grid.isBlocky;
+        }
+
+        public function set isBlocky(value:Boolean):void
+        {
+            grid.isBlocky = value;
+        }
+
         /** How many heights there are along x. */
         public function get columns():int
         {
-            return _columns;
+            return grid.columns;
         }
 
         /** How many heights there are along y. */
         public function get rows():int
         {
-            return _rows;
+            return grid.rows;
         }
 
         /** How far neighbours are apart, in patches. */
         public function get cellWidth():Number
         {
-            return _cellWidth;
+            return grid.cellWidth;
         }
 
         /** Where the first height is. */
         public function get x():Number
         {
-            return _x;
+            return grid.x;
         }
 
         /** @copy #x */
         public function get y():Number
         {
-            return _y;
+            return grid.y;
         }
 
         /**
@@ -153,7 +131,7 @@ package starlogo.terrain
         public function getHeight(column:int, row:int):Number
         {
             requireRegion(column, row, 1, 1);
-            return heights[row * _columns + column];
+            return grid.heights[row * grid.columns + column];
         }
 
         /**
@@ -166,8 +144,8 @@ package starlogo.terrain
         {
             requireRegion(column, row, 1, 1);
             requireCoordinate("a terrain's height", height);
-            heights[row * _columns + column] = height;
-            findBounds(column, row, column, row);
+            grid.heights[row * grid.columns + column] = height;
+            grid.findBounds(column, row, column, row);
         }
 
         /**
@@ -196,9 +174,9 @@ package starlogo.terrain
             }
             for (i = 0; i < heights.length; i++)
             {
-                this.heights[int((row + int(i / columns)) * _columns + column + i % columns)] = heights[i];
+                grid.heights[int((row + int(i / columns)) * grid.columns + column + i % columns)] = heights[i];
             }
-            findBounds(column, row, column + columns - 1, row + rows - 1);
+            grid.findBounds(column, row, column + columns - 1, row + rows - 1);
         }
 
         /**
@@ -213,18 +191,18 @@ package starlogo.terrain
             requireCoordinate("a mound's x", x);
             requireCoordinate("a mound's y", y);
             requireCoordinate("a mound's height", height);
-            var reach:Number = width / 2 / _cellWidth;
-            var middleColumn:Number = (x - _x) / _cellWidth;
-            var middleRow:Number = (y - _y) / _cellWidth;
-            if (!(width > 0 && width < Infinity && middleColumn + reach >= 0 && middleColumn - reach < _columns && middleRow + reach >= 0
-                        && middleRow - reach < _rows))
+            var reach:Number = width / 2 / grid.cellWidth;
+            var middleColumn:Number = (x - grid.x) / grid.cellWidth;
+            var middleRow:Number = (y - grid.y) / grid.cellWidth;
+            if (!(width > 0 && width < Infinity && middleColumn + reach >= 0 && middleColumn - reach < grid.columns && middleRow + reach >= 0
+                        && middleRow - reach < grid.rows))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
             }
             var first:int = Math.max(0, Math.ceil(middleColumn - reach));
-            var last:int = Math.min(_columns - 1, Math.floor(middleColumn + reach));
+            var last:int = Math.min(grid.columns - 1, Math.floor(middleColumn + reach));
             var firstRow:int = Math.max(0, Math.ceil(middleRow - reach));
-            var lastRow:int = Math.min(_rows - 1, Math.floor(middleRow + reach));
+            var lastRow:int = Math.min(grid.rows - 1, Math.floor(middleRow + reach));
             var raised:Vector.<Number> = new Vector.<Number>();
             for (var row:int = firstRow; row <= lastRow; row++)
             {
@@ -233,7 +211,7 @@ package starlogo.terrain
                     var acrossX:Number = (column - middleColumn) / reach;
                     var acrossY:Number = (row - middleRow) / reach;
                     var share:Number = Math.max(0, 1 - acrossX * acrossX - acrossY * acrossY);
-                    raised.push(heights[int(row * _columns + column)] + height * share * share);
+                    raised.push(grid.heights[int(row * grid.columns + column)] + height * share * share);
                 }
             }
             // none if it is between heights
@@ -251,21 +229,19 @@ package starlogo.terrain
          */
         public function raiseWall(x:Number, y:Number, height:Number):void
         {
-            var column:Number = Math.floor((x - _x) / _cellWidth + 0.5);
-            var row:Number = Math.floor((y - _y) / _cellWidth + 0.5);
-            if (!(column >= 0 && row >= 0 && column < _columns && row < _rows))
+            var column:Number = Math.floor((x - grid.x) / grid.cellWidth + 0.5);
+            var row:Number = Math.floor((y - grid.y) / grid.cellWidth + 0.5);
+            if (!(column >= 0 && row >= 0 && column < grid.columns && row < grid.rows))
             {
                 throw new RangeError("a wall at (" + x + ", " + y + ") is outside of the terrain");
             }
-            setHeight(column, row, heights[int(row * _columns + column)] + height);
+            setHeight(column, row, grid.heights[int(row * grid.columns + column)] + height);
         }
 
         /** Makes the ground flat again, of height 0. */
         public function reset():void
         {
-            clear(heights);
-            clear(leasts);
-            clear(greatests);
+            grid.reset();
         }
 
         /**
@@ -275,43 +251,10 @@ package starlogo.terrain
          */
         public function heightAt(x:Number, y:Number):Number
         {
-            placeX = x;
-            placeY = y;
-            findHeight();
-            return height;
-        }
-
-        /** @private As heightAt, with the fields. */
-        engine function findHeight():void
-        {
-            var toX:Number = (placeX - _x) / _cellWidth;
-            var toY:Number = (placeY - _y) / _cellWidth;
-            height = NaN;
-            if (isBlocky)
-            {
-                findTop();
-                return;
-            }
-            if (!(toX >= 0 && toY >= 0 && toX <= _columns - 1 && toY <= _rows - 1))
-            {
-                return;
-            }
-            // int rounds down what is not negative
-            var column:int = toX;
-            var row:int = toY;
-            column = column < _columns - 1 ? column : column - 1;
-            row = row < _rows - 1 ? row : row - 1;
-            toX -= column;
-            toY -= row;
-            var corner:int = row * _columns + column;
-            if (toX >= toY)
-            {
-                height = (1 - toX) * heights[corner] + (toX - toY) * heights[int(corner + 1)] + toY * heights[int(corner + _columns + 1)];
-            }
-            else
-            {
-                height = (1 - toY) * heights[corner] + (toY - toX) * heights[int(corner + _columns)] + toX * heights[int(corner + _columns + 1)];
-            }
+            grid.placeX = x;
+            grid.placeY = y;
+            grid.findHeight();
+            return grid.height;
         }
 
         /**
@@ -333,20 +276,20 @@ package starlogo.terrain
             {
                 return normal;
             }
-            var toX:Number = (x - _x) / _cellWidth;
-            var toY:Number = (y - _y) / _cellWidth;
-            var column:int = Math.min(_columns - 2, Math.floor(toX));
-            var row:int = Math.min(_rows - 2, Math.floor(toY));
-            var corner:int = row * _columns + column;
-            var far:Number = heights[corner + _columns + 1];
+            var toX:Number = (x - grid.x) / grid.cellWidth;
+            var toY:Number = (y - grid.y) / grid.cellWidth;
+            var column:int = Math.min(grid.columns - 2, Math.floor(toX));
+            var row:int = Math.min(grid.rows - 2, Math.floor(toY));
+            var corner:int = row * grid.columns + column;
+            var far:Number = grid.heights[corner + grid.columns + 1];
             // the slopes along x and along y
             if (toX - column >= toY - row)
             {
-                normal.setTo(heights[corner] - heights[corner + 1], heights[corner + 1] - far, _cellWidth);
+                normal.setTo(grid.heights[corner] - grid.heights[corner + 1], grid.heights[corner + 1] - far, grid.cellWidth);
             }
             else
             {
-                normal.setTo(heights[corner + _columns] - far, heights[corner] - heights[corner + _columns], _cellWidth);
+                normal.setTo(grid.heights[corner + grid.columns] - far, grid.heights[corner] - grid.heights[corner + grid.columns], grid.cellWidth);
             }
             normal.scaleBy(1 / Math.sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z));
             return normal;
@@ -366,67 +309,11 @@ package starlogo.terrain
             return heightAt(agent.x, agent.y) > agent.z;
         }
 
-        // Of columns.
-        private function findTop():void
-        {
-            var toX:Number = (placeX - _x) / _cellWidth + 0.5;
-            var toY:Number = (placeY - _y) / _cellWidth + 0.5;
-            if (!(toX >= 0 && toY >= 0 && toX <= _columns && toY <= _rows))
-            {
-                return;
-            }
-            var column:int = toX;
-            var row:int = toY;
-            var before:int = column == toX && column > 0 ? column - 1 : column;
-            var rowBefore:int = row == toY && row > 0 ? row - 1 : row;
-            column = column < _columns ? column : before;
-            row = row < _rows ? row : rowBefore;
-            height = heights[int(row * _columns + column)];
-            if (before != column || rowBefore != row)
-            {
-                height = Math.max(height, heights[int(row * _columns + before)]);
-                height = Math.max(height, heights[int(rowBefore * _columns + column)]);
-                height = Math.max(height, heights[int(rowBefore * _columns + before)]);
-            }
-        }
-
-        // Finds the bounds of the blocks that have some heights: also those whose cells end there.
-        private function findBounds(first:int, firstRow:int, last:int, lastRow:int):void
-        {
-            for (var blockRow:int = Math.max(0, firstRow - 1) >> BLOCK; blockRow <= lastRow >> BLOCK; blockRow++)
-            {
-                for (var blockColumn:int = Math.max(0, first - 1) >> BLOCK; blockColumn <= last >> BLOCK; blockColumn++)
-                {
-                    findBoundsOf(blockColumn, blockRow);
-                }
-            }
-        }
-
-        private function findBoundsOf(blockColumn:int, blockRow:int):void
-        {
-            var least:Number = Infinity;
-            var greatest:Number = -Infinity;
-            var end:int = Math.min(_columns - 1, (blockColumn + 1) << BLOCK);
-            var endRow:int = Math.min(_rows - 1, (blockRow + 1) << BLOCK);
-            for (var row:int = blockRow << BLOCK; row <= endRow; row++)
-            {
-                var at:int = row * _columns + end;
-                for (var column:int = end - (blockColumn << BLOCK); column >= 0; column--)
-                {
-                    var corner:Number = heights[int(at - column)];
-                    least = corner < least ? corner : least;
-                    greatest = corner > greatest ? corner : greatest;
-                }
-            }
-            leasts[int(blockRow * blockColumns + blockColumn)] = least;
-            greatests[int(blockRow * blockColumns + blockColumn)] = greatest;
-        }
-
         private function requireRegion(column:int, row:int, columns:int, rows:int):void
         {
-            if (!(column >= 0 && row >= 0 && columns >= 1 && rows >= 1 && column + columns <= _columns && row + rows <= _rows))
+            if (!(column >= 0 && row >= 0 && columns >= 1 && rows >= 1 && column + columns <= grid.columns && row + rows <= grid.rows))
             {
-                throw new RangeError(columns + " by " + rows + " heights from (" + column + ", " + row + ") on are not within " + _columns + " by " + _rows);
+                throw new RangeError(columns + " by " + rows + " heights from (" + column + ", " + row + ") on are not within " + grid.columns + " by " + grid.rows);
             }
         }
 
@@ -438,12 +325,5 @@ package starlogo.terrain
             }
         }
 
-        private static function clear(numbers:Vector.<Number>):void
-        {
-            for (var i:int = 0; i < numbers.length; i++)
-            {
-                numbers[i] = 0;
-            }
-        }
     }
 }

@@ -50,7 +50,7 @@ package starlogo.terrain
         public function placesAreLikeEveryTriangle():void
         {
             var touches:int = 0;
-            var count:int = Effort.choose(150, 25000, 20);
+            var count:int = Effort.choose(40, 25000, 8);
             for (var i:int = 0; i < count; i++)
             {
                 var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];
@@ -73,7 +73,7 @@ package starlogo.terrain
         public function waysAreLikeEveryTriangle():void
         {
             var hits:int = 0;
-            var count:int = Effort.choose(60, 10000, 5);
+            var count:int = Effort.choose(16, 10000, 8);
             for (var i:int = 0; i < count; i++)
             {
                 var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];

@@ -43,7 +43,7 @@ package starlogo.terrain
         public function raysAreLikeEveryTriangle():void
         {
             var hits:int = 0;
-            var count:int = Effort.choose(4000, 100000, 300);
+            var count:int = Effort.choose(2000, 100000, 320);
             var queries:AgentQueries = new AgentQueries(new BinCollider());
             for (var i:int = 0; i < count; i++)
             {
@@ -70,7 +70,7 @@ package starlogo.terrain
         [Test]
         public function distancesAreLikeEveryTriangle():void
         {
-            var count:int = Effort.choose(100, 10000, 10);
+            var count:int = Effort.choose(40, 10000, 8);
             for (var i:int = 0; i < count; i++)
             {
                 var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];
@@ -102,7 +102,7 @@ package starlogo.terrain
         public function motionsEndInTheFirstTouch():void
         {
             var stopped:int = 0;
-            var count:int = Effort.choose(60, 10000, 5);
+            var count:int = Effort.choose(16, 10000, 8);
             for (var i:int = 0; i < count; i++)
             {
                 var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];

@@ -364,7 +364,7 @@ package starlogo.terrain
         // The bounds of every block are those of its cells' corners.
         private function checkBounds(terrain:Terrain):void
         {
-            var size:int = 1 << Terrain.BLOCK;
+            var size:int = 1 << HeightGrid.BLOCK;
             for (var blockRow:int = 0; blockRow * size < terrain.rows; blockRow++)
             {
                 for (var blockColumn:int = 0; blockColumn * size < terrain.columns; blockColumn++)
@@ -379,8 +379,8 @@ package starlogo.terrain
                             greatest = Math.max(greatest, terrain.getHeight(column, row));
                         }
                     }
-                    assertEquals(least, terrain.leasts[blockRow * terrain.blockColumns + blockColumn]);
-                    assertEquals(greatest, terrain.greatests[blockRow * terrain.blockColumns + blockColumn]);
+                    assertEquals(least, terrain.grid.leasts[blockRow * terrain.grid.blockColumns + blockColumn]);
+                    assertEquals(greatest, terrain.grid.greatests[blockRow * terrain.grid.blockColumns + blockColumn]);
                 }
             }
         }

@@ -175,6 +175,41 @@ package starlogo.terrain
         }
 
         [Test]
+        public function nothingSticksAtTheSeamsOfCells():void
+        {
+            var steps:int = Effort.choose(12, 200, 3);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var i:int = 0; i < 12; i++)
+                {
+                    var terrain:Terrain = new Terrain(101, 11, 1, -10, -5);
+                    var slope:Number = i % 3 == 2 ? 0.1 : 0;
+                    for (var column:int = 0; column < 101; column++)
+                    {
+                        for (var row:int = 0; row < 11; row++)
+                        {
+                            terrain.setHeight(column, row, slope * column);
+                        }
+                    }
+                    terrain.isBlocky = i % 3 == 1;
+                    var agent:Agent = new Agent(i % 2 == 0 ? "cube" : "sphere");
+                    agent.heading = i % 4 < 2 ? 0 : _random.between(0, 360);
+                    agent.moveTo(i % 4 == 1 ? 0 : _random.between(0, 1), _random.integer(-4, 4) / 2, slope * 10 + 2);
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[agent]);
+                    queries.moveUntilTouch(agent, 0, 0, -4);
+                    for (var k:int = 0; k < steps; k++)
+                    {
+                        var before:Number = agent.x;
+                        queries.slide(agent, 0.4, 0.01, -0.05);
+                        assertTrue(name + " " + i + ", step " + k + ": " + (agent.x - before), agent.x - before > 0.38);
+                    }
+                }
+            }
+        }
+
+        [Test]
         public function eachQuestionKnowsTheGround():void
         {
             for each (var name:String in EachCollider.ALL_NAMES)

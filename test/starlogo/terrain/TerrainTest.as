@@ -219,6 +219,18 @@ package starlogo.terrain
             assertEquals(0, terrain.heightAt(-1, -1));
             assertEquals(1, terrain.heightAt(1, -1));
             checkBounds(terrain);
+
+            // as a BitmapData
+            var bitmap:Object = {width: 2, height: 2, getPixel: function(x:int, y:int):uint
+                {
+                    return [[0xffffff, 0x333333], [0, 0xff0000]][y][x];
+                }
+            };
+            var same:Terrain = Terrain.fromPicture(bitmap, 3, 2, -1, -1);
+            for (var corner:int = 0; corner < 4; corner++)
+            {
+                assertEquals(terrain.getHeight(corner & 1, corner >> 1), same.getHeight(corner & 1, corner >> 1));
+            }
             assertThrows(ArgumentError, /./, function():void
                 {
                     Terrain.fromPicture(null, 1);

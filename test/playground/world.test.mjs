@@ -295,6 +295,29 @@ test('scripts wait, in loops and for the agents that they make, and do not begin
 	assert.equal(wall.x, 3);
 });
 
+test('a mound lifts who stands on the ground; set back by frames, the ground is what it was', () => {
+	const world = played(program(
+		start(create(1, 'bears', 'bear', go(-2, 0, 0)), create(1, 'seagulls', 'seagull', go(0, 0, 8))),
+		{ type: 'starlogo_timer', fields: { BREED: 'seagulls' }, inputs: { SECONDS: number(0.5), ...inside({ type: 'starlogo_mound', inputs: { HEIGHT: number(2), WIDTH: number(8) } }) } },
+		each('bears', { type: 'starlogo_stand' }),
+		each('anyone', { type: 'controls_if', inputs: { IF0: value('starlogo_on_ground'), DO0: { block: { type: 'starlogo_say', inputs: { TEXT: value('text', { TEXT: 'ground' }) } } } } }),
+	), 70);
+	const [bear, seagull] = world.agents;
+	const height = 4 * 0.75 ** 2;
+	assert.deepEqual([bear.z, world.terrain.heightAt(0, 0)], [height, 4]);
+	assert.deepEqual([bear.said.text, seagull.said.text], ['ground', '']);
+	world.history.show(20);
+	assert.deepEqual([bear.z, world.terrain.heightAt(0, 0)], [height / 2, 2]);
+	world.history.show(60);
+	assert.deepEqual([bear.z, world.terrain.heightAt(0, 0)], [0, 0]);
+	for (let i = 0; i < 60; i++) {
+		world.step();
+	}
+	assert.deepEqual([bear.z, world.terrain.heightAt(0, 0)], [height, 4]);
+	world.begin(program(start(create(1, 'bears', 'bear'))));
+	assert.equal(world.terrain, null, 'a program without hills has none');
+});
+
 test('set back by frames, the game goes on as it did', () => {
 	const game = program(
 		start(create(20, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(8, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))),
@@ -594,6 +617,13 @@ const PLAYERS = {
 			world.press(ball.x > paddle.x ? 'right' : 'left');
 		}
 	},
+	hills(world) {
+		const [person] = all(world, 'people');
+		const gems = all(world, 'gems');
+		if (gems.length > 0) {
+			steer(world, person, nearestTo(person, gems));
+		}
+	},
 };
 const LONGEST_GAME = 180 * 60;
 
@@ -692,8 +722,10 @@ const everything = () => {
 			create(1, 'bears', 'bear', grow(number(2))),
 			...[['starlogo_hierarchical', { WHO: 'bears', ON: 'on' }], ['starlogo_collide_as', { WHO: 'turtles', AS: 'sphere' }], ['starlogo_sweep', { WHO: 'balls', ON: 'on' }], ['starlogo_show', { WHO: 'bears', ON: 'on' }]].map(([type, fields]) => ({ type, fields })),
 			{ type: 'starlogo_depth', fields: { WHO: 'bears' }, inputs: { DEPTH: number(3) } },
+			create(1, 'climbers', 'bear', go(-3, -3, 0), { type: 'starlogo_flat' }, { type: 'starlogo_mound', inputs: { HEIGHT: number(2), WIDTH: number(6) } }, { type: 'starlogo_wall', inputs: { HEIGHT: number(0.5) } }, grow(value('starlogo_ground_height'))),
 			{ type: 'starlogo_goal', fields: { TEXT: 'A "goal"' } }, { type: 'starlogo_ground', fields: { GROUND: 'sea' } }, set('a', number(3)), set('b', op('POWER', number(-2), number(2))),
 		),
+		each('climbers', forward(0.02), { type: 'controls_if', inputs: { IF0: value('starlogo_on_ground'), DO0: { block: paint('me', any) } } }, { type: 'starlogo_stand' }),
 		each('balls', forward(0.1), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: op('MINUS', get('a'), number(-1)) } }, {
 			type: 'controls_if', extraState: { elseIfCount: 1, hasElse: true }, inputs: {
 				IF0: value('logic_operation', { OP: 'AND' }, { A: value('starlogo_touching', { BREED: 'walls' }), B: value('logic_negate', {}, { BOOL: value('logic_boolean', { BOOL: 'FALSE' }) }) }), DO0: { block: paint('me', any) },
@@ -738,7 +770,7 @@ test('a program as JavaScript is a module on the package that plays the same gam
 	const keys = ['up', 'left', 'space', 'right', 'down'];
 	try {
 		// a part of them; all with -Dfull
-		const tried = Object.entries(all).filter(([name]) => process.env.FULL_TESTS === 'true' || /everything|pinball|starts/.test(name));
+		const tried = Object.entries(all).filter(([name]) => process.env.FULL_TESTS === 'true' || /everything|pinball|hills|starts/.test(name));
 		assert.ok(tried.length >= 3);
 		for (const [name, state] of tried) {
 			const { file } = written(name, state);

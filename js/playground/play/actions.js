@@ -125,6 +125,33 @@ export const STATEMENTS = {
 	},
 	starlogo_scatter: (block, world) => () => world.scatter(me(block, world)),
 	starlogo_back: (block, world) => () => world.goBack(me(block, world), world.collidee),
+	starlogo_mound: (block, world) => {
+		const [high, wide] = ["HEIGHT", "WIDTH"].map((name) => number(block, name, world));
+		world.needTerrain();
+		return () => {
+			const { x, y } = me(block, world);
+			world.terrain.raiseMound(x, y, wide(), high());
+		};
+	},
+	starlogo_wall: (block, world) => {
+		const high = number(block, "HEIGHT", world);
+		world.needTerrain();
+		return () => {
+			const { x, y } = me(block, world);
+			world.terrain.raiseWall(x, y, high());
+		};
+	},
+	starlogo_flat: (block, world) => {
+		world.needTerrain();
+		return () => world.terrain.reset();
+	},
+	starlogo_stand: (block, world) => {
+		world.needTerrain();
+		return () => {
+			const agent = me(block, world);
+			agent.z = world.groundBelow(agent);
+		};
+	},
 	starlogo_delete: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.remove(agent);
 	},
@@ -229,6 +256,14 @@ const VALUES = {
 		};
 	},
 	starlogo_touching: (block, world) => () => world.senses.isTouching(me(block, world), breedOf(block.fields.BREED)),
+	starlogo_ground_height: (block, world) => {
+		world.needTerrain();
+		return () => world.groundBelow(me(block, world));
+	},
+	starlogo_on_ground: (block, world) => {
+		world.needTerrain();
+		return () => world.senses.isTouching(me(block, world), Collision.TERRAIN);
+	},
 	starlogo_key_down: (block, world) => () => world.held.has(block.fields.KEY),
 	starlogo_mouse: (block, world) => () => (block.fields.MOUSE === "down" ? world.mouse.isDown : world.mouse[block.fields.MOUSE]),
 	starlogo_score: (block, world) => () => world.score ?? 0,

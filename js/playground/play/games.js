@@ -1,8 +1,8 @@
 /** The page's games, in Blockly's notation. */
 import { texts } from "../shared/language.js";
 import {
-	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, forward, get, go, goal, ground, hatch, heading, key, many, math, move, nearest, number, numbers, paint,
-	program, remove, repeat, say, scatter, score, set, size, start, step, sweep, timer, touch, trait, turn, up, when,
+	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, forward, get, go, goal, ground, hatch, heading, key, many, math, mound, move, nearest, number, numbers, paint,
+	program, remove, repeat, say, scatter, score, set, size, stand, start, step, sweep, timer, touch, trait, turn, up, when,
 } from "./notation.js";
 
 const words = texts.programs;
@@ -169,4 +169,20 @@ const pinball = many(["balls", "place"],
 	folded(key("right", "held", "paddles", when(compare("LT", trait("x"), number(8)), go(x(0.25), -9, 0)))),
 );
 
-export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball };
+const PEAKS = 5;
+const hills = program(
+	touch("people", "gems", remove("collidee"), change(1), when(compare("EQ", field("starlogo_score"), number(PEAKS)), end("won", words.hills.won))),
+	each("people", stand),
+	folded(each("gems", stand)),
+	folded(each("trees", stand)),
+	folded(start(
+		goal(words.hills.goal), score(number(0)),
+		create(1, "people", "person", size(1.2), heading(90)),
+		create(PEAKS, "gems", "sphere", heading(numbers(0, 359)), move(8), mound(numbers(1, 3), numbers(5, 8)), size(0.6), paint("me", colour("yellow"))),
+		create(6, "trees", "tree", heading(numbers(0, 359)), move(4), mound(1, 5), size(1.6)),
+	)),
+	...walks("people", 0.1, "trees"),
+	inTime("people", 40, words.hills.lost),
+);
+
+export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball, hills };

@@ -13,7 +13,7 @@ const text = JSON.stringify;
 const NAME = /^[a-z_$][\w$]*$/i;
 
 /** The classes that a module may import from the package. */
-const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "ModelLoader", "TraitBlocks"];
+const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "ModelLoader", "Terrain", "TraitBlocks"];
 
 const breedOf = (field) => (field === "anyone" ? "Collision.ANY_BREED" : text(field));
 const systemOf = (program) => (CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
@@ -120,6 +120,10 @@ const STATEMENTS = {
 	starlogo_go: (block, place, writer) => [`${place.me}.jumpTo(${["X", "Y", "Z"].map((name) => writer.value(block, name, place)).join(", ")});`],
 	starlogo_scatter: (block, { me }) => [`scatter(${me});`],
 	starlogo_back: (block, { me, collidee }) => [`goBack(${me}, ${collidee});`],
+	starlogo_mound: (block, place, writer) => [`terrain.raiseMound(${place.me}.x, ${place.me}.y, ${writer.value(block, "WIDTH", place)}, ${writer.value(block, "HEIGHT", place)});`],
+	starlogo_wall: (block, place, writer) => [`terrain.raiseWall(${place.me}.x, ${place.me}.y, ${writer.value(block, "HEIGHT", place)});`],
+	starlogo_flat: () => ["terrain.reset();"],
+	starlogo_stand: (block, { me }) => [`${me}.z = groundBelow(${me});`],
 	starlogo_delete: (block, place, writer) => writer.whom(block, place, (agent) => `remove(${agent});`),
 	starlogo_size: (block, place, writer) => [`${place.me}.size = ${writer.value(block, "SIZE", place)};`],
 	starlogo_heading: (block, place, writer) => [`${place.me}.heading = ${writer.value(block, "HEADING", place)};`],
@@ -186,6 +190,8 @@ const VALUES = {
 	starlogo_distance: (block, place, writer) => `distanceTo(${place.me}, ${writer.value(block, "AGENT", place, "null")})`,
 	starlogo_can_see: (block, place, writer) => `canSee(${place.me}, ${writer.value(block, "AGENT", place, "null")})`,
 	starlogo_touching: (block, place) => `senses().isTouching(${place.me}, ${breedOf(block.fields.BREED)})`,
+	starlogo_ground_height: (block, { me }) => `groundBelow(${me})`,
+	starlogo_on_ground: (block, { me }) => `senses().isTouching(${me}, Collision.TERRAIN)`,
 	starlogo_key_down: ({ fields }) => `held.has(${text(fields.KEY)})`,
 	starlogo_mouse: ({ fields: { MOUSE } }) => `mouse.${MOUSE === "down" ? "isDown" : MOUSE}`,
 	starlogo_score: () => "game.score",
@@ -270,6 +276,7 @@ export function javascriptOf(program, title, models) {
 	const blocks = [
 		"const collisions = new CollisionBlocks(greatLand, agents);",
 		...(system === CollisionBlocks.TIGHTEST_FITS ? [] : [`collisions.useCollisionSystem(${text(system)});`]),
+		...(has("terrain") || has("TERRAIN\\)") ? [`const terrain = new Terrain(${2 * HALF_WIDTH + 1}, ${2 * HALF_WIDTH + 1}, 1, ${-HALF_WIDTH}, ${-HALF_WIDTH});`, "collisions.collision.terrain = terrain;"] : []),
 		...(has("traits") ? ["const traits = new TraitBlocks(agents);"] : []),
 		...(has("detection") ? ["const detection = new DetectionBlocks(collisions);", "let areSensesOld = true;"] : []),
 		...(has("systemsOfNow") ? ["const systemsOfNow = new CollisionBlocks(greatLand, []);"] : []),

@@ -56,9 +56,14 @@ function moveInside(agent, x, y) {
 function advance(agent, steps, breed, how) {
 	const { z } = agent;
 	const angle = (agent.heading * Math.PI) / 180;
-	senses().queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, breed === Collision.ANY_BREED ? null : AgentFilter.ofBreeds(breed));
+	const filter = breed === Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
+	if (breed === Collision.ANY_BREED) filter.exceptBreeds = [Collision.TERRAIN];
+	senses().queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
 	agent.z = z;
 	moveInside(agent, agent.x, agent.y);
+}`,
+	groundBelow: `function groundBelow({ x, y }) {
+	return terrain.heightAt(x, y) || 0;
 }`,
 	face: `function face(agent, other) {
 	if (other && (other.x !== agent.x || other.y !== agent.y)) agent.heading = degrees(other.x - agent.x, other.y - agent.y);

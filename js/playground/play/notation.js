@@ -19,6 +19,8 @@ export const paint = (WHO, COLOUR) => ({ type: "starlogo_colour", fields: { WHO 
 export const size = (value) => ({ type: "starlogo_size", inputs: { SIZE: number(value) } });
 export const go = (x, y, z) => ({ type: "starlogo_go", inputs: { X: input(x), Y: input(y), Z: input(z) } });
 export const up = (steps) => ({ type: "starlogo_up", inputs: { STEPS: number(steps) } });
+export const mound = (high, wide) => ({ type: "starlogo_mound", inputs: { HEIGHT: input(high), WIDTH: input(wide) } });
+export const stand = { type: "starlogo_stand" };
 export const heading = (value) => ({ type: "starlogo_heading", inputs: { HEADING: input(value) } });
 export const scatter = { type: "starlogo_scatter" };
 export const create = (count, BREED, SHAPE, ...blocks) => ({ type: "starlogo_create", fields: { BREED, SHAPE }, inputs: { COUNT: number(count), DO: inside(...blocks) } });

@@ -108,6 +108,7 @@ export class Scene {
 		const main = this.camera === "all" ? null : this.chosen ?? this.main;
 		if (main) stage.follow(main, this.#height(main), this.camera === "eyes");
 		stage.setGround(world.ground);
+		stage.showTerrain(world.terrain);
 		stage.showAgents(this.camera === "follow" ? this.#notHiding(main, world) : world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		world.structures.lines(lines);
@@ -131,6 +132,7 @@ export class Scene {
 	/** A picture of agents, from behind one of them, or of all. */
 	#picture(world, width, height, main) {
 		this.stage.setGround(world.ground);
+		this.stage.showTerrain(world.terrain ?? null);
 		this.stage.showMarks([], []);
 		this.stage.showSigns([]);
 		this.stage.clearLines("structures", "chosen");

@@ -1,5 +1,5 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
-import { AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
+import { AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, Terrain, TraitBlocks } from "starlogo-collision";
 import { texts } from "../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
@@ -53,6 +53,7 @@ export class World {
 		/** The data of a frame that History keeps, in addition to the agents. */
 		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
 		this.agents.length = 0;
+		this.collisions.collision.terrain = null;
 		this.#pressed.clear();
 		this.#clicked = null;
 		this.#areSensesOld = true;
@@ -244,10 +245,26 @@ export class World {
 	advance(agent, steps, breed, how) {
 		const { z } = agent;
 		const angle = (agent.heading * Math.PI) / 180;
-		const filter = breed === Collision.ANY_BREED ? null : AgentFilter.ofBreeds(breed);
+		const filter = breed === Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
+		if (breed === Collision.ANY_BREED) filter.exceptBreeds = [Collision.TERRAIN];
 		this.senses.queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
 		agent.z = z;
 		this.#moveInside(agent, agent.x, agent.y);
+	}
+
+	/** The hills; null if the program has no block about them. */
+	get terrain() {
+		return this.collisions.collision.terrain;
+	}
+
+	/** Called when a block about hills is compiled, so that all frames of its game have them. */
+	needTerrain() {
+		this.collisions.collision.terrain ??= new Terrain(2 * HALF_WIDTH + 1, 2 * HALF_WIDTH + 1, 1, -HALF_WIDTH, -HALF_WIDTH);
+	}
+
+	/** The height of the ground below an agent; 0 outside of the field. */
+	groundBelow({ x, y }) {
+		return this.terrain.heightAt(x, y) || 0;
 	}
 
 	face(agent, other) {

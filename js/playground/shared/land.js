@@ -39,11 +39,35 @@ export class Land {
 		const frame = new Mesh(new RingGeometry(half * Math.SQRT2, (half + 0.12) * Math.SQRT2, 4, 1, Math.PI / 4), new MeshBasicMaterial({ color: edge }));
 		frame.position.z = 0.002;
 		if (stars > 0) this.group.add(starry(stars));
-		this.group.add(dome, this.#ground(2 * FAR, around, -0.03, 2), this.#ground(this.width, field, -0.006, 1), frame);
+		// a ring, so that it does not cover hollows in the field
+		const surroundings = new RingGeometry(half * Math.SQRT2, FAR * Math.SQRT2, 4, 1, Math.PI / 4);
+		const squares = Math.round(this.width / this.cell);
+		this.field = this.#ground(new PlaneGeometry(this.width, this.width, squares, squares), field, -0.006, 1);
+		this.group.add(dome, this.#ground(surroundings, around, -0.03, 2), this.field, frame);
 		this.scene.add(this.group);
+		this.terrain = null;
 	}
 
-	#ground(width, colours, height, renderOrder) {
+	/**
+	 * Gives the field the heights of a terrain.
+	 *
+	 * @returns {boolean} whether one of them has changed
+	 */
+	showTerrain(terrain) {
+		const { geometry } = this.field;
+		const position = geometry.getAttribute("position");
+		let isChanged = false;
+		for (let i = 0; i < position.count; i++) {
+			const height = Math.fround(terrain?.heightAt(position.getX(i), position.getY(i)) || 0);
+			isChanged ||= position.getZ(i) !== height;
+			position.setZ(i, height);
+		}
+		this.terrain = terrain;
+		if (isChanged) shade(geometry);
+		return isChanged;
+	}
+
+	#ground(geometry, colours, height, renderOrder) {
 		const canvas = document.createElement("canvas");
 		canvas.width = canvas.height = 2;
 		const pen = canvas.getContext("2d");
@@ -54,11 +78,14 @@ export class Land {
 		const texture = new CanvasTexture(canvas);
 		texture.colorSpace = SRGBColorSpace;
 		texture.wrapS = texture.wrapT = RepeatWrapping;
-		texture.repeat.set(width / (2 * this.cell), width / (2 * this.cell));
+		const position = geometry.getAttribute("position");
+		const at = Float32Array.from({ length: 2 * position.count }, (_, i) => position.array[3 * (i >> 1) + i % 2] / (2 * this.cell));
+		geometry.setAttribute("uv", new BufferAttribute(at, 2));
+		shade(geometry);
 		texture.magFilter = NearestFilter;
 		texture.minFilter = LinearMipmapLinearFilter;
 		texture.anisotropy = 8;
-		const ground = new Mesh(new PlaneGeometry(width, width), new MeshBasicMaterial({ map: texture }));
+		const ground = new Mesh(geometry, new MeshBasicMaterial({ map: texture, vertexColors: true }));
 		ground.position.z = height;
 		ground.renderOrder = renderOrder;
 		return ground;
@@ -73,9 +100,10 @@ export class Land {
 			const { x, y, halfX, halfY } = this.#footprint(models.get(agent.shape));
 			const angle = (agent.heading * Math.PI) / 180;
 			const [cos, sin] = [Math.cos(angle) * agent.size, Math.sin(angle) * agent.size];
-			const spread = 1.35 * Math.max(0.3, 1 - agent.z / 14);
+			const ground = this.terrain?.heightAt(agent.x, agent.y) || 0;
+			const spread = 1.35 * Math.max(0.3, 1 - (agent.z - ground) / 14);
 			array.set([cos * halfX * spread, sin * halfX * spread, 0, 0, -sin * halfY * spread, cos * halfY * spread, 0, 0, 0, 0, 1, 0,
-				agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, 0.008, 1], 16 * count++);
+				agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, ground + 0.008, 1], 16 * count++);
 		}
 		this.#shadows.count = count;
 		this.#shadows.instanceMatrix.needsUpdate = true;
@@ -120,6 +148,18 @@ export class Land {
 			material?.dispose();
 		});
 	}
+}
+
+/** Darkens slopes that do not face the light. What is flat keeps its colour. */
+function shade(geometry) {
+	geometry.computeVertexNormals();
+	const normal = geometry.getAttribute("normal");
+	const light = Float32Array.from({ length: 3 * normal.count }, (_, i) => {
+		const at = Math.floor(i / 3);
+		return Math.min(1.15, Math.max(0.4, normal.getZ(at) - 0.35 * normal.getX(at) - 0.2 * normal.getY(at)));
+	});
+	geometry.setAttribute("color", new BufferAttribute(light, 3));
+	geometry.getAttribute("position").needsUpdate = true;
 }
 
 /** Stars all over the sky, placed by the golden angle. */

@@ -111,6 +111,11 @@ export class Stage {
 		this.#dress();
 	}
 
+	/** Shows the heights of the ground; null for a flat one. */
+	showTerrain(terrain) {
+		if (this.land?.showTerrain(terrain)) this.redraw();
+	}
+
 	#dress() {
 		for (const wireframe of this.#wireframes.values()) this.#tint(wireframe);
 		const name = isDark() ? "dark" : "light";

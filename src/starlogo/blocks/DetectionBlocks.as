@@ -137,7 +137,7 @@ package starlogo.blocks
             BlockSubject.check("touching?", subject);
             var breed:String = subject is Agent ? Collision.ANY_BREED : subject as String;
             check("touching?", agent, breed);
-            return queries.touchesAny(agent, filterFor(breed, subject is Agent ? isOne(subject) : null));
+            return queries.touchesAny(agent, subject is Agent ? filterOne(subject) : filterFor(breed));
         }
 
         /**
@@ -173,16 +173,23 @@ package starlogo.blocks
         {
             // Each question gets its own filter, because a trait's getter may ask another question meanwhile.
             var filter:AgentFilter = breed == Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
+            if (breed == Collision.ANY_BREED)
+            {
+                // the ground is not anyone, as in handlers
+                filter.exceptBreeds = new <String>[Collision.TERRAIN];
+            }
             filter.accepts = accepts;
             return filter;
         }
 
-        private static function isOne(wanted:Object):Function
+        private static function filterOne(wanted:Object):AgentFilter
         {
-            return function(agent:Agent):Boolean
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function(agent:Agent):Boolean
             {
                 return agent === wanted;
             };
+            return filter;
         }
 
         private static function testFor(block:String, asker:Agent, trait:String, value:Object):Function

@@ -8,6 +8,7 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
     import support.assertThrows;
 
     public class DetectionBlocksTest
@@ -46,6 +47,20 @@ package starlogo.blocks
             assertNull(_blocks.nearestWithin(_turtle, "wolves", 1));
             assertEquals(_agents[3], _blocks.nearestWith(_turtle, "wolves", "color", 10));
             assertNull(_blocks.nearestWith(_turtle, "wolves", "color", 11));
+        }
+
+        [Test]
+        public function theGroundIsNotAnyone():void
+        {
+            _collisions.collision.terrain = new Terrain(41, 41, 1, -20, -20);
+            _blocks.update();
+            assertTrue(_blocks.isTouching(_turtle, Collision.TERRAIN));
+            assertTrue(_blocks.isTouching(_turtle, _collisions.collision.terrain.agent));
+            assertEquals(4, _blocks.countWithin(_turtle, Collision.ANY_BREED, 50));
+            assertEquals(3, _blocks.countWith(_turtle, Collision.ANY_BREED, "color", 10));
+            assertEquals(_agents[1], _blocks.nearestWithin(_turtle, Collision.ANY_BREED, 50));
+            _turtle.moveTo(0, 9, 0);
+            assertFalse(_blocks.isTouching(_turtle, Collision.ANY_BREED));
         }
 
         [Test]

@@ -318,6 +318,13 @@ test('a mound lifts who stands on the ground; set back by frames, the ground is 
 	assert.equal(world.terrain, null, 'a program without hills has none');
 });
 
+test('a program has a terrain as JavaScript if a block is about it, and only then', () => {
+	const written = (condition) => parts.javascriptOf(program(each('bears', { type: 'controls_if', inputs: { IF0: condition, DO0: { block: { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'anyone' }, inputs: { STEPS: number(1) } } } } })), 'my terrain', made);
+	assert.match(written(value('starlogo_on_ground')), /new Terrain\(25, 25, 1, -12, -12\)/);
+	assert.match(written(value('starlogo_ground_height')), /new Terrain\(/);
+	assert.doesNotMatch(written(value('starlogo_touching', { BREED: 'anyone' })), /Terrain/);
+});
+
 test('set back by frames, the game goes on as it did', () => {
 	const game = program(
 		start(create(20, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(8, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))),

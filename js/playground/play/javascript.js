@@ -276,7 +276,7 @@ export function javascriptOf(program, title, models) {
 	const blocks = [
 		"const collisions = new CollisionBlocks(greatLand, agents);",
 		...(system === CollisionBlocks.TIGHTEST_FITS ? [] : [`collisions.useCollisionSystem(${text(system)});`]),
-		...(has("terrain") || has("TERRAIN\\)") ? [`const terrain = new Terrain(${2 * HALF_WIDTH + 1}, ${2 * HALF_WIDTH + 1}, 1, ${-HALF_WIDTH}, ${-HALF_WIDTH});`, "collisions.collision.terrain = terrain;"] : []),
+		...(has("terrain\\.") || has("isTouching\\(\\w+, Collision\\.TERRAIN") ? [`const terrain = new Terrain(${2 * HALF_WIDTH + 1}, ${2 * HALF_WIDTH + 1}, 1, ${-HALF_WIDTH}, ${-HALF_WIDTH});`, "collisions.collision.terrain = terrain;"] : []),
 		...(has("traits") ? ["const traits = new TraitBlocks(agents);"] : []),
 		...(has("detection") ? ["const detection = new DetectionBlocks(collisions);", "let areSensesOld = true;"] : []),
 		...(has("systemsOfNow") ? ["const systemsOfNow = new CollisionBlocks(greatLand, []);"] : []),

@@ -257,7 +257,7 @@ export class Scene {
 		const { chosen, world } = this;
 		this.facts.hidden = !chosen;
 		if (!chosen) return;
-		const touched = world.senses.queries.touching(chosen).map(nameOf);
+		const touched = world.senses.queries.touching(chosen).filter((agent) => agent !== world.terrain?.agent).map(nameOf);
 		const values = { x: chosen.x, y: chosen.y, z: chosen.z, heading: chosen.heading, size: chosen.size };
 		this.facts.replaceChildren(
 			h("strong", {}, nameOf(chosen)),

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -28,6 +29,15 @@ test('examples of -Dtest name tests that there are', () => {
 		.flatMap((file) => [...read(file).matchAll(/-Dtest=([\w./#]+)/g)]);
 	assert.ok(examples.length >= 3, 'there are some');
 	for (const [example, pattern] of examples) assert.ok(choose(pattern, classes, sources).tests.size > 0, `${example} matches no test`);
+});
+
+test('no line of a Markdown page is over 140 characters', () => {
+	const listed = execFileSync('git', ['ls-files', '*.md'], { cwd: root, encoding: 'utf8' }).trim().split('\n');
+	// rows of these two compare whole sentences with the thesis's
+	const pages = listed.filter((page) => !['docs/departures.md', 'docs/timing-report.md'].includes(page));
+	const long = pages.flatMap((page) => read(page).split('\n').flatMap((line, i) => (line.length > 140 ? [`${page}:${i + 1}`] : [])));
+	assert.ok(pages.length > 30, 'there are some');
+	assert.deepEqual(long, []);
 });
 
 test('links and pictures lead somewhere', () => {

@@ -34,8 +34,8 @@ export function pages() {
 	const all = groups();
 	const html = all.map(({ group, examples }) => `<h2>${group}</h2>\n<ul class="cards">\n${examples.map(({ name, title, sentence, address }) =>
 		`<li><a href="${address}"><img src="pictures/${name}.webp" alt="" width="${WIDTH}" height="${(WIDTH * 2) / 3}" loading="lazy"><strong>${title}</strong><span>${sentence}</span></a></li>\n`).join('')}</ul>\n`);
-	const markdown = all.map(({ group, examples }) => `## ${group}\n\n| | |\n|---|---|\n${examples.map(({ name, title, sentence, file }) =>
-		`| [<img src="pictures/${name}.webp" alt="${title}" width="240">](${file}) | [${title}](${file})<br>${sentence.replaceAll('. ', '.<br>')} |\n`).join('')}`);
+	const markdown = all.map(({ group, examples }) => `## ${group}\n\n<table>\n${examples.map(({ name, title, sentence, file }) =>
+		`<tr><td><a href="${file}"><img src="pictures/${name}.webp" alt="${title}" width="240"></a></td>\n<td><a href="${file}">${title}</a><br>\n${sentence.replaceAll('. ', '.<br>\n')}</td></tr>\n`).join('')}</table>\n`);
 	const filled = (file, cards) => readFileSync(path.join(folder, file), 'utf8').replace(CARDS, (_, begin, end) => `${begin}${cards}${end}`);
 	return new Map([['index.html', filled('index.html', html.join(''))], ['README.md', filled('README.md', `\n${markdown.join('\n')}\n`)]]);
 }

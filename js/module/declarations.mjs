@@ -84,7 +84,7 @@ export class ByteArray {
  */
 export function writeDeclarations(types) {
 	const writer = new Writer(new Map([...types.values()].map((type) => [type.name, type])));
-	// the last line prevents that every declaration here is exported
+	// without the last line, every declaration here would be exported
 	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND, "export {};\n"].join("\n");
 }
 

@@ -1,7 +1,7 @@
 // Starts the main class of a SWF in avmshell, and runs its frames until it ends:
 // avmshell FILE.swf start.abc -- MAIN [NAME=VALUE ...] [/path=FOLDER ...]
-// Among what the program traces come lines that begin with U+0001, for test/headless/shell.mjs: "write FILE TEXT", both escaped,
-// is a file that it hands over, "uncaught TEXT" an error that nothing caught, "exit STATUS" its end.
+// Some of the lines that it traces begin with U+0001. They are for test/headless/shell.mjs: "write FILE TEXT", both escaped, is a file to
+// write, "uncaught TEXT" is an error that nothing caught, and "exit STATUS" is the end.
 import avmplus.Domain;
 import avmplus.FLASH10_FLAGS;
 import avmplus.File;

@@ -763,7 +763,7 @@ test('the same game under two systems: from the same start, with the same keys, 
 	await press(page, 'Run');
 	await page.keyboard.down('ArrowLeft');
 	await page.keyboard.down('ArrowUp');
-	await page.waitForFunction(() => globalThis.playground.world.frame > 20);
+	await page.waitForFunction(() => globalThis.playground.world.agents[0].heading > 30);
 	await page.keyboard.up('ArrowUp');
 	await page.keyboard.up('ArrowLeft');
 	await press(page, 'Stop');

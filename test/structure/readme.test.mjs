@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -28,6 +29,13 @@ test('examples of -Dtest name tests that there are', () => {
 		.flatMap((file) => [...read(file).matchAll(/-Dtest=([\w./#]+)/g)]);
 	assert.ok(examples.length >= 3, 'there are some');
 	for (const [example, pattern] of examples) assert.ok(choose(pattern, classes, sources).tests.size > 0, `${example} matches no test`);
+});
+
+test('no line of a Markdown page is over 140 characters', () => {
+	const pages = execFileSync('git', ['ls-files', '*.md'], { cwd: root, encoding: 'utf8' }).trim().split('\n');
+	const long = pages.flatMap((page) => read(page).split('\n').flatMap((line, i) => (line.length > 140 ? [`${page}:${i + 1}`] : [])));
+	assert.ok(pages.length > 30, 'there are some');
+	assert.deepEqual(long, []);
 });
 
 test('links and pictures lead somewhere', () => {
@@ -64,10 +72,12 @@ function isDefined(name, member) {
 	return new RegExp(`(?:var|const|function(?: get| set)?) ${member}\\b`).test(text) || (base !== undefined && isDefined(base, member));
 }
 
-for (const page of ['docs/terms.md', 'docs/departures.md']) {
+/** Where the pages about the thesis name classes: in the last cell of a row, and in brackets at the end of an entry. */
+const NAMED = { 'docs/terms.md': /^\| \d.*\|([^|]*)\|$/gm, 'docs/departures.md': /\((`[^)]*`)\)\.$/gm };
+
+for (const [page, places] of Object.entries(NAMED)) {
 	test(`the classes and members in ${page} are there`, () => {
-		const cells = read(page).split('\n').filter((line) => /^\| \d/.test(line)).map((line) => line.split('|').at(-2));
-		const names = cells.flatMap((cell) => [...cell.matchAll(/`(\w+)(?:\.(\w+))?`/g)]);
+		const names = [...read(page).matchAll(places)].flatMap(([, cell]) => [...cell.matchAll(/`(\w+)(?:\.(\w+))?`/g)]);
 		assert.ok(names.length > 20, 'there are some');
 		assert.deepEqual(names.filter(([, name, member]) => !isDefined(name, member)).map(([all]) => all), []);
 	});

@@ -1,4 +1,4 @@
-/** Where programs are kept: in the browser, each under a name of its own, in files, in links. */
+/** Stores programs: in the browser, each under its own name, in files, and in links. */
 
 const KEY = "starlogo-playground.programs";
 /** The key for the last program, from a release in which programs had no names. */

@@ -1,4 +1,4 @@
-/** The colours in worlds. A colour has the same meaning in every view, and a sign with the same meaning. */
+/** The colours in worlds. A colour has the same meaning in every view. A sign says the same without colour. */
 
 /**
  * The verdicts about agents, pairs and surrounding shapes. "hit" is a touch that is found. "wrong" is a false collision, or one that only

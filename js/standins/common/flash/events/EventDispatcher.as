@@ -8,7 +8,7 @@ package flash.events
      *
      * <p>Listeners of the capture phase are kept but never called. All listeners are kept until they are removed, also those with weak
      * references. If a listener throws, the others are still called, and the error is reported as uncaught. An error event without a
-     * listener is reported as uncaught too. Ruffle ignores both.</p>
+     * listener is reported as uncaught too. Ruffle reports neither.</p>
      */
     public class EventDispatcher implements IEventDispatcher
     {

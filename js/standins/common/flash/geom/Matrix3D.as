@@ -513,7 +513,7 @@ package flash.geom
             roundIfSingle();
         }
 
-        /** Rodrigues' formula, written so that matrix elements that should be exactly 1 or 0 are. */
+        /** Rodrigues' formula. If the axis makes an element 1 or 0, the result is exactly 1 or 0. */
         private function setRotation(degrees:Number, axis:Vector3D, pivot:Vector3D):void
         {
             var angle:Number = degrees * Math.PI / 180;

@@ -1,8 +1,8 @@
 // What a game in TypeScript does with the adapter to three.js: tsc --strict has to accept it.
 import * as THREE from "three";
 import { Agent, BinCollider, Collision, GreatLand, Model, RayHit, TightestFitCollider, Vector3D } from "starlogo-collision";
-import { bindInstance, modelFromObject, ThreeAgentBinding, ThreeWireframe } from "starlogo-collision/three";
-import type { BindingOptions, ModelOptions, Up, WireframeOptions } from "starlogo-collision/three";
+import { bindInstance, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeAgentBinding, ThreeWireframe } from "starlogo-collision/three";
+import type { BindingOptions, ModelOptions, TerrainOptions, Up, WireframeOptions } from "starlogo-collision/three";
 
 const up: Up = "z";
 const reading: ModelOptions = { up, scaling: Model.AS_GIVEN };
@@ -43,3 +43,7 @@ wireframe.dispose();
 
 /** How far the first agent is. */
 export const place: [number, number, number] = [agents[0].x, agents[0].y, agents[0].z];
+const ground: TerrainOptions = { up };
+const surface: TerrainGeometry = new TerrainGeometry(terrainFromMesh(mesh, 3, 3, 1, 0, 0, ground), ground);
+const followed: boolean = new TerrainGeometry(terrainFromMesh(mesh.geometry, 3, 3)).update();
+scene.add(new THREE.Mesh(surface).translateX(followed ? surface.terrain.columns : 0));

@@ -35,8 +35,8 @@ function differenceOf(found, { corners, flips }) {
 // the random ones are different with each version
 for (const [number, { version, folder, THREE, engine, adapter }] of all.entries()) {
 	const [sceneCount, pickCount] = [SCENES, PICKS].map(({ first, others }) => (number === 0 ? first : others));
-	const { Agent, Model } = engine;
-	const { ThreeAgentBinding, bindInstance, modelFromObject, ThreeWireframe } = adapter;
+	const { Agent, Model, Terrain } = engine;
+	const { ThreeAgentBinding, bindInstance, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeWireframe } = adapter;
 
 	test(`three ${version}: what is drawn in ${sceneCount} random scenes is where the engine has it, whichever of the two leads`, () => {
 		const scenes = new Scenes(THREE, 25 + number);
@@ -99,6 +99,87 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		}
 		const upright = modelFromObject("box", new THREE.BoxGeometry(2, 4, 1));
 		assert.deepEqual([Math.max(...upright.vertices), upright.source.unit], [2, 2]);
+	});
+
+	test(`three ${version}: a terrain is drawn where it is, as slopes and as blocks, and again when it has changed`, () => {
+		const caster = new THREE.Raycaster();
+		for (const up of ["y", "z"]) {
+			const terrain = new Terrain(12, 9, 0.5, -3, 2);
+			const geometry = new TerrainGeometry(terrain, { up });
+			const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial());
+			const place = (x, y, z) => (up === "y" ? new THREE.Vector3(x, z, -y) : new THREE.Vector3(x, y, z));
+			const heightAt = (x, y) => {
+				caster.set(place(x, y, 100), place(0, 0, -1));
+				return 100 - caster.intersectObject(mesh)[0].distance;
+			};
+			const firstOf = (from, direction) => {
+				caster.set(place(...from), place(...direction));
+				return caster.intersectObject(mesh)[0];
+			};
+			for (const isBlocky of [false, true, false]) {
+				terrain.isBlocky = isBlocky;
+				for (let i = 0; i < 5; i++) terrain.raiseMound(dice.number(-3, 2.5), dice.number(2, 6), dice.number(1, 4), dice.number(-2, 3));
+				assert.equal(geometry.update(), true);
+				assert.equal(geometry.update(), false);
+				for (let i = 0; i < 200; i++) {
+					const [x, y] = [dice.number(-2.99, 2.49), dice.number(2.01, 5.99)];
+					assert.ok(Math.abs(heightAt(x, y) - terrain.heightAt(x, y)) < 1e-4, `${x}, ${y}, ${isBlocky}`);
+				}
+			}
+			terrain.reset();
+			assert.equal(geometry.update(), true);
+			assert.equal(geometry.boundingBox.getSize(new THREE.Vector3()).dot(place(0, 0, 1)), 0);
+			// walls face the lower blocks: the mesh's material has one side only
+			terrain.isBlocky = true;
+			terrain.setHeight(5, 4, 2);
+			geometry.update();
+			for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+				const hit = firstOf([-0.5 - 2 * dx, 4 - 2 * dy, 1], [dx, dy, 0]);
+				assert.ok(Math.abs(hit.distance - 1.75) < 1e-6, `${hit?.distance}`);
+				assert.ok(hit.face.normal.distanceTo(place(-dx, -dy, 0)) < 1e-6);
+			}
+		}
+		assert.throws(() => new TerrainGeometry({}), /Terrain is needed/);
+		assert.throws(() => new TerrainGeometry(new Terrain(2, 2), { up: "x" }), /up must be/);
+	});
+
+	test(`three ${version}: a terrain of a mesh has its highest triangles' heights`, () => {
+		for (const up of ["y", "z"]) {
+			const group = new THREE.Group();
+			for (let i = 0; i < 6; i++) {
+				const mesh = new THREE.Mesh(new THREE.IcosahedronGeometry(dice.number(0.5, 2), 2), new THREE.MeshBasicMaterial());
+				mesh.position.set(dice.number(-4, 4), dice.number(-4, 4), dice.number(-4, 4));
+				mesh.rotation.set(dice.number(-3, 3), dice.number(-3, 3), dice.number(-3, 3));
+				group.add(mesh);
+			}
+			group.position.set(0.3, 0.2, 0.1);
+			group.rotation.set(0.1, 0.2, 0.3);
+			const terrain = terrainFromMesh(group, 40, 30, 0.25, -5, -4, { up });
+			const caster = new THREE.Raycaster();
+			let [hits, least] = [0, Infinity];
+			const missing = new Set();
+			for (let row = 0; row < 30; row++) for (let column = 0; column < 40; column++) {
+				const [x, y] = [-5 + column / 4, -4 + row / 4];
+				if (up === "y") caster.set(new THREE.Vector3(x, 100, -y), new THREE.Vector3(0, -1, 0));
+				else caster.set(new THREE.Vector3(x, y, 100), new THREE.Vector3(0, 0, -1));
+				const [hit] = caster.intersectObject(group);
+				if (!hit) {
+					missing.add(terrain.getHeight(column, row));
+					continue;
+				}
+				hits++;
+				least = Math.min(least, terrain.getHeight(column, row));
+				assert.ok(Math.abs(terrain.getHeight(column, row) - 100 + hit.distance) < 1e-4, `${column}, ${row}`);
+			}
+			assert.ok(hits > 50, `${hits}`);
+			assert.deepEqual([...missing], [least]);
+		}
+		const back = terrainFromMesh(new TerrainGeometry(terrainFromMesh(new THREE.BufferGeometry(), 3, 3)), 3, 3);
+		assert.equal(back.heightAt(1, 1), 0);
+		const flat = terrainFromMesh(new THREE.PlaneGeometry(8, 8, 8, 8).translate(4, 4, 7), 9, 9, 1, 0, 0, { up: "z" });
+		for (let i = 0; i < 81; i++) assert.equal(flat.getHeight(i % 9, Math.floor(i / 9)), 7);
+		assert.throws(() => terrainFromMesh(new THREE.Group(), 1, 1), RangeError);
+		assert.throws(() => terrainFromMesh({}, 3, 3), /expected an Object3D/);
 	});
 
 	test(`three ${version}: bones may be anywhere, groups may overlap, and many positions may be equal`, () => {

@@ -5,6 +5,9 @@ import { createRequire } from 'node:module';
 const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 
 export const Group = THREE.Group;
+export const Mesh = THREE.Mesh;
+export const MeshStandardMaterial = THREE.MeshStandardMaterial;
+export const hills = new THREE.Mesh(new THREE.PlaneGeometry(80, 80).rotateX(-Math.PI / 2));
 export const scene = new THREE.Scene();
 export const gltf = { scene: new THREE.Group() };
 const body = new THREE.Mesh(new THREE.CapsuleGeometry(3, 10));
@@ -12,7 +15,7 @@ body.position.y = 8;
 gltf.scene.add(body);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -24,4 +27,6 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	standing.updateObject();
 	assert.ok(Math.abs(drawn.rotation.x - Math.PI / 2) < 1e-6);
 	assert.equal(other.x, 0.5);
+	assert.equal(collision.terrain, terrain);
+	assert.ok(terrain.heightAt(3, 4) > 1.99 && Math.abs(ground.boundingBox.max.y - terrain.heightAt(3, 4)) < 1e-6);
 }

@@ -1,5 +1,5 @@
 import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Object3D } from "three";
-import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, Point, RayHit, Scaling } from "starlogo-collision";
+import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, Point, RayHit, Scaling, Terrain } from "starlogo-collision";
 
 /** The axis that points up. With y up, a scene's (x, y, z) is the engine's (x, -z, y). With z up, both have the same axes. */
 export type Up = "y" | "z";
@@ -187,3 +187,54 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
     /** Frees the renderer's data. */
     dispose(): void;
 }
+
+/** Options of a terrain's geometry, and of terrainFromMesh. */
+export interface TerrainOptions {
+    /** The up axis of the land. The default is "y". */
+    up?: Up;
+}
+
+/**
+ * The surface of a terrain: slopes, or blocks with walls between them. The mesh's parent must be the land, and the mesh must not be moved in
+ * it. Slopes have smooth normals, and blocks have flat ones. Nothing closes the border.
+ */
+export class TerrainGeometry extends BufferGeometry {
+    /**
+     * Creates the geometry with the present heights.
+     *
+     * @param terrain the terrain
+     * @param options the up axis
+     * @throws ArgumentError if the first argument is no Terrain, or up is neither "y" nor "z"
+     */
+    constructor(terrain: Terrain, options?: TerrainOptions);
+
+    /** The terrain. */
+    get terrain(): Terrain;
+
+    /**
+     * Follows the terrain: its heights, and whether it is blocks. If nothing has changed, it does nothing.
+     *
+     * @returns whether something has changed
+     */
+    update(): boolean;
+}
+
+/**
+ * Makes a terrain with the heights of an object or a geometry. Each height is that of the highest triangle above or below its place. Where
+ * there is no triangle, the height is the least that was found, or 0 if none was. Triangles with coordinates that are not finite do not
+ * count.
+ *
+ * The object's parent must be the land: the object's own transform counts here. Otherwise the same meshes count as in modelFromObject.
+ *
+ * @param source an object or a geometry; only its world matrices are updated
+ * @param columns how many heights there are along x, at least 2
+ * @param rows how many heights there are along y, at least 2
+ * @param cellWidth how far neighbours are apart; the default is 1
+ * @param x where the first height is, in the engine's axes; the default is 0
+ * @param y where the first height is; the default is 0
+ * @param options the up axis
+ * @throws ModelError as modelFromObject, but a source without triangles gives flat ground
+ * @throws ArgumentError if up is neither "y" nor "z"
+ * @throws RangeError as Terrain's constructor, or if a height is too large
+ */
+export function terrainFromMesh(source: Object3D | BufferGeometry, columns: number, rows: number, cellWidth?: number, x?: number, y?: number, options?: TerrainOptions): Terrain;

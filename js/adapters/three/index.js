@@ -2,3 +2,4 @@
 export { modelFromObject } from "./model.js";
 export { ThreeAgentBinding, bindInstance } from "./binding.js";
 export { ThreeWireframe } from "./wireframe.js";
+export { TerrainGeometry, terrainFromMesh } from "./terrain.js";

@@ -15,16 +15,22 @@ export const upOf = (model) => axes.get(model);
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
 export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT } = {}) {
+	const { vertices, triangles } = surfaceOf(name, source, up);
+	const model = new Model(name, vertices, triangles, scaling);
+	axes.set(model, up);
+	return model;
+}
+
+/** The vertices and triangles of an object or a geometry, z up. With `isPlaced` the object's own transform counts. */
+export function surfaceOf(name, source, up, isPlaced = false) {
 	const surface = new Surface(name, isYUp(up));
 	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), new Matrix4());
 	else if (source?.isObject3D) {
 		source.updateWorldMatrix(true, false);
 		source.updateMatrixWorld();
-		surface.addTree(source, new Matrix4());
+		surface.addTree(source, isPlaced ? source.matrix : new Matrix4());
 	} else throw new ModelError(String(name), "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}`);
-	const model = new Model(name, surface.vertices, surface.triangles, scaling);
-	axes.set(model, up);
-	return model;
+	return surface;
 }
 
 /** Triangles and their corners, z up. Each position appears once. */

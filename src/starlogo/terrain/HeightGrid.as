@@ -44,6 +44,9 @@ package starlogo.terrain
         /** By block: the square of the steepest slope of its cells. */
         public var steepests:Vector.<Number>;
 
+        /** How often heights have changed. */
+        public var revision:int = 0;
+
         /** The place for <code>findHeight()</code>. */
         public var placeX:Number = 0;
 
@@ -78,6 +81,7 @@ package starlogo.terrain
         /** Makes all heights 0. */
         public function reset():void
         {
+            revision++;
             clear(heights);
             clear(leasts);
             clear(greatests);
@@ -135,6 +139,7 @@ package starlogo.terrain
         /** Finds the bounds of the blocks that have some heights, and of those whose cells end there. */
         public function findBounds(first:int, firstRow:int, last:int, lastRow:int):void
         {
+            revision++;
             _greatest = NaN;
             for (var blockRow:int = Math.max(0, firstRow - 1) >> BLOCK; blockRow <= lastRow >> BLOCK; blockRow++)
             {

@@ -102,6 +102,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 	});
 
 	test(`three ${version}: a terrain is drawn where it is, as slopes and as blocks, and again when it has changed`, () => {
+		const { dice: chance } = new Scenes(THREE, 41);
 		const caster = new THREE.Raycaster();
 		for (const up of ["y", "z"]) {
 			const terrain = new Terrain(12, 9, 0.5, -3, 2);
@@ -118,11 +119,11 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			};
 			for (const isBlocky of [false, true, false]) {
 				terrain.isBlocky = isBlocky;
-				for (let i = 0; i < 5; i++) terrain.raiseMound(dice.number(-3, 2.5), dice.number(2, 6), dice.number(1, 4), dice.number(-2, 3));
+				for (let i = 0; i < 5; i++) terrain.raiseMound(chance.number(-3, 2.5), chance.number(2, 6), chance.number(1, 4), chance.number(-2, 3));
 				assert.equal(geometry.update(), true);
 				assert.equal(geometry.update(), false);
 				for (let i = 0; i < 200; i++) {
-					const [x, y] = [dice.number(-2.99, 2.49), dice.number(2.01, 5.99)];
+					const [x, y] = [chance.number(-2.99, 2.49), chance.number(2.01, 5.99)];
 					assert.ok(Math.abs(heightAt(x, y) - terrain.heightAt(x, y)) < 1e-4, `${x}, ${y}, ${isBlocky}`);
 				}
 			}
@@ -144,12 +145,13 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 	});
 
 	test(`three ${version}: a terrain of a mesh has its highest triangles' heights`, () => {
+		const { dice: chance } = new Scenes(THREE, 42);
 		for (const up of ["y", "z"]) {
 			const group = new THREE.Group();
 			for (let i = 0; i < 6; i++) {
-				const mesh = new THREE.Mesh(new THREE.IcosahedronGeometry(dice.number(0.5, 2), 2), new THREE.MeshBasicMaterial());
-				mesh.position.set(dice.number(-4, 4), dice.number(-4, 4), dice.number(-4, 4));
-				mesh.rotation.set(dice.number(-3, 3), dice.number(-3, 3), dice.number(-3, 3));
+				const mesh = new THREE.Mesh(new THREE.IcosahedronGeometry(chance.number(0.5, 2), 2), new THREE.MeshBasicMaterial());
+				mesh.position.set(chance.number(-4, 4), chance.number(-4, 4), chance.number(-4, 4));
+				mesh.rotation.set(chance.number(-3, 3), chance.number(-3, 3), chance.number(-3, 3));
 				group.add(mesh);
 			}
 			group.position.set(0.3, 0.2, 0.1);

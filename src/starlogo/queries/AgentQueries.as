@@ -37,6 +37,7 @@ package starlogo.queries
         private var _distances:DistanceQuestions;
         private var _rays:RayQuestions;
         private var _moves:MoveQuestions;
+        private var _walks:WalkQuestions;
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask.
@@ -53,6 +54,7 @@ package starlogo.queries
             _distances = new DistanceQuestions(_seen);
             _rays = new RayQuestions(_seen);
             _moves = new MoveQuestions(_seen);
+            _walks = new WalkQuestions(_seen, _moves);
         }
 
         /**
@@ -558,6 +560,30 @@ package starlogo.queries
             _seen.requireMovable(agent, "slide");
             _moves.way.setTo(dx, dy, dz);
             return _moves.move(agent, filter, null, true);
+        }
+
+        /**
+         * Moves an agent along the ground, as a game character walks. It slides along walls, climbs steps and slopes that are not too high and not too
+         * steep, and stays on the ground downhill and down steps.
+         *
+         * <p>Only what it stands on at the beginning it can climb from and stay on: in the air it goes straight on. It does not fall: while it does not
+         * stand the game moves it down, by <code>moveUntilTouch()</code> say. It ends a hair above the ground, as <code>slide()</code> does. It takes as long
+         * as two slides or three, and as six where a wall stops it.</p>
+         *
+         * @param agent walks; its model may be loading, and touches nothing then
+         * @param dx how far along x, in patches
+         * @param dy how far along y
+         * @param options how it walks; null for steps of 0.25 up and down, and slopes of 45 degrees
+         * @param out takes how it stands in the end; null for a new one
+         * @return out
+         * @throws ArgumentError as moveUntilTouch does
+         * @throws RangeError as moveUntilTouch does
+         * @throws flash.errors.IllegalOperationError as moveUntilTouch does
+         */
+        public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
+        {
+            _seen.requireMovable(agent, "walk");
+            return _walks.walk(agent, dx, dy, options, out);
         }
 
         private static function requirePoint(point:Vector3D):void

@@ -21,14 +21,18 @@ package starlogo.queries
         /** The motion of the next question. It is a field because V8 makes an object for each Number that is passed. */
         public var way:Vector3D = new Vector3D();
 
-        private var _seen:SeenAgents;
-        private var _mover:Mover = null;
+        /** Finds where rows come to. */
+        public var mover:Mover = null;
 
-        // The rows near the way, all with the distance 0; and their agents, without those that accepts refuses.
+        /** The agents that count and are near the way of the last question. */
+        public var agents:Vector.<Agent> = new Vector.<Agent>();
+
+        private var _seen:SeenAgents;
+        private var _single:Vector.<Agent> = new <Agent>[null];
+
+        // The rows near the way, all with the distance 0.
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
-        private var _agents:Vector.<Agent> = new Vector.<Agent>();
-        private var _single:Vector.<Agent> = new <Agent>[null];
 
         // The structure that is cast, by the number of questions that are calling a filter's accepts.
         private var _structures:Vector.<AskedStructure> = new Vector.<AskedStructure>();
@@ -58,7 +62,7 @@ package starlogo.queries
             var isSeen:Boolean = table.shapes[row] != null;
             if (isSeen)
             {
-                _mover.move(table, row, _agents, way, slides);
+                mover.move(table, row, agents, way, slides ? Mover.SLIDE : Mover.TOUCH);
             }
             table.endGuests();
             if (contact != null && isSeen)
@@ -71,17 +75,23 @@ package starlogo.queries
             }
             if (!isSeen)
             {
-                agent.moveTo(agent.x + way.x, agent.y + way.y, agent.z + way.z);
+                mover.at.setTo(agent.x + way.x, agent.y + way.y, agent.z + way.z);
             }
-            else if (_mover.at.x != agent.x || _mover.at.y != agent.y || _mover.at.z != agent.z)
+            put(agent);
+            return isSeen ? mover.part : 1;
+        }
+
+        /** Puts an agent where the mover has come to. */
+        public function put(agent:Agent):void
+        {
+            if (mover.at.x != agent.x || mover.at.y != agent.y || mover.at.z != agent.z)
             {
-                agent.moveTo(_mover.at.x, _mover.at.y, _mover.at.z);
+                agent.moveTo(mover.at.x, mover.at.y, mover.at.z);
             }
-            if (table.rowOf(agent) >= 0)
+            if (_seen.table.rowOf(agent) >= 0)
             {
                 _seen.moved(agent);
             }
-            return isSeen ? _mover.part : 1;
         }
 
         /**
@@ -93,7 +103,7 @@ package starlogo.queries
         public function cast(agent:Agent, structure:BoundingStructure, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             var row:int = begin(agent, structure, filter, false);
-            var isStopped:Boolean = isStoppedBy(row, _agents);
+            var isStopped:Boolean = isStoppedBy(row, agents);
             _seen.table.endGuests();
             if (!isStopped)
             {
@@ -110,9 +120,9 @@ package starlogo.queries
             var row:int = begin(agent, structure, filter, false);
             _hitOf.length = Math.max(_hitOf.length, _seen.ranks.length);
             _found.begin(FoundRows.ALL, Infinity, -1, null);
-            for (var i:int = 0; i < _agents.length; i++)
+            for (var i:int = 0; i < agents.length; i++)
             {
-                _single[0] = _agents[i];
+                _single[0] = agents[i];
                 if (isStoppedBy(row, _single))
                 {
                     addHit();
@@ -123,8 +133,12 @@ package starlogo.queries
             return list(out || new Vector.<ShapeHit>());
         }
 
-        // Finds the agents near the way, and returns the row that moves. Call endGuests() of the table afterwards.
-        private function begin(agent:Agent, structure:BoundingStructure, filter:AgentFilter, isAnywhere:Boolean):int
+        /**
+         * Finds the agents near the motion that was set, and returns the row that moves. Call endGuests() of the table afterwards.
+         *
+         * @param isAnywhere whether the row may go that far in any direction
+         */
+        public function begin(agent:Agent, structure:BoundingStructure, filter:AgentFilter, isAnywhere:Boolean):int
         {
             var dx:Number = way.x;
             var dy:Number = way.y;
@@ -141,9 +155,9 @@ package starlogo.queries
             findNear(agent, asked, filter, isAnywhere);
             // the filter may have asked such questions too
             way.setTo(dx, dy, dz);
-            if (_mover == null || _mover.pairs !== _seen.pairs)
+            if (mover == null || mover.pairs !== _seen.pairs)
             {
-                _mover = new Mover(_seen.pairs);
+                mover = new Mover(_seen.pairs);
             }
             return readRow(agent, asked);
         }
@@ -191,18 +205,18 @@ package starlogo.queries
                 }
             }
             table.endGuests();
-            _found.list(_agents);
+            _found.list(agents);
         }
 
-        // Whether agents stop a row. While a row's model is loading, none does.
-        private function isStoppedBy(row:int, agents:Vector.<Agent>):Boolean
+        // Whether other agents stop a row. While a row's model is loading, none does.
+        private function isStoppedBy(row:int, others:Vector.<Agent>):Boolean
         {
             if (_seen.table.shapes[row] == null)
             {
                 return false;
             }
-            _mover.move(_seen.table, row, agents, way, false);
-            return _mover.hasContact;
+            mover.move(_seen.table, row, others, way, Mover.SHORT);
+            return mover.hasContact;
         }
 
         private function addHit():void
@@ -213,8 +227,8 @@ package starlogo.queries
                 _hits.push(new ShapeHit());
             }
             write(_hits[count]);
-            _hitOf[_mover.contactRow] = count;
-            _found.add(_mover.contactRow, _mover.part);
+            _hitOf[mover.contactRow] = count;
+            _found.add(mover.contactRow, mover.part);
         }
 
         private function list(out:Vector.<ShapeHit>):Vector.<ShapeHit>
@@ -243,18 +257,18 @@ package starlogo.queries
         // Writes how the last row that moved touches the agent that stopped it.
         private function write(hit:ShapeHit):void
         {
-            var contact:ContactPoint = _mover.contact;
-            hit.agent = _seen.table.agents[_mover.contactRow];
-            hit.time = _mover.part;
+            var contact:ContactPoint = mover.contact;
+            hit.agent = _seen.table.agents[mover.contactRow];
+            hit.time = mover.part;
             hit.point.setTo(contact.x, contact.y, contact.z);
             hit.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
         }
 
         private function writeContact(out:Contact):void
         {
-            var contact:ContactPoint = _mover.contact;
-            out.time = _mover.part;
-            if (_mover.hasContact)
+            var contact:ContactPoint = mover.contact;
+            out.time = mover.part;
+            if (mover.hasContact)
             {
                 out.point.setTo(contact.x, contact.y, contact.z);
                 out.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);

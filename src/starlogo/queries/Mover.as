@@ -22,6 +22,18 @@ package starlogo.queries
      */
     public final class Mover
     {
+        /** An ending of a motion: in the touch. */
+        public static const TOUCH:int = 0;
+
+        /** An ending: half a hair before the touch. */
+        public static const SHORT:int = 1;
+
+        /** An ending: the row slides along what it meets. */
+        public static const SLIDE:int = 2;
+
+        /** For <code>steepest</code>: nothing is a wall. */
+        public static const NOTHING_STEEP:Number = -2;
+
         // If an overlap is deeper than this fraction of the larger extent, the contact's plane stands for the other row.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
@@ -44,6 +56,12 @@ package starlogo.queries
         /** Tests which rows touch. */
         public var pairs:RowPairs;
 
+        /** A slide takes a contact for an upright wall if its normal's z is less than this. */
+        public var steepest:Number = NOTHING_STEEP;
+
+        /** Whether the last slide met such a wall. */
+        public var metWall:Boolean = false;
+
         /** The part of its motion that the last row has gone. */
         public var part:Number = 1;
 
@@ -60,6 +78,7 @@ package starlogo.queries
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _others:Vector.<int> = new Vector.<int>();
         private var _count:int = 0;
+        private var _all:int = 0;
 
         // The place of the row before it was lifted, and the lift.
         private var _before:Vector3D = new Vector3D();
@@ -89,13 +108,34 @@ package starlogo.queries
          * @param row the row that moves
          * @param others the agents in its way, which are in the same table
          * @param motion the whole motion
-         * @param slides whether the row slides along what it meets
+         * @param ending TOUCH, SHORT or SLIDE
          */
-        public function move(table:AgentTable, row:int, others:Vector.<Agent>, motion:Vector3D, slides:Boolean):void
+        public function move(table:AgentTable, row:int, others:Vector.<Agent>, motion:Vector3D, ending:int):void
+        {
+            begin(table, row, others, motion);
+            go(motion, ending);
+            end();
+        }
+
+        /** Takes a row and other agents, as move() does, for several motions. Call <code>end()</code> afterwards. */
+        public function begin(table:AgentTable, row:int, others:Vector.<Agent>, longest:Vector3D):void
         {
             at.setTo(table.x[row], table.y[row], table.z[row]);
+            readOthers(table, others);
+            _sweep.begin(table, row, longest);
+        }
+
+        /** Puts the row back. */
+        public function end():void
+        {
+            _sweep.end();
+        }
+
+        /** Computes where the row ends if it starts at <code>at</code>. The parameters are those of <code>move()</code>. */
+        public function go(motion:Vector3D, ending:int):void
+        {
             _rest.begin(motion);
-            hasContact = _isCareful = false;
+            hasContact = metWall = _isCareful = false;
             _contact.setNormal(0, 0, 0);
             part = 1;
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
@@ -103,21 +143,19 @@ package starlogo.queries
                 _rest.advance(at, 1);
                 return;
             }
-            readOthers(table, others);
-            _sweep.begin(table, row, _rest.motion);
+            _count = _all;
             _before.copyFrom(at);
             liftOut();
             _rest.beginCorner();
-            if (slides)
+            if (ending == SLIDE)
             {
                 slide();
                 leaveTouches();
             }
             else
             {
-                goUntilTouch();
+                goUntilTouch(ending);
             }
-            _sweep.end();
         }
 
         /** The contact of the row with the other row that stopped it. The next move overwrites it. */
@@ -128,14 +166,14 @@ package starlogo.queries
 
         private function readOthers(table:AgentTable, others:Vector.<Agent>):void
         {
-            _count = 0;
+            _all = 0;
             for (var i:int = 0; i < others.length; i++)
             {
                 var row:int = table.rowOf(others[i]);
                 if (table.shapes[row] != null)
                 {
-                    _others[_count] = row;
-                    _count++;
+                    _others[_all] = row;
+                    _all++;
                 }
             }
         }
@@ -160,14 +198,16 @@ package starlogo.queries
                         _standing.push(at, _standing.depth + _sweep.hair / 2);
                         continue;
                     }
-                    _rest.add(_standing, _others[i]);
+                    var deep:int = _others[i];
+                    _rest.add(_standing, deep);
                     _count--;
                     _others[i] = _others[_count];
+                    _others[_count] = deep;
                 }
             }
         }
 
-        private function goUntilTouch():void
+        private function goUntilTouch(ending:int):void
         {
             var crossed:ContactPoint = _rest.findCrossed();
             if (crossed != null)
@@ -196,7 +236,14 @@ package starlogo.queries
             _rest.advance(at, part);
             if (hasContact && part > 0)
             {
-                endTouching();
+                if (ending == TOUCH)
+                {
+                    endTouching();
+                }
+                else
+                {
+                    _contact.push(at, _sweep.hair / 2);
+                }
             }
         }
 
@@ -255,10 +302,26 @@ package starlogo.queries
                 }
                 // The row stops half a hair away. With a whole hair it could not enter a place as wide as itself
                 gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, _contact) + _sweep.hair / 2 / _along, 0));
+                if (_contact.normalZ < steepest)
+                {
+                    standUp();
+                }
                 _rest.add(_contact, contactRow);
                 dropNeedless();
             }
             part = gone < whole ? gone / whole : 1;
+        }
+
+        // Makes a contact that is too steep an upright wall. The rest of the motion becomes level, because the slope would stop it up or down.
+        private function standUp():void
+        {
+            metWall = true;
+            if (_contact.normalX != 0 || _contact.normalY != 0)
+            {
+                _contact.setNormal(_contact.normalX, _contact.normalY, 0);
+                _contact.normalise();
+                _rest.level();
+            }
         }
 
         // Whether any motion is left. If the planes of a corner leave none, they are found again, this time with normals taken a little farther

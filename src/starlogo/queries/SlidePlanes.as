@@ -102,6 +102,14 @@ package starlogo.queries
             count = Math.max(count, same + 1);
         }
 
+        /** Makes the rest of the motion level. */
+        public function level():void
+        {
+            motion.z = _whole.z = 0;
+            length = motion.length;
+            _wholeLength = _whole.length;
+        }
+
         /** Removes a plane. */
         public function remove(at:int):void
         {

@@ -105,6 +105,9 @@ package starlogo.intersection.sweep
             var longest:Number = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
             _face.setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
             _face.normalise();
+            // Without a radius, rounding would hide the direction of the last of the gap
+            _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(longest) + Math.abs(corners[at]) + Math.abs(corners[int(at + 1)])
+                + Math.abs(corners[int(at + 2)]));
             if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * longest * longest))
             {
                 // it is no more than its edges

@@ -1,0 +1,394 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.ModelLoader;
+    import starlogo.terrain.Terrain;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.assertThrows;
+
+    /** Agents that walk: over tiles, up and down stairs, slopes and hills, along walls. */
+    public class WalkTest
+    {
+        // A BinCollider has no flat floors.
+        private static const NAMES:Array = ["tightest fits", "hierarchies", "triangles", "combinations", "combinations, exact"];
+        private static const WALKERS:Array = ["sphere", "cube", "cylinder"];
+        private static const NEAR:Number = 1e-6;
+
+        private static var sGreatLand:GreatLand;
+
+        private var _random:SeededRandom;
+        private var _wrong:Complaints;
+        private var _options:WalkOptions;
+        private var _footing:Footing;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.addModel(BuiltInModel.sphere());
+            sGreatLand.addModel(BuiltInModel.cube());
+            sGreatLand.addModel(BuiltInModel.cylinder());
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(3809);
+            _wrong = new Complaints();
+            _options = new WalkOptions();
+            _footing = new Footing();
+        }
+
+        [Test]
+        public function tilesAreOneFloor():void
+        {
+            for each (var name:String in NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
+                    var agents:Vector.<Agent> = new <Agent>[walker];
+                    addTiles(agents, -6, 6, flat);
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    for (var i:int = 0; i < 60; i++)
+                    {
+                        var turn:Number = _random.pick([0, 1, 0.5, _random.between(0, 8)]) * Math.PI / 4;
+                        var x:Number = walker.x + 0.15 * Math.cos(turn);
+                        var y:Number = walker.y + 0.15 * Math.sin(turn);
+                        if (Math.abs(x) > 5 || Math.abs(y) > 5)
+                        {
+                            continue;
+                        }
+                        queries.walk(walker, x - walker.x, y - walker.y, _options, _footing);
+                        if (!_footing.stands || _footing.on == null || Math.abs(walker.z) > NEAR || Math.abs(walker.x - x) + Math.abs(walker.y - y) > NEAR)
+                        {
+                            _wrong.add(name + ", " + shape, i + ": " + [_footing.stands, _footing.part, walker.x - x, walker.y - y, walker.z]);
+                            walker.moveTo(x, y, 0);
+                        }
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function stairsUpAndDown():void
+        {
+            for each (var name:String in NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
+                    var agents:Vector.<Agent> = new <Agent>[walker];
+                    addTiles(agents, -1, 8, stairs);
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    var steps:int = walkTo(queries, walker, 7, 0, 0.1, name + ", " + shape + ", up");
+                    assertTrue(name + ", " + shape + ": up in " + steps + " to " + [walker.x, walker.z], walker.x > 6.9 && Math.abs(walker.z - 1.4) < 0.01);
+                    walkTo(queries, walker, 0, 0, 0.1, name + ", " + shape + ", down");
+                    assertTrue(name + ", " + shape + ": down to " + [walker.x, walker.z], walker.x < 0.1 && Math.abs(walker.z) < 0.01);
+                    // steps that are too high are a wall
+                    _options.stepHeight = 0.05;
+                    walkTo(queries, walker, 7, 0, 0.1, "");
+                    assertTrue(name + ", " + shape + ": too high " + [walker.x, walker.z], walker.x < 0.6);
+                    _options.stepHeight = 0.25;
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function slopesUpToAnAngle():void
+        {
+            for each (var name:String in NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    for each (var slope:Number in [20, 40])
+                    {
+                        var walker:Agent = walkerAt(shape, -7, 0, 0);
+                        var agents:Vector.<Agent> = new <Agent>[walker, rampOf(slope)];
+                        addTiles(agents, -9, 0, flat);
+                        var queries:AgentQueries = queriesOf(name, agents);
+                        _options.slopeDegrees = slope - 5;
+                        _options.stepHeight = 0.1;
+                        walkTo(queries, walker, 3, 0, 0.1, "");
+                        var stopped:Number = walker.x;
+                        assertTrue(name + ", " + shape + ", " + slope + ": too steep " + [walker.x, walker.z], walker.z < 0.3);
+                        _options.slopeDegrees = slope + 5;
+                        walkTo(queries, walker, 3, 0, 0.1, name + ", " + shape + ", " + slope);
+                        assertTrue(name + ", " + shape + ", " + slope + ": climbs " + [walker.x, walker.z], walker.x > stopped + 2 && walker.z > 0.6);
+                        assertTrue(name + ", " + shape + ": normal " + _footing.normal, Math.abs(_footing.normal.z - Math.cos(slope * Math.PI / 180)) < 1e-3);
+                        assertStrictlyEquals(agents[1], _footing.on);
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function wallsFencesAndCeilings():void
+        {
+            for each (var name:String in NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var message:String = name + ", " + shape;
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
+                    var fence:Agent = cubeAt(1.2, 0, 0);
+                    fence.size = 0.2;
+                    var agents:Vector.<Agent> = new <Agent>[walker, fence];
+                    addTiles(agents, -4, 4, flat);
+                    for (var y:int = -4; y <= 4; y++)
+                    {
+                        agents.push(cubeAt(3, y, 0));
+                    }
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    walkTo(queries, walker, 2, 0, 0.1, message + ", fence");
+                    assertTrue(message + ": over the fence " + [walker.x, walker.z], walker.x > 1.9 && Math.abs(walker.z) < 0.01);
+                    // along a wall
+                    walker.moveTo(2, 0, 0);
+                    queries.moved(walker);
+                    queries.walk(walker, 1, 1, _options, _footing);
+                    assertTrue(message + ": along the wall " + [walker.x, walker.y, walker.z], walker.x > 2 && walker.x < 2.26 && walker.y > 0.9 && Math.abs(walker.z) < 0.01);
+                    assertTrue(message + ": " + _footing.part, _footing.stands && _footing.part > 0.7 && _footing.part < 0.75);
+                    // a ceiling above the fence lets it not step up
+                    agents.push(cubeAt(1, 0, 0.6), cubeAt(2, 0, 0.6));
+                    queries.update(agents);
+                    walker.moveTo(0.2, 0, 0);
+                    queries.moved(walker);
+                    walkTo(queries, walker, 2, 0, 0.1, "");
+                    assertTrue(message + ": below a ceiling " + [walker.x, walker.y], walker.x < 1.2);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function overACliffAndInTheAir():void
+        {
+            for each (var name:String in NAMES)
+            {
+                var walker:Agent = walkerAt("cube", 0, 0, 0);
+                var agents:Vector.<Agent> = new <Agent>[walker];
+                addTiles(agents, -2, 1, flat);
+                var queries:AgentQueries = queriesOf(name, agents);
+                for (var i:int = 0; i < 30; i++)
+                {
+                    queries.walk(walker, 0.1, 0, _options, _footing);
+                    assertEquals(name + ": " + walker.x, walker.x < 1.75 - NEAR, _footing.stands);
+                    assertTrue(name + ": " + i + " " + [walker.x, walker.z, _footing.part], Math.abs(walker.x - 0.1 * (i + 1)) < NEAR && Math.abs(walker.z) < NEAR && _footing.part > 1 - NEAR);
+                }
+                assertNull(name, _footing.on);
+                assertEquals(name, 1, _footing.normal.z);
+                // it does not come back to ground that is below it, unless it stands
+                walker.moveTo(0, 0, 0.2);
+                queries.moved(walker);
+                assertFalse(name, queries.walk(walker, 0, 0.1, _options, _footing).stands);
+                assertTrue(name, walker.z == 0.2);
+                queries.moveUntilTouch(walker, 0, 0, -1);
+                assertTrue(name, queries.walk(walker, 0, 0, _options, _footing).stands && _footing.part == 1 && Math.abs(walker.z) < NEAR);
+            }
+        }
+
+        [Test]
+        public function hillsAreWalked():void
+        {
+            var frames:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var world:int = 0; world < Effort.choose(4, 60); world++)
+                {
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                    var terrain:Terrain = new Terrain(24, 24, 1, -12, -12);
+                    for (var i:int = 0; i < 12; i++)
+                    {
+                        terrain.raiseMound(_random.between(-10, 10), _random.between(-10, 10), _random.between(4, 9), _random.between(0.2, 0.8));
+                    }
+                    queries.terrain = terrain;
+                    var walker:Agent = walkerAt(world % 2 == 0 ? "sphere" : "cube", 0, 0, 20);
+                    queries.update(new <Agent>[walker]);
+                    queries.moveUntilTouch(walker, 0, 0, -40);
+                    _options.slopeDegrees = 70;
+                    var turn:Number = _random.between(0, 7);
+                    for (i = 0; i < 80; i++)
+                    {
+                        frames++;
+                        var x:Number = walker.x;
+                        var y:Number = walker.y;
+                        queries.walk(walker, 0.12 * Math.cos(turn), 0.12 * Math.sin(turn), _options, _footing);
+                        var message:String = i + " at " + [x, y, walker.x, walker.y, walker.z, terrain.heightAt(walker.x, walker.y)] + " " + _footing.part;
+                        if (!_footing.stands || _footing.on != terrain.agent)
+                        {
+                            _wrong.add(name + ": does not stand", message);
+                        }
+                        if (!(_footing.part > 0.4))
+                        {
+                            _wrong.add(name + ": stuck", message);
+                        }
+                        if (queries.touchesAny(walker) || terrain.heightAt(walker.x, walker.y) > walker.z + 0.2)
+                        {
+                            _wrong.add(name + ": in the ground", message);
+                        }
+                        if (Math.abs(walker.x) > 10 || Math.abs(walker.y) > 10)
+                        {
+                            walker.moveTo(-0.9 * walker.x, -0.9 * walker.y, 20);
+                            queries.moved(walker);
+                            queries.moveUntilTouch(walker, 0, 0, -40);
+                        }
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(String(frames), frames > 1000);
+        }
+
+        [Test]
+        public function whatIsRefusedChangesNothing():void
+        {
+            assertThrows(RangeError, /stepHeight.*-1/, setOption, "stepHeight", -1);
+            assertThrows(RangeError, /snap.*NaN/, setOption, "snap", NaN);
+            assertThrows(RangeError, /slopeDegrees.*90/, setOption, "slopeDegrees", 90);
+            assertThrows(RangeError, /slopeDegrees.*-5/, setOption, "slopeDegrees", -5);
+            assertEquals("0.25 45 0.25", _options.stepHeight + " " + _options.slopeDegrees + " " + _options.snap);
+            var queries:AgentQueries = queriesOf("triangles", new <Agent>[cubeAt(0, 0, -1)]);
+            var walker:Agent = walkerAt("cube", 0, 0, 0);
+            assertThrows(RangeError, /NaN/, queries.walk, walker, NaN, 0);
+            assertThrows(ArgumentError, /null/, queries.walk, null, 1, 0);
+            assertThrows(ArgumentError, /unicorn/, queries.walk, new Agent("unicorn"), 1, 0);
+            assertEquals(0, walker.x);
+            assertTrue("in no list, and with no options", queries.walk(walker, 0.1, 0).stands && walker.x > 0.09);
+            var loader:ModelLoader = new ModelLoader(sGreatLand);
+            loader.load("late", "late.obj");
+            var late:Agent = new Agent("late");
+            assertFalse(queries.walk(late, 1, 2, _options, _footing).stands);
+            assertTrue("a loading agent goes anywhere", late.x == 1 && late.y == 2 && _footing.part == 1 && _footing.on == null);
+            loader.cancel("late");
+        }
+
+        [Test]
+        public function filtersLetThroughFloorsToo():void
+        {
+            var walker:Agent = walkerAt("cube", 0, 0, 0);
+            var ghost:Agent = cubeAt(1, 0, 0);
+            ghost.breed = "ghosts";
+            var agents:Vector.<Agent> = new <Agent>[walker, ghost];
+            addTiles(agents, -3, 3, flat);
+            var queries:AgentQueries = queriesOf("triangles", agents);
+            _options.filter = new AgentFilter();
+            _options.filter.exceptBreeds = new <String>["ghosts"];
+            _options.filter.accepts = function(agent:Agent):Boolean
+            {
+                // a walk of its own, of another agent, with other options
+                queries.walk(walkerAt("sphere", 0, 0, 30), 5, 5);
+                return true;
+            };
+            assertTrue(queries.walk(walker, 1.5, 0, _options, _footing).stands && Math.abs(walker.x - 1.5) < NEAR);
+            _options.filter.exceptBreeds = new <String>["ghosts", "tiles"];
+            assertFalse(queries.walk(walker, 0.5, 0, _options, _footing).stands);
+        }
+
+        private function setOption(name:String, value:Number):void
+        {
+            _options[name] = value;
+        }
+
+        private function walkTo(queries:AgentQueries, walker:Agent, x:Number, y:Number, step:Number, name:String):int
+        {
+            var frames:int = 0;
+            for (; frames < 150; frames++)
+            {
+                var toX:Number = x - walker.x;
+                var toY:Number = y - walker.y;
+                var far:Number = Math.sqrt(toX * toX + toY * toY);
+                if (far < 0.01)
+                {
+                    break;
+                }
+                var share:Number = Math.min(1, step / far);
+                queries.walk(walker, share * toX, share * toY, _options, _footing);
+                if (name != "" && !_footing.stands)
+                {
+                    _wrong.add(name + ": does not stand", frames + " at " + [walker.x, walker.y, walker.z, _footing.part]);
+                }
+            }
+            return frames;
+        }
+
+        private function queriesOf(name:String, agents:Vector.<Agent>):AgentQueries
+        {
+            for each (var agent:Agent in agents)
+            {
+                agent.hierarchical = true;
+            }
+            var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+            queries.update(agents);
+            return queries;
+        }
+
+        private static function flat(x:int):Number
+        {
+            return 0;
+        }
+
+        private static function stairs(x:int):Number
+        {
+            return 0.2 * Math.max(0, x);
+        }
+
+        // Cubes with their tops at some heights.
+        private static function addTiles(agents:Vector.<Agent>, from:int, to:int, heightOf:Function):void
+        {
+            for (var x:int = from; x <= to; x++)
+            {
+                for (var y:int = -5; y <= 5; y++)
+                {
+                    agents.push(cubeAt(x, y, heightOf(x) - 1));
+                }
+            }
+        }
+
+        // A large cube of which one face rises along x from where the floor ends.
+        private static function rampOf(slope:Number):Agent
+        {
+            var ramp:Agent = cubeAt(0, 0, 0);
+            ramp.size = 10;
+            ramp.pitch = -slope;
+            // the middle of its upper face is at (0, 0, 10) before it is turned
+            var turn:Number = slope * Math.PI / 180;
+            ramp.moveTo(10 * Math.sin(turn), 0, -10 * Math.cos(turn) + 0.5 + 2 * Math.tan(turn));
+            return ramp;
+        }
+
+        private static function walkerAt(shape:String, x:Number, y:Number, z:Number):Agent
+        {
+            var agent:Agent = new Agent(shape, "walkers");
+            agent.size = 0.5;
+            agent.moveTo(x, y, z);
+            return agent;
+        }
+
+        private static function cubeAt(x:Number, y:Number, z:Number):Agent
+        {
+            var agent:Agent = new Agent("cube", "tiles");
+            agent.moveTo(x, y, z);
+            return agent;
+        }
+    }
+}

@@ -16,7 +16,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 
 /** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
 const PLAIN = new Set([
-	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
+	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "Footing", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
 	"RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 
@@ -104,6 +104,10 @@ export class Checks {
 				// what the engine writes into stays what it is
 				const isRead = !isWritten(parameter, member) && !type.qname.startsWith("flash.");
 				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${isNamed ? where : `null, ${where}`}, ${name});`];
+			}
+			case "WalkOptions": {
+				const options = this.#reference("starlogo.queries.WalkOptions");
+				return [`if (${name} != null && !(${name} instanceof ${options})) ${name} = $options(${isNamed ? where : `null, ${where}`}, ${name}, new ${options}());`];
 			}
 			default: {
 				const test = this.#typeTest(parameter.type, name);

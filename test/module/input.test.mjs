@@ -245,6 +245,24 @@ test("a point may be anything with x, y and z, which are read at the call", () =
 	assert.throws(() => queries.nearPoint({ x: 1, y: NaN, z: 0 }, 1), RangeError);
 });
 
+test("a literal serves as options of a walk", () => {
+	const queries = new engine.AgentQueries(new TightestFitCollider(makeLand()));
+	const floor = new Agent("cube");
+	floor.size = 9;
+	floor.z = -9;
+	queries.update([floor]);
+	const walker = new Agent("cube");
+	assert.equal(queries.walk(walker, 1, 0, { stepHeight: 0.5, snap: 0 }).on, floor);
+	assert.equal(queries.walk(walker, 1, 0, {}).stands, true);
+	assert.ok(queries.walk(walker, 1, 0).part > 0.999);
+	const at = walker.x;
+	refused(() => queries.walk(walker, 1, 0, 3), "AgentQueries.walk: options must be options, not 3");
+	refused(() => queries.walk(walker, 1, 0, { steps: 3 }), "options.steps must be an option that there is, not 3");
+	assert.throws(() => queries.walk(walker, 1, 0, { slopeDegrees: 90 }), RangeError);
+	assert.throws(() => queries.walk(walker, 1, 0, { snap: "1" }), /snap must be a number/);
+	assert.equal(walker.x, at);
+});
+
 test("subclasses are checked as what they extend, and override it", () => {
 	class Hero extends Agent {
 		moves = 0;

@@ -105,6 +105,8 @@ import {
 	Wireframes,
 	ZAlignedBoxFitter,
 	WorldBounds,
+	Footing,
+	WalkOptions,
 } from "starlogo-collision";
 
 /** What went on, line by line. */
@@ -204,6 +206,10 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	log.push(`${bump?.agent} at ${bump?.time}, ${bumps.length} bumps, ${queries.castAgent(agents[0], 0, 0, 9)}, ${queries.castShapeAll(new Sphere(eye, 1), 9, 0, 0).length}`);
 	const [above, below]: [Point, PointTaker] = [{ x: 0, y: 0, z: 9 }, { x: 0, y: 0, z: 0 }];
 	log.push(`${queries.overlapsAgent(agents[0], 0, 0, 9)}, ${queries.distanceToPoint(agents[0], above, below)} to ${below.z}`);
+	const stride: WalkOptions = new WalkOptions();
+	stride.slopeDegrees = 60;
+	const footing: Footing = queries.walk(agents[0], 1, 0, { stepHeight: 0.5, filter }, new Footing());
+	log.push(`${footing.stands} on ${footing.on}, ${footing.normal}, ${queries.walk(agents[0], 0, 1, stride).part}`);
 	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
 	const [bear, ball] = agents;
 	log.push(`${blocks.countWithin(bear, "paintballs", 3)} within 3, ${blocks.countWith(bear, Collision.ANY_BREED, "size", 0.2)} of size 0.2`);

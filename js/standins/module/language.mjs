@@ -155,6 +155,16 @@ export function $bytes(target, name, value, isNullable) {
 	return ByteArray.from(value);
 }
 
+/** Options that a public method receives as a literal: a copy, whose setters check the values. */
+export function $options(target, name, value, options) {
+	if (typeof value !== "object" || Array.isArray(value)) $refuse(target, name, value, "options");
+	for (const key of Object.keys(value)) {
+		if (!(key in options)) $refuse(target, `${name}.${key}`, value[key], "an option that there is");
+		options[key] = value[key];
+	}
+	return options;
+}
+
 /** Whether an object was passed instead of a Boolean: the options of the platform's own addEventListener. */
 export function $areOptions(value) {
 	return typeof value === "object" && value !== null;

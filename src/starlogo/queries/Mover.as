@@ -406,11 +406,17 @@ package starlogo.queries
             _contact.copyFrom(_sweep.contact);
             _sweep.measure(contactRow);
             _along = _contact.along(motion);
-            if (_along >= 0 || _isCareful)
+            if (isAlong() || _isCareful)
             {
                 turnAgainst(_sweep.time + NEXT * _sweep.extent / _rest.length);
             }
             return true;
+        }
+
+        // Whether the motion runs along the contact's plane, or leaves it.
+        private function isAlong():Boolean
+        {
+            return _along >= -SlidePlanes.LEVEL * _rest.length;
         }
 
         // If a contact's normal does not point against the motion, this contact does not stop it. And between two edges a contact can have any
@@ -422,13 +428,13 @@ package starlogo.queries
             if (_sweep.touchesAt(contactRow, _lift))
             {
                 _sweep.findContact(contactRow, _lift, _standing);
-                if (_standing.along(motion) < 0)
+                if (_standing.along(motion) < -SlidePlanes.LEVEL * _rest.length)
                 {
                     _contact.copyFrom(_standing);
                     _along = _contact.along(motion);
                 }
             }
-            if (_along >= 0)
+            if (isAlong())
             {
                 _contact.setNormal(-motion.x, -motion.y, -motion.z);
                 _contact.normalise();

@@ -12,9 +12,11 @@ package starlogo.queries
      */
     public final class SlidePlanes
     {
-        // LEVEL: up to an angle with this sine, a motion runs along a plane. STUCK: a motion shorter than this fraction of the whole counts as
+        /** Up to an angle with this sine, a motion runs along a plane. */
+        public static const LEVEL:Number = 1e-12;
+
+        // STUCK: a motion shorter than this fraction of the whole counts as
         // none. SAME: above this cosine of the angle between them, two planes are the same.
-        private static const LEVEL:Number = 1e-12;
         private static const STUCK:Number = 1e-10;
         private static const SAME:Number = 1 - 1e-14;
 

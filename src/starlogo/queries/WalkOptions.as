@@ -10,7 +10,7 @@ package starlogo.queries
         /** Which agents are in the way and can be stood on; null for all. */
         public var filter:AgentFilter = null;
 
-        /** As game characters walk who are a patch wide. */
+        /** For agents that are about a patch wide. */
         public function WalkOptions()
         {
         }

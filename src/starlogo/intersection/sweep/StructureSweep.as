@@ -107,7 +107,7 @@ package starlogo.intersection.sweep
             _face.normalise();
             // Without a radius, rounding would hide the direction of the last of the gap
             _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(longest) + Math.abs(corners[at]) + Math.abs(corners[int(at + 1)])
-                + Math.abs(corners[int(at + 2)]));
+                    + Math.abs(corners[int(at + 2)]));
             if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * longest * longest))
             {
                 // it is no more than its edges

@@ -242,7 +242,7 @@ package starlogo.queries
                         {
                             _wrong.add(name + ": stuck", message);
                         }
-                        if (queries.touchesAny(walker) || terrain.heightAt(walker.x, walker.y) > walker.z + 0.2)
+                        if (terrain.heightAt(walker.x, walker.y) > walker.z + 0.2)
                         {
                             _wrong.add(name + ": in the ground", message);
                         }

@@ -124,6 +124,11 @@ package starlogo.terrain
                     var expected:Number = Math.min(1, reference.timeOf(pieces, motion, near / 1e4));
                     var part:Number = queries.moveUntilTouch(agent, motion.x, motion.y, motion.z);
                     stopped += part < 1 ? 1 : 0;
+                    if (isNaN(expected))
+                    {
+                        // the reference comes nearer and nearer to what it grazes
+                        continue;
+                    }
                     var what:String = kind + " " + i + ", " + name + ": " + part + " instead of " + expected;
                     assertTrue(what, part <= expected + near / motion.length);
                     if (part < expected - 1e4 * near / motion.length)

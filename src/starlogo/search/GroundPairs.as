@@ -113,11 +113,12 @@ package starlogo.search
             var halfY:Number = extents.halfY[row];
             var halfZ:Number = extents.halfZ[row];
             var isSphere:Boolean = table.forms[row] == BoundingStructure.SPHERE;
-            var share:Number = isSphere ? 1 : 0;
+            var inner:Number = isSphere ? halfX : 0;
+            var outer:Number = isSphere ? halfX : Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
             _look.isSolid = table.forms[row] != ModelShape.TREE;
-            _look.inner = share * halfX;
-            _look.outer = (isSphere ? halfX : Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ)) * Tolerances.OUTER
-                + 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
+            _look.inner = inner;
+            _look.outer = outer * Tolerances.OUTER + 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row])
+                    + Math.abs(table.z[row]));
             return _look.decide(TerrainAgent(table.agents[ground]).terrain.grid);
         }
 

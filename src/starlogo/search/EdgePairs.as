@@ -191,13 +191,15 @@ package starlogo.search
             }
         }
 
-        // How a contact is left along an axis. A corner's way is longer by half of what a contact may be too deep, so that it leads away from each of its edges.
+        // Sets the way back along an axis. In a corner it is longer by a tenth of the tolerance of a contact's depth, so that it leads away from
+        // each of the edges.
         private function setBack(edge:int, isTouched:Boolean):void
         {
             var by:Number = 0;
             if (isTouched)
             {
-                by = Tolerances.SEPARATION * Math.max(_half[0], Math.max(_half[1], _half[2]));
+                // the extents of a tree are larger than its shape
+                by = Tolerances.SEPARATION / 5 * Math.max(_half[0], Math.max(_half[1], _half[2]));
                 by += Math.max(0, _beyond[edge]);
             }
             _back[edge >> 1] = edge % 2 == 0 ? by : -by;

@@ -66,7 +66,7 @@ package starlogo.queries
                         _wrong.add(name + ": 0, or the point", message);
                     }
                     distance == 0 ? inside++ : outside++;
-                    if (distance > 0 && queries.overlapping(new Sphere(point, distance * (1 - NEAR))).length > 0
+                    if (distance > NEAR && queries.overlapping(new Sphere(point, distance * (1 - NEAR) - 1e-12)).length > 0
                             || queries.overlapping(new Sphere(point, distance * (1 + NEAR) + NEAR)).length == 0)
                     {
                         _wrong.add(name + ": not as far", message);

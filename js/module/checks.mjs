@@ -9,7 +9,7 @@
  */
 
 /** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */
-const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore"]);
+const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore", "starlogo.terrain.Terrain", "starlogo.terrain.WorldBounds"]);
 
 /** Classes with many methods of several numbers, which are in every bundle, and whose speed does not matter. */
 const COMPACT = new Set(["flash.geom.Matrix3D"]);

@@ -137,7 +137,7 @@ questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, null, new RayHit<Hero>(
 questions.cast({ x: 0, y: 0, z: 1 }, { x: 1, y: 0, z: 0 } as const, 9);
 // @ts-expect-error a point has three numbers
 questions.cast([0, 0, 1], { x: 1, y: 0, z: 0 });
-const bump = questions.castAgent(new Hero(), 1, 0, 0);
+const bump = questions.castAgent(new Hero("cube"), 1, 0, 0);
 is<Same<typeof bump, ShapeHit<Hero> | null>>();
 // @ts-expect-error no property of an Agent
 new AgentQueries(plain).cast(new Vector3D(), new Vector3D(1, 0, 0))!.agent!.life;

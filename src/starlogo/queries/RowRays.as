@@ -9,7 +9,6 @@ package starlogo.queries
     import starlogo.search.ModelShape;
     import starlogo.search.TreePairs;
     import starlogo.solid.SolidRay;
-    import starlogo.terrain.GroundRay;
     import starlogo.terrain.HeightGrid;
     import starlogo.terrain.TerrainAgent;
 
@@ -57,7 +56,6 @@ package starlogo.queries
         private var _line:Ray = new Ray();
         private var _inModel:Ray = new Ray();
         private var _solid:SolidRay = new SolidRay();
-        private var _ground:GroundRay = new GroundRay();
         private var _placement:Placement = new Placement();
 
         /** Begins without a ray. */
@@ -133,7 +131,7 @@ package starlogo.queries
         {
             ray.from = 0;
             ray.to = limit;
-            if (!_ground.find(grid, ray))
+            if (!grid.rays.find(grid, ray))
             {
                 return false;
             }

@@ -23,8 +23,7 @@ package starlogo.search
     public final class GroundPairs
     {
         private var _pairs:RowPairs;
-        private var _pair:TerrainPair = new TerrainPair();
-        private var _look:QuickLook = new QuickLook();
+        private var _pair:TerrainPair;
         private var _placement:Placement = new Placement();
         private var _turned:RelativeMotion = new RelativeMotion();
 
@@ -40,15 +39,17 @@ package starlogo.search
             var isTurned:Boolean = table.forms[a] == ModelShape.GROUND;
             var row:int = isTurned ? b : a;
             var ground:int = isTurned ? a : b;
-            if (table.sizes[ground] == 1 && isSure(table, row, ground))
+            var grid:HeightGrid = TerrainAgent(table.agents[ground]).terrain.grid;
+            if (table.sizes[ground] == 1 && isSure(table, row, grid))
             {
-                return _look.isTouching;
+                return grid.look.isTouching;
             }
             if (table.forms[row] <= BoundingStructure.BOX)
             {
-                _pair.inset = (1 - table.sizes[ground]) * TerrainAgent(table.agents[ground]).terrain.grid.cellWidth / 2;
+                _pair = grid.pair;
+                _pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;
                 _pair.gap = Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
-                return _pair.isOverlapping(TerrainAgent(table.agents[ground]).terrain.grid, table.structureOf(row), table.extents, row);
+                return _pair.isOverlapping(grid, table.structureOf(row), table.extents, row);
             }
             setTo(table, row, ground);
             return _pair.areOverlapping();
@@ -103,23 +104,24 @@ package starlogo.search
             _pair.findClosest(areTouching, out);
         }
 
-        private function isSure(table:AgentTable, row:int, ground:int):Boolean
+        private static function isSure(table:AgentTable, row:int, grid:HeightGrid):Boolean
         {
+            var look:QuickLook = grid.look;
             var extents:Extents = table.extents;
-            _look.x = extents.x[row];
-            _look.y = extents.y[row];
-            _look.z = extents.z[row];
+            look.x = extents.x[row];
+            look.y = extents.y[row];
+            look.z = extents.z[row];
             var halfX:Number = extents.halfX[row];
             var halfY:Number = extents.halfY[row];
             var halfZ:Number = extents.halfZ[row];
             var isSphere:Boolean = table.forms[row] == BoundingStructure.SPHERE;
             var inner:Number = isSphere ? halfX : 0;
             var outer:Number = isSphere ? halfX : Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
-            _look.isSolid = table.forms[row] != ModelShape.TREE;
-            _look.inner = inner;
-            _look.outer = outer * Tolerances.OUTER + 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row])
+            look.isSolid = table.forms[row] != ModelShape.TREE;
+            look.inner = inner;
+            look.outer = outer * Tolerances.OUTER + 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row])
                     + Math.abs(table.z[row]));
-            return _look.decide(TerrainAgent(table.agents[ground]).terrain.grid);
+            return look.decide(grid);
         }
 
         // Sets the pair, and returns the motion of the row that is not the ground.
@@ -141,6 +143,7 @@ package starlogo.search
             var grid:HeightGrid = TerrainAgent(table.agents[ground]).terrain.grid;
             var trees:TreePairs = _pairs.trees;
             // if the ground is made narrower, its size in the table is smaller
+            _pair = grid.pair;
             _pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;
             _pair.setTo(grid, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
                     trees != null && trees.exact);

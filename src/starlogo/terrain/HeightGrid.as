@@ -44,6 +44,15 @@ package starlogo.terrain
         /** By block: the square of the steepest slope of its cells. */
         public var steepests:Vector.<Number>;
 
+        /** Tests models against the ground. It is here, so that a bundle without a Terrain has none of these tests. */
+        public var pair:TerrainPair = new TerrainPair();
+
+        /** Decides quickly about shapes that are clearly above or in the ground. */
+        public var look:QuickLook = new QuickLook();
+
+        /** Finds where rays meet the ground. */
+        public var rays:GroundRay = new GroundRay();
+
         /** How often heights have changed. */
         public var revision:int = 0;
 

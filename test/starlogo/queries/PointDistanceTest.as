@@ -21,6 +21,8 @@ package starlogo.queries
     {
         private static const SHAPES:Array = ["sphere", "cube", "hollow", "crossed", "apart", "open cube", "doll"];
         private static const NEAR:Number = 1e-9;
+        // matrices of players have single precision
+        private static const NEAR_BY_MATRIX:Number = 1e-5;
 
         private var _greatLand:GreatLand;
         private var _models:Object;
@@ -130,7 +132,7 @@ package starlogo.queries
                     }
                     met++;
                     var at:Array = [hit.point.x, hit.point.y, hit.point.z];
-                    assertTrue(name, TriangleDistance.between(cornersOf(agent, hit.triangle), at.concat(at, at)) < NEAR);
+                    assertTrue(name, TriangleDistance.between(cornersOf(agent, hit.triangle), at.concat(at, at)) < NEAR_BY_MATRIX);
                     assertEquals(name, hit.triangle, queries.castAll(from, new Vector3D(-from.x, -from.y, 0.5 - from.z))[0].triangle);
                 }
             }

@@ -22,7 +22,8 @@ package docs
             assertEquals(6, shown.hit.distance);
             assertTrue("the ball was stopped: " + shown.free, shown.free > 0.4 && shown.free < 0.6);
             assertTrue("it went on along the hill: " + ball.x, ball.x > -1);
-            assertTrue(shown.height < 0.01);
+            // the hill falls away below the plane along which the ball slides
+            assertTrue("it stays near: " + shown.height, shown.height < 0.6);
             assertEquals(0, shown.others.length);
             assertFalse(shown.terrain.isUnder(ball));
         }

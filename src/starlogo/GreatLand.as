@@ -135,9 +135,10 @@ package starlogo
 
         /**
          * Whether the surface of a model is prepared for exact tests when the model is added. A ModelLoader then does this in its steps.
-         * Preparing takes two to five times as long as building the hierarchy. Otherwise the surface is prepared all at once in a frame of
-         * the game. If the HierarchicalCollider or CombinationCollider is exact, this is the first frame in which the model comes close to
-         * another. If it is not, this is the first such frame without a hit between the two.
+         * Preparing takes two to five times as long as building the hierarchy. Otherwise the surface is prepared all at once in a frame
+         * of the game. If the HierarchicalCollider or CombinationCollider is exact, this is the first frame in which the model comes
+         * close to another. If the collider is not exact, this is the first frame in which the model comes close to another and the two
+         * have no hit.
          */
         public function get prepareExact():Boolean
         {
@@ -150,8 +151,8 @@ package starlogo
         }
 
         /**
-         * Adds a model, and computes what the flags ask for. It replaces a model of the same name. If it throws, nothing has changed. Cost:
-         * the fits, up to a few hundred milliseconds for thousands of vertices.
+         * Adds a model, and computes the results that the flags ask for. It replaces a model of the same name. If it throws, nothing has
+         * changed. Cost: the fits, up to a few hundred milliseconds for thousands of vertices.
          *
          * @param model its name is the shape's name for agents
          * @throws ArgumentError if it is null, or as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary
@@ -275,7 +276,7 @@ package starlogo
             return _shapes.of(name).model;
         }
 
-        /** @private The work that computes what the flags ask for. None of its steps is done yet. The results are not added. */
+        /** @private The work that computes the results that the flags ask for. None of its steps is done yet. The results are not added. */
         engine function newBuild(model:Model, fitStore:FitStore):ModelBuild
         {
             if (model == null)

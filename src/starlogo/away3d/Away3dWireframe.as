@@ -72,7 +72,7 @@ package starlogo.away3d
             _binding.updateObject();
         }
 
-        /** @private A box. A SegmentSet's own bounding sphere does not contain the corners, so it is not drawn if only they are in view. */
+        /** @private A box. A SegmentSet's own bounding sphere leaves out the corners. If only these are in view, no lines would be drawn. */
         override protected function getDefaultBoundingVolume():BoundingVolumeBase
         {
             return new AxisAlignedBoundingBox();

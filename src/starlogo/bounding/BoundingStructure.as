@@ -168,7 +168,7 @@ package starlogo.bounding
          * the lengths. They stay the same while an agent only moves. Allocates nothing.
          *
          * @param placement the model's placement; its position is ignored
-         * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. They are enlarged like those of
+         * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. They are enlarged as in
          *     extentsInto, except for the rounding of the position
          * @private
          */
@@ -314,7 +314,7 @@ package starlogo.bounding
         }
 
         /**
-         * How far outside a point may be and still count as inside.
+         * The distance up to which a point outside of the structure still counts as inside.
          *
          * @param size the largest extent from the middle
          * @param at a point of the structure

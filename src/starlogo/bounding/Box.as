@@ -44,7 +44,7 @@ package starlogo.bounding
          * Creates a box from its middle, its axes and its half-extents.
          *
          * @param center copied
-         * @param axisX copied, as are the other axes. The axes may be as imprecise as those of a single-precision matrix
+         * @param axisX copied, as are the other axes. The axes may be as imprecise as the columns of a single-precision matrix
          *     (Tolerances.ORTHONORMALITY). The copies are perpendicular unit vectors in double precision
          * @param axisY perpendicular to axisX
          * @param axisZ perpendicular to both; either handedness is allowed
@@ -222,7 +222,7 @@ package starlogo.bounding
             return along <= half && along >= -half;
         }
 
-        // Makes the axes, which are nearly perpendicular unit vectors, exactly so (Gram and Schmidt).
+        // The axes are nearly perpendicular unit vectors. This makes them exactly perpendicular unit vectors (Gram and Schmidt).
         private function straighten():void
         {
             normalise(axisX);

@@ -94,7 +94,7 @@ package starlogo.bounding
             {
                 placed = newFor(out) as Sphere;
             }
-            // This repeats placePoint, because the call takes a fifth of the time.
+            // This repeats placePoint(), because the call alone would take a fifth of the time.
             var size:Number = placement.size;
             var x:Number = center.x * size;
             var y:Number = center.y * size;

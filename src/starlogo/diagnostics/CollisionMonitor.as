@@ -19,7 +19,7 @@ package starlogo.diagnostics
     use namespace engine;
 
     /**
-     * An overlay that shows, while a game runs, what collision detection does and what it costs:
+     * An overlay that shows the work and the cost of collision detection while a game runs:
      *
      * <listing version="3.0">
      * stage.addChild(new CollisionMonitor(collision));
@@ -95,7 +95,7 @@ package starlogo.diagnostics
             addEventListener("mouseUp", onMouseUp);
         }
 
-        /** The game's collisions. You can set those of another game. */
+        /** The game's collisions. You can set the collisions of another game. */
         public function get collision():Collision
         {
             return _collision;

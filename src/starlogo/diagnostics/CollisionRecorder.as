@@ -136,9 +136,9 @@ package starlogo.diagnostics
         /**
          * The record as an object for JSON: <code>frames</code>, <code>collisions</code>, <code>histogram</code> and <code>breeds</code>.
          *
-         * <p>A histogram is a list of <code>{collisions, frames}</code>: the number of frames with so many collisions. Above 16, numbers
-         * are grouped in classes whose widths double. The least number of a class stands for it. <code>breeds</code> is a list of
-         * <code>{breeds, collisions, mean, most, histogram}</code>. The mean is over all frames.</p>
+         * <p>A histogram is a list of <code>{collisions, frames}</code>: the number of frames with that number of collisions. Above 16,
+         * numbers are grouped in classes whose widths double. The least number of a class stands for the class. <code>breeds</code> is a
+         * list of <code>{breeds, collisions, mean, most, histogram}</code>. The mean is over all frames.</p>
          */
         public function toObject():Object
         {

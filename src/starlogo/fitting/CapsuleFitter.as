@@ -7,12 +7,12 @@ package starlogo.fitting
      * Finds a bounding capsule along the longest axis of a box (thesis §3.4.4). Another fitter finds the box: an oriented box gives an
      * oriented capsule.
      *
-     * <p>The radius is the largest distance of a vertex from the line through the box's centre along that axis. The segment starts so short
-     * that the capsule just fits into the box's length. If the radius leaves no length, the segment starts as a point. Then its ends move
-     * outwards just far enough for each vertex. If two sides of the box are equally long, the first one is taken.</p>
+     * <p>The radius is the largest distance of a vertex from the line through the box's centre along that axis. At first, the segment is
+     * so short that the capsule just fits into the box's length. If the radius leaves no length, the segment is a point at first. Then
+     * its ends move outwards just far enough for each vertex. If two sides of the box are equally long, the first one is taken.</p>
      *
-     * <p>The thesis does not say how far the ends move at a time. For a fixed radius each vertex needs one smallest distance, so the order
-     * of the vertices does not matter here.</p>
+     * <p>The thesis does not say how far the ends move at a time. For a fixed radius, each vertex needs the ends at a certain distance or
+     * farther out. So the order of the vertices does not matter here.</p>
      *
      * <p>In addition to the box, it takes two passes over the vertices.</p>
      */

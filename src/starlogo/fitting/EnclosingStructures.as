@@ -7,8 +7,8 @@ package starlogo.fitting
     import starlogo.bounding.Sphere;
 
     /**
-     * The last step of every fit: finds the tightest structure of a given place or direction around all vertices, in double precision. It
-     * takes one or two passes over the vertices.
+     * The last step of every fit: finds the tightest structure around all vertices. The structure's place or direction is given. The
+     * computation has double precision, and takes one or two passes over the vertices.
      *
      * @private
      */
@@ -97,8 +97,8 @@ package starlogo.fitting
          * @param point on the line
          * @param axis unit vector along the line
          * @param low the segment must begin here or lower: a distance from the point along the axis
-         * @param high the segment must end here or higher. If it is less than low, the segment may be anywhere, and is a point if that is
-         *     enough
+         * @param high the segment must end here or higher. If high is less than low, the segment may be anywhere on the line. It is a
+         *     point if a point is enough
          * @param radius at least distanceFromLine()
          */
         public static function capsule(vertices:Vector.<Number>, point:Vector3D, axis:Vector3D, low:Number, high:Number,

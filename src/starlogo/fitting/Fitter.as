@@ -8,8 +8,8 @@ package starlogo.fitting
     use namespace engine;
 
     /**
-     * An algorithm that finds a bounding structure for a model (thesis §3.4). The structure encloses every vertex, to within
-     * 1e-6 of the model's size. This holds for any vertices: one, two, all on a line or in a plane, repeated ones.
+     * An algorithm that finds a bounding structure for a model (thesis §3.4). The structure encloses every vertex, to within 1e-6 of the
+     * model's size. This holds for any vertices: for one or two, for vertices on a line or in a plane, and for repeated ones.
      *
      * <p>This is the abstract base class. Each algorithm is a subclass, which implements <code>findStructure()</code>, or
      * <code>begin()</code> if it works in steps. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the
@@ -106,8 +106,8 @@ package starlogo.fitting
         }
 
         /**
-         * Returns the fit of a session's vertices. The first call for a session begins it, and later calls return the same object. So a box
-         * that several capsules are built from is found once.
+         * Returns the fit of a session's vertices. The first call for a session begins it, and later calls return the same object. So if
+         * several capsules are built from one box, the box is found once.
          *
          * @param session the vertices, and their hull
          */

@@ -15,11 +15,12 @@ package starlogo.fitting
      * perpendicular to the edge, and lies between the normals of the two triangles that meet there. For a given normal the best box is
      * known exactly. So the search is along one arc of directions for each edge of the hull.</p>
      *
-     * <p>O'Rourke solves an equation for each pair of edges. This class samples the arcs. From the best samples it descends from arc to
-     * arc, with steps that shrink until nothing is gained.</p>
+     * <p>O'Rourke solves an equation for each pair of edges. This class samples the arcs. It starts at the best samples and descends from
+     * arc to arc. Its steps shrink until nothing is gained.</p>
      *
-     * <p>Points in a plane get the smallest rectangle, and points on a line or in one place their segment or point. The cost in WebAssembly
-     * is 0.1 seconds for ten corners of the hull, and one to two seconds for 500. Thousands of corners are sampled more coarsely.</p>
+     * <p>For points in a plane, the box is the smallest rectangle. For points on a line, it is a segment. For points in one place, it is
+     * that point. The cost in WebAssembly is 0.1 seconds for ten corners of the hull, and one to two seconds for 500. Thousands of
+     * corners are sampled more coarsely.</p>
      */
     public final class MinimalBoxFitter extends Fitter
     {
@@ -41,7 +42,8 @@ package starlogo.fitting
         {
             var hull:ConvexHull = session.hull;
             var descent:BoxDescent = new BoxDescent(hull);
-            // For a plane, its normal. For a line, a direction perpendicular to it.
+            // The start for vertices in a plane is the plane's normal. For vertices on a line it is a direction perpendicular to the
+            // line.
             descent.search(hull.dimension == 3 ? directionsOf(hull) : hull.axes.slice(6), APART);
             return EnclosingStructures.box(session.vertices, descent.axes);
         }
@@ -71,7 +73,7 @@ package starlogo.fitting
             {
                 net.add(normals[i], normals[i + 1], normals[i + 2]);
             }
-            // For each side of a triangle, three times the triangle's index, by the side's two corners.
+            // The key is a triangle's side: its two corners. The value is three times the triangle's index.
             var t:Vector.<int> = hull.triangles;
             var corners:int = hull.indices.length;
             var triangleAt:Object = {};

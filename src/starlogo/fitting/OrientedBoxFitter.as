@@ -7,16 +7,16 @@ package starlogo.fitting
      * <p>The box is never larger than the axis-aligned box, or the z-aligned box with the same increment. For most models it is a few
      * percent larger than the smallest box. For thin models that are rotated it may be several times too large: see MinimalBoxFitter.</p>
      *
-     * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. It finds a rotation's extreme vertices by
-     * climbing over the hull from those of the rotation before. It tries the same boxes, so the result is the same. The hull of n vertices
-     * costs n log n. Each rotation costs one transformation of the hull and some steps.</p>
+     * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. To find a rotation's extreme vertices, it
+     * climbs over the hull from the extreme vertices of the rotation before. It tries the same boxes as the thesis, so the result is the
+     * same. The hull of n vertices costs n log n. Each rotation costs one transformation of the hull and some steps.</p>
      */
     public final class OrientedBoxFitter extends TurnedBoxFitter
     {
         /**
          * Creates a fitter that tries all rotations by multiples of an increment.
          *
-         * @param degIncrement in degrees, above 0; half of it takes eight times as long
+         * @param degIncrement in degrees, above 0; half the increment takes eight times as long
          * @throws ArgumentError if it is not a positive, finite number
          */
         public function OrientedBoxFitter(degIncrement:Number = 10)

@@ -17,11 +17,11 @@ package starlogo.fitting
      * follow one rotation about x and y.
      *
      * <p>Four methods make the search faster. None changes the result. First, the whole hull is rotated about x and y once. The rotations
-     * about z that follow do not change the extent along z, and their extents along x and y are found in the plane. This is done in
-     * Numbers, because a Matrix3D's precision depends on the player. Second, a rotation's extreme corners are found from those of the one
-     * before by climbing from neighbour to neighbour: on a convex body the first corner without a better neighbour is the best. Third, a
-     * rotation is skipped if the extreme corners of earlier ones alone need a box that is too large. Fourth, the search ends if a box is as
-     * small as the hull itself.</p>
+     * about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y. This is done in
+     * Numbers, because a Matrix3D's precision depends on the player. Second, the search for a rotation's extreme corners begins at the
+     * extreme corners of the rotation before. It climbs from neighbour to neighbour. On a convex body, the first corner without a better
+     * neighbour is the best. Third, the extreme corners of some earlier rotations are kept. A rotation is skipped if these corners alone
+     * need a box that is too large. Fourth, the search ends if a box is as small as the hull itself.</p>
      */
     internal class RotationSearch extends StepSequence
     {
@@ -35,7 +35,8 @@ package starlogo.fitting
         private var _neighbors:Vector.<int>;
         private var _rotation:Placement = new Placement();
 
-        // The extreme corners found last, of the first rotation about z, and of one about 45 degrees further.
+        // The extreme corners found last: four for a rotation near the first one about z, and four for a rotation about 45 degrees
+        // further.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
         private var _asked:int = 0;
         private var _answered:int = 0;
@@ -171,7 +172,8 @@ package starlogo.fitting
             }
         }
 
-        // The extent in a direction of the plane. At index and the one after it, corners has the extreme corners of the last call.
+        // The extent in a direction of the plane. The entries of corners at index and index + 1 are the extreme corners of the last call,
+        // and receive the new ones.
         private function span(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);

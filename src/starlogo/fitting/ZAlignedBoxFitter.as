@@ -4,8 +4,8 @@ package starlogo.fitting
      * Finds the smallest bounding box with one axis along z, among those rotated about z by multiples of an increment below 90 degrees
      * (thesis §3.4.2). It is for models that only rotate about z, as a heading does.
      *
-     * <p>The box is never larger than the axis-aligned box. With the default increment, each side is at most 9 % longer than that of the
-     * best box with an axis along z.</p>
+     * <p>The box is never larger than the axis-aligned box. With the default increment, the sides are at most 9 % longer than the sides
+     * of the best box with an axis along z.</p>
      */
     public final class ZAlignedBoxFitter extends TurnedBoxFitter
     {

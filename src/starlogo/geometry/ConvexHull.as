@@ -12,12 +12,12 @@ package starlogo.geometry
      * Finds the convex hull of vertices: its corners, edges, triangles and volume.
      *
      * <p>Each vertex is inside the hull, or outside by at most <code>Tolerances.HULL</code> of the vertices' extent. Flat sides have
-     * vertices at their corners only. Vertices that span no volume are allowed: the hull of vertices in a plane is a polygon, on a line two
-     * points, and in one place one point.</p>
+     * vertices at their corners only. Vertices that span no volume are allowed. The hull is a polygon for vertices in a plane, two points
+     * for vertices on a line, and one point for vertices in one place.</p>
      *
-     * <p>The hull is exact on a grid of 2^25 steps along each of three axes, to which the vertices are rounded. These are the coordinate
-     * axes. For vertices that are thin in another direction, they are axes along the vertices. The results are the vertices themselves, not
-     * rounded.</p>
+     * <p>The vertices are rounded to a grid of 2^25 steps along each of three axes. On this grid the hull is exact. In most cases these
+     * are the coordinate axes. If the vertices are thin in another direction, the grid has axes along the vertices. The results are the
+     * vertices themselves, not rounded.</p>
      *
      * <p>The cost is n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>
      */
@@ -126,8 +126,8 @@ package starlogo.geometry
         }
 
         /**
-         * For each corner, the position in <code>neighbors</code> at which its neighbours begin. Corner i has those from firstNeighbor[i]
-         * up to, but not including, firstNeighbor[i + 1]. So there is one entry more than there are corners.
+         * For each corner, the position in <code>neighbors</code> at which its neighbours begin. The neighbours of corner i are at
+         * firstNeighbor[i] up to, but not including, firstNeighbor[i + 1]. So the list has one entry more than there are corners.
          */
         public function get firstNeighbor():Vector.<int>
         {
@@ -195,7 +195,7 @@ package starlogo.geometry
         {
             if (dimension > 1)
             {
-                // Along the coordinate axes, flat sides stay flat.
+                // Flat sides along the coordinate axes stay flat on a grid along these axes.
                 var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
                 _grid = new HullGrid(_vertices, gridAxes, dimension == 2);
             }
@@ -241,7 +241,8 @@ package starlogo.geometry
             return _vertices.length / 3;
         }
 
-        // The triangles of a plane's hull that have an edge of the plane's outline, each from both sides.
+        // The triangles between the apex and each edge of the outline of vertices in a plane. Each triangle is there twice, once for each
+        // side.
         private function trianglesAtApex(triangles:Vector.<int>):Vector.<int>
         {
             var found:Vector.<int> = new Vector.<int>();

@@ -132,7 +132,7 @@ package starlogo.geometry
         }
 
         /**
-         * Sets the rotation to that of a quaternion x i + y j + z k + w of length 1.
+         * Sets the rotation from a quaternion x i + y j + z k + w of length 1.
          *
          * @param x of the quaternion
          * @param y of the quaternion
@@ -161,7 +161,7 @@ package starlogo.geometry
         public function readAngles(out:Vector3D):void
         {
             var level:Number = Math.sqrt(r00 * r00 + r10 * r10);
-            // These come from the rotation without its heading, so they are right even if the heading is arbitrary.
+            // Roll comes from the rotation without its heading. So it is right even if the heading is arbitrary.
             var cosHeading:Number = level == 0 ? 1 : r00 / level;
             var sinHeading:Number = level == 0 ? 0 : r10 / level;
             out.x = Trigonometry.arctangent(sinHeading * r02 - cosHeading * r12, cosHeading * r11 - sinHeading * r01);
@@ -200,7 +200,7 @@ package starlogo.geometry
             r22 = data[10] / size;
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1
                 && isNear(r01 * r01 + r11 * r11 + r21 * r21, 1) && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
-                // The third column is that of a rotation, and not of a reflection.
+                // The third column makes the matrix a rotation, and not a reflection.
                 && isNear(r10 * r21 - r20 * r11, r02) && isNear(r20 * r01 - r00 * r21, r12) && isNear(r00 * r11 - r10 * r01, r22);
         }
 
@@ -253,7 +253,7 @@ package starlogo.geometry
         /**
          * Writes position, rotation and size as a matrix. It is the counterpart of setMatrix.
          *
-         * @param out sixteen numbers, column by column, as in a Matrix3D. Those that are the same in all placements are not written
+         * @param out sixteen numbers, column by column, as in a Matrix3D. Numbers that are the same in all placements are not written
          */
         public function writeMatrix(out:Vector.<Number>):void
         {

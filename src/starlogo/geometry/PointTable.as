@@ -15,7 +15,7 @@ package starlogo.geometry
         /** The coordinates x, y, z, ... of the points, in the order in which they were first added. */
         public var coordinates:Vector.<Number> = new Vector.<Number>();
 
-        // For each slot, one more than its point's index, or 0 if it is empty.
+        // For each slot: its point's index plus 1, or 0 if the slot is empty.
         private var _slots:Vector.<int>;
         private var _count:int = 0;
         private var _bits:ByteArray = new ByteArray();

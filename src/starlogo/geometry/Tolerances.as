@@ -9,16 +9,16 @@ package starlogo.geometry
     public final class Tolerances
     {
         /**
-         * How far a point may lie outside of a structure that contains it, as a fraction of the structure's largest extent from its middle.
-         * Smaller than 2e-7: a structure may exclude a vertex that was transformed by the same single-precision matrix. Larger: a fit may
-         * leave more of a model outside.
+         * How far a point may lie outside of a structure that contains it, as a fraction of the structure's largest extent from its
+         * middle. Smaller than 2e-7: a structure may exclude a vertex that was transformed by the same single-precision matrix as the
+         * structure. Larger: a fit may leave more of a model outside.
          */
         public static const CONTAINMENT:Number = 1e-6;
 
         /**
-         * How much the lengths of a matrix's columns, and the cosines between them, may differ from those of a rotation with one scale, as a
-         * fraction. Flash Player rounds a Matrix3D to single precision. Smaller: an agent refuses matrices that another agent gave. Larger: shear and
-         * uneven scale go unnoticed.
+         * How much a matrix may differ from a rotation with one scale, as a fraction. The lengths of its columns and the cosines between
+         * them are compared. Flash Player rounds a Matrix3D to single precision. Smaller: an agent refuses matrices that another agent
+         * gave. Larger: shear and uneven scale go unnoticed.
          */
         public static const MATRIX:Number = 1e-5;
 
@@ -36,8 +36,8 @@ package starlogo.geometry
 
         /**
          * The difference up to which two numbers from single-precision matrices count as equal, as a fraction of the largest. An Away3D
-         * object's three scales are such numbers. Smaller than 5e-7: objects that were loaded with a matrix are refused. Larger: objects of
-         * uneven scale pass, and what is drawn differs from what collides.
+         * object's three scales are such numbers. Smaller than 5e-7: objects that were loaded with a matrix are refused. Larger: objects
+         * of uneven scale pass, and the drawn object differs from the shape that collides.
          */
         public static const SINGLE_PRECISION:Number = 1e-5;
 
@@ -74,8 +74,8 @@ package starlogo.geometry
         public static const HULL:Number = 2e-7;
 
         /**
-         * The distance from a triangle of the hull within which a vertex above it belongs to its plane, in steps of the hull's grid (3e-8
-         * of the extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its corners.
+         * A vertex above a triangle of the hull belongs to the triangle's plane up to this distance, in steps of the hull's grid (3e-8 of
+         * the extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its corners.
          * Larger: hulls are coarser.
          */
         public static const HULL_COPLANAR:Number = 2;
@@ -93,15 +93,15 @@ package starlogo.geometry
         public static const HULL_FLAT:Number = 1e-12;
 
         /**
-         * A part of the thickness of HULL_FLAT, as a fraction of the largest coordinate. It is added to the other part. Smaller: a flat
-         * model far from the origin counts as a solid one. Larger: a thin model far from the origin counts as a flat one.
+         * This fraction of the largest coordinate is added to the thickness that HULL_FLAT allows. Smaller: a flat model far from the
+         * origin counts as a solid one. Larger: a thin model far from the origin counts as a flat one.
          */
         public static const HULL_ROUNDING:Number = 1e-14;
 
         /**
-         * The share of their axis-aligned box that vertices must fill to get a grid along the coordinate axes. Thinner ones get a grid
-         * along axes of their own. Smaller: thin rotated models lose precision. Larger: models with flat sides along the axes get a rotated
-         * grid, on which these sides are not exactly flat.
+         * The share of their axis-aligned box that vertices must fill to get a grid along the coordinate axes. Vertices that fill less
+         * get a grid along axes of their own. Smaller: thin rotated models lose precision. Larger: models with flat sides along the axes
+         * get a rotated grid, on which these sides are not exactly flat.
          */
         public static const HULL_THIN:Number = 0.02;
 
@@ -156,15 +156,15 @@ package starlogo.geometry
         public static const SURFACES:Number = 1e-14;
 
         /**
-         * How much larger a hierarchy's nodes are than those of the next level, as a fraction of the model's radius. Smaller than 1e-15:
-         * because of rounding, children may touch something that their parents do not touch, and a greater depth may find more than a
-         * smaller one. Larger: nodes are larger, by 64 times that fraction at the root.
+         * How much larger a hierarchy's nodes are than the nodes of the next level, as a fraction of the model's radius. Smaller than
+         * 1e-15: because of rounding, children may touch something that their parents do not touch, so a greater depth may find more
+         * collisions than a smaller depth. Larger: nodes are larger, by 64 times that fraction at the root.
          */
         public static const NESTING:Number = 2e-15;
 
         /**
-         * From this level on, a hierarchy's nodes are not larger than those of the next level: see NESTING. Smaller: below it a greater
-         * depth may find more than a smaller one. Larger: all nodes are larger, by NESTING for each level.
+         * From this level on, a hierarchy's nodes are not larger than the nodes of the next level: see NESTING. Smaller: below that
+         * level, a greater depth may find more collisions than a smaller depth. Larger: all nodes are larger, by NESTING for each level.
          */
         public static const NESTED_LEVELS:int = 64;
 
@@ -202,16 +202,16 @@ package starlogo.geometry
         public static const GRAZING:Number = 1e-10;
 
         /**
-         * Used for contacts in two ways. It is the distance of two closest points above which the line between them is the normal, as a
-         * fraction of the structures' size. It is also the sine of the angle within which edges count as parallel to each other or to a
+         * Used for contacts in two ways. If two closest points are farther apart than this fraction of the structures' size, the line
+         * between them is the normal. The same number is the sine of the angle within which edges count as parallel to each other or to a
          * face. Smaller: normals have an error of 1e-16 divided by it. Larger: depths have an error of that fraction.
          */
         public static const DIRECTION:Number = 1e-9;
 
         /**
-         * The squared sine of the angle to z within which an axis counts as upright. A contact's normal that is perpendicular to an upright
-         * axis is along x. Perpendicular to another axis, it points upwards as far as possible. Smaller than 1e-14: that normal has no
-         * digits left. Larger: normals jump at axes that lean more.
+         * The squared sine of the angle to z within which an axis counts as upright. A contact's normal that is perpendicular to an
+         * upright axis is along x. A normal that is perpendicular to another axis points upwards as far as possible. Smaller than 1e-14:
+         * that normal has no digits left. Larger: normals jump at axes that lean more.
          */
         public static const UPRIGHT:Number = 1e-6;
 
@@ -223,9 +223,9 @@ package starlogo.geometry
         public static const SAME_TIME:Number = 1e-9;
 
         /**
-         * How far a contact's depth may be off, as a fraction of the larger extent of the two. Moved apart by the depth plus this, the two
-         * do not touch. Moved apart by the depth minus this, they do. Smaller than 1e-12: rounding errors along directions nearly parallel
-         * to a surface are larger. Larger: contacts are less precise.
+         * How far a contact's depth may be off, as a fraction of the larger of the two extents. If the two are moved apart by the depth
+         * plus this, they do not touch. If they are moved apart by the depth minus this, they touch. Smaller than 1e-12: rounding errors
+         * along directions nearly parallel to a surface are larger. Larger: contacts are less precise.
          */
         public static const SEPARATION:Number = 1e-9;
 
@@ -248,8 +248,8 @@ package starlogo.geometry
         public static const OUTER:Number = 1 + 1e-12;
 
         /**
-         * How much larger than the agent the box is with which questions find it, as a fraction of the agent's size. Smaller than 1e-14:
-         * agents that touch by rounding may not be found. Larger: more agents are tested.
+         * Questions find an agent by a box that is larger than the agent by this fraction of the agent's size. Smaller than 1e-14: agents
+         * that touch because of rounding may not be found. Larger: more agents are tested.
          */
         public static const EXTENTS:Number = 1e-13;
 

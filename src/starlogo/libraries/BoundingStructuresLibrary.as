@@ -115,9 +115,9 @@ package starlogo.libraries
          *
          * @param name the shape's name
          * @param vertices x, y, z of each vertex, in the model's space; neither kept nor changed
-         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, their number of coordinates is no multiple
-         * of 3, or one is not finite; if the list of fitters is empty, or one of them finds a structure that cannot be collided or does not
-         * enclose the vertices
+         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, if the number of coordinates is not a
+         *     multiple of 3, or if a coordinate is not finite; if the list of fitters is empty, or one of them finds a structure that
+         *     cannot be collided or does not enclose the vertices
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {

@@ -30,8 +30,9 @@ package starlogo.libraries
         public var splitByMean:Boolean = false;
 
         /**
-         * Whether a model's surface is prepared for exact colliders when the model is added. Then loading takes longer, but no frame does.
-         * Otherwise it is prepared during the game, when a collider first needs it: see <code>GreatLand.prepareExact</code>.
+         * Whether a model's surface is prepared for exact colliders when the model is added. Then loading takes longer, but no frame of
+         * the game takes longer. Otherwise it is prepared during the game, when a collider first needs it: see
+         * <code>GreatLand.prepareExact</code>.
          */
         public var prepareExact:Boolean = false;
 

@@ -5,8 +5,8 @@ package starlogo.libraries
     import flash.utils.ByteArray;
 
     /**
-     * Keeps fits as shared objects, one for each name (thesis §7.9). In the player they are on the user's disk, in the ES module in the
-     * page's local storage. If these are switched off, nothing is kept.
+     * Keeps fits as shared objects, one for each name (thesis §7.9). In the player they are on the user's disk. In the ES module they are
+     * in the page's local storage. If these are switched off, nothing is kept.
      *
      * <p>The player lets a site store 100 KB without asking. For more it asks the user, and a game does not wait for the answer. So entries
      * that would need more room are not kept.</p>

@@ -85,9 +85,9 @@ package starlogo.libraries
         /**
          * @inheritDoc
          *
-         * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is not finite;
-         * if a fitter finds a structure that cannot be collided or does not enclose the vertices, or refuses the vertices; the message
-         * names the shape
+         * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a
+         *     coordinate is not finite; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
+         *     refuses the vertices; the message names the shape
          */
         public function step():Boolean
         {

@@ -8,8 +8,8 @@ package starlogo.libraries
 
     /**
      * A copy of a fitted structure, wider by the distance at which surfaces still count as touching (Tolerances.SURFACES). So if the
-     * surfaces of two models touch, their structures do too, even flat and thin ones. A sphere is copied unchanged: its radius is never
-     * small compared with the model, so the tests' own tolerance is enough.
+     * surfaces of two models touch, their structures touch too. This holds for flat and thin structures as well. A sphere is copied
+     * unchanged: its radius is never small compared with the model, so the tests' own tolerance is enough.
      *
      * @param structure a sphere, a capsule or a box
      *
@@ -17,8 +17,8 @@ package starlogo.libraries
      */
     internal function widened(structure:BoundingStructure):BoundingStructure
     {
-        // The tolerance depends on the model's radius about the middle of its extents. That is at most the square root of 3 times the
-        // radius of a sphere around the model.
+        // The tolerance depends on the model's radius about the middle of its extents. That radius is at most the square root of 3 times
+        // the radius of a sphere around the model.
         var copy:BoundingStructure = structure.clone();
         if (copy is Capsule)
         {

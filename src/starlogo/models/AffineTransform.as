@@ -3,8 +3,8 @@ package starlogo.models
     import starlogo.geometry.Placement;
 
     /**
-     * An affine transform of points: a node's place in a scene. x' = m00 x + m01 y + m02 z + m03, and y' and z' from the next two rows. All
-     * numbers are doubles on every player.
+     * An affine transform of points: a node's place in a scene. x' = m00 x + m01 y + m02 z + m03, and the next two rows give y' and z'.
+     * All numbers are doubles on every player.
      *
      * @private
      */

@@ -4,11 +4,12 @@ package starlogo.models
     import starlogo.steps.finish;
 
     /**
-     * A model from a cooked file. <code>GreatLand.bake()</code>, <code>./antw bake</code> or <code>starlogo-bake</code> makes the file from
-     * a model's source. The model equals the source's to the last bit. A GreatLand that it is added to need not compute what is in the
-     * file.
+     * A model from a cooked file. <code>GreatLand.bake()</code>, <code>./antw bake</code> or <code>starlogo-bake</code> makes the file
+     * from a model's source. The model equals the source's model to the last bit. If you add it to a GreatLand, the GreatLand need not
+     * compute the results that are in the file.
      *
-     * <p>The file is checked as docs/cooked.md says. It contains its up axis, transform and scaling. Cost: linear in the file.</p>
+     * <p>The file is checked as docs/cooked.md says. The file contains the up axis, the transform and the scaling. Cost: linear in the
+     * file.</p>
      */
     public class CookedModel extends Model
     {

@@ -5,8 +5,8 @@ package starlogo.models
      * between two Numbers (within 1e-12 of their distance), the result is one of these two. The players' own functions differ in the last
      * bits if a number has more than fifteen digits.
      *
-     * <p>Such a number is taken as the sum of two Numbers. Products are computed exactly, by the method of T. J. Dekker ("A floating-point
-     * technique for extending the available precision", Numerische Mathematik 18, 1971).</p>
+     * <p>A decimal with more than fifteen digits is taken as the sum of two Numbers. Products are computed exactly, by the method of T.
+     * J. Dekker ("A floating-point technique for extending the available precision", Numerische Mathematik 18, 1971).</p>
      *
      * @private
      */

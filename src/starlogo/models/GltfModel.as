@@ -15,9 +15,9 @@ package starlogo.models
      * (KHR_mesh_quantization). Materials, cameras, lights and animations are ignored.</p>
      *
      * <p>A file is refused if it is compressed with Draco or meshopt, or if it requires an unknown extension. Optional extensions are
-     * ignored, and so are those for materials, textures and lights. The y axis points up in glTF and is turned to z. In a mirrored node,
-     * the corner order of each triangle is reversed, so that triangles still face outwards. Vertices that no triangle uses are left out.
-     * Cost: linear in the file and in what its nodes place.</p>
+     * ignored. Extensions for materials, textures and lights are ignored too. The y axis points up in glTF and is turned to z. In a
+     * mirrored node, the corner order of each triangle is reversed, so that triangles still face outwards. Vertices that no triangle uses
+     * are left out. Cost: linear in the file and in the geometry that its nodes place.</p>
      */
     public class GltfModel extends Model
     {
@@ -46,7 +46,7 @@ package starlogo.models
          * @param bytes the whole file; its position and endianness may change
          * @param upAxis null for y, as the format has it; "x", "z" or a ModelTransform to use that instead
          * @param scaling as for <code>Model</code>
-         * @param buffers the files beside a .gltf file that its buffers name: a ByteArray under each name; null if there are none
+         * @param buffers the files that the buffers of a .gltf file name: a ByteArray under each name; null if there are none
          * @throws ModelError if the file is no glTF 2.0 or is cut off, if it requires an unknown extension, if a buffer is missing, if a
          * number, index or reference is wrong, if a node contains itself, if there is no vertex, or as for <code>Model</code>. The message
          * names the place in the JSON

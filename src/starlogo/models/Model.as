@@ -68,7 +68,7 @@ package starlogo.models
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
-         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all are
+         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT)
         {
@@ -110,8 +110,8 @@ package starlogo.models
         }
 
         /**
-         * Whether the points make this model: normalised in the same way, they equal its vertices to the last bit, and their frame equals
-         * its source frame.
+         * Whether the points make this model. They are normalised in the same way. Then they must equal its vertices to the last bit, and
+         * their frame must equal its source frame.
          *
          * @private
          */

@@ -20,7 +20,7 @@ package starlogo.models
 
     /**
      * Sent every frame while there is work. <code>bytesLoaded</code> is the work done and <code>bytesTotal</code> is all work since the
-     * loader last had none. Both are in hundredths of a model. @eventType flash.events.ProgressEvent.PROGRESS
+     * loader last had no work. Both are in hundredths of a model. @eventType flash.events.ProgressEvent.PROGRESS
      */
     [Event(name="progress", type="flash.events.ProgressEvent")]
 
@@ -34,9 +34,9 @@ package starlogo.models
      * Loads models while a game runs. It fetches their files, reads them and gives them to a receiver, for example a GreatLand. The work is
      * split into short steps, so the game keeps its frame rate.
      *
-     * <p>Models wait in a queue. The loader works on them in order, each as soon as its file has arrived. In every frame it works for about
-     * <code>budget</code> milliseconds. It can't stop within a step. Most steps take less than a millisecond; the longest of a file of
-     * 5,000 vertices take a few.</p>
+     * <p>Models wait in a queue. The loader works on them in order, each as soon as its file has arrived. In every frame it works for
+     * about <code>budget</code> milliseconds. It can't stop within a step. Most steps take less than a millisecond; the longest steps for
+     * a file of 5,000 vertices take a few milliseconds.</p>
      *
      * <p>You need not keep a reference to a loader that has work. It stays alive until the work is done or cancelled.</p>
      *
@@ -120,10 +120,10 @@ package starlogo.models
 
         /**
          * The address of the list of cooked files, for example "assets/manifest.json". <code>./antw bake</code> or
-         * <code>starlogo-bake</code> makes it. The default is null: no list. It is fetched once. If it lists a file in its folder or below,
-         * <code>load()</code> fetches only the cooked file: the model with all that the receiver would compute. If the cooked file is
-         * missing, damaged, or made for another up axis, transform or scaling, the model's own file is read instead. A list that can't be
-         * fetched or read counts as empty.
+         * <code>starlogo-bake</code> makes it. The default is null: no list. It is fetched once. If it lists a file in its folder or
+         * below, <code>load()</code> fetches only the cooked file. It contains the model and all results that the receiver would compute.
+         * If the cooked file is missing, damaged, or made for another up axis, transform or scaling, the model's own file is read
+         * instead. A list that can't be fetched or read counts as empty.
          */
         public function get manifest():String
         {

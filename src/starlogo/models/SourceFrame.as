@@ -9,9 +9,9 @@ package starlogo.models
     use namespace engine;
 
     /**
-     * A model's place and scale in its source. A renderer needs it to draw the source exactly where the model is. The source's coordinates
-     * are those that <code>Model</code>'s constructor takes, with z up. For a file with another up axis they are the coordinates after the
-     * turn to z up, and before a ModelTransform.
+     * A model's place and scale in its source. A renderer needs it to draw the source exactly where the model is. The source's
+     * coordinates are the coordinates given to <code>Model</code>'s constructor, with z up. For a file with another up axis they are the
+     * coordinates after the turn to z up, and before a ModelTransform.
      */
     public final class SourceFrame
     {

@@ -26,8 +26,8 @@ package starlogo.models
         }
 
         /**
-         * The words between single spaces. A very long word is cut, and is then no number. Otherwise it could be a number of so many digits
-         * that players, which take quadratic time, would need very long.
+         * The words between single spaces. A very long word is cut, and is then no number. Otherwise it could be a number with so many
+         * digits that reading it would take very long, because players need quadratic time.
          */
         public static function split(text:String):Array
         {

@@ -3,9 +3,10 @@ package starlogo.fitting.minimal
     import starlogo.geometry.ConvexHull;
 
     /**
-     * Finds the smallest box with one axis along a given direction, exactly. Its other axes are those of the smallest rectangle around the
-     * hull's outline as seen along the direction. One side of this rectangle lies on a side of the outline (Freeman, Shapira, "Determining
-     * the Minimum-Area Encasing Rectangle for an Arbitrary Closed Curve", Communications of the ACM 18(7), 1975).
+     * Finds the smallest box with one axis along a given direction, exactly. Its other axes are parallel to the sides of the smallest
+     * rectangle around the hull's outline, as seen along the direction. One side of this rectangle lies on a side of the outline
+     * (Freeman, Shapira, "Determining the Minimum-Area Encasing Rectangle for an Arbitrary Closed Curve", Communications of the ACM
+     * 18(7), 1975).
      *
      * <p>One object can measure many directions. A direction close to the one before is fastest (see HullOutline).</p>
      *
@@ -54,7 +55,7 @@ package starlogo.fitting.minimal
          * @param y of the direction
          * @param z of the direction
          * @param enough boxes of this volume or more are of no interest. If the box cannot be smaller, the result may be any volume from
-         *     this one to the box's, and the sides are not computed
+         *     <code>enough</code> to the box's volume, and the sides are not computed
          */
         public function measure(x:Number, y:Number, z:Number, enough:Number = Infinity):Number
         {

@@ -5,10 +5,10 @@ package starlogo.fitting.minimal
     /**
      * Descends from a direction to a box that no small change makes smaller. It is a part of MinimalBoxFitter.
      *
-     * <p>A box's volume is a function of the direction of its side. This function has creases along the arcs of directions perpendicular to
-     * an edge of the hull. Its minimum is on a crease, or where two creases meet. So the descent tries steps to all sides, and also steps
-     * onto and along the creases of the edges at the two corners that touch the box. It also tries the directions of the box's other sides,
-     * because the volume depends on these in the same way.</p>
+     * <p>A box's volume is a function of the direction of its side. This function has creases along the arcs of directions perpendicular
+     * to an edge of the hull. Its minimum is on a crease, or where two creases meet. So the descent tries steps to all sides. It also
+     * tries steps onto and along some creases: the creases of the edges at the two corners that touch the box. It also tries the
+     * directions of the box's other sides, because the volume depends on these in the same way.</p>
      *
      * @private
      */

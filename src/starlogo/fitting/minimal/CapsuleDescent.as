@@ -8,11 +8,11 @@ package starlogo.fitting.minimal
      * Moves the ends of a capsule until no small move makes it smaller while it encloses all points. It is a part of MinimalCapsuleFitter.
      *
      * <p>The volume is a smooth function of the ends' six coordinates and the radius. But the radius is the largest of many distances, so
-     * it is not smooth. Each step replaces the distances and the volume by their tangents. It finds the best change that keeps the nearly
-     * farthest points inside, with a price on the length of the change. If the true volume shrinks, the change is kept. If not, the price
-     * goes up (the minimax method of Pshenichny and Danilin, "Numerical Methods in Extremal Problems", 1978). The small quadratic program
-     * is solved in its dual, one multiplier after the other (Hildreth, "A Quadratic Programming Procedure", Naval Research Logistics
-     * Quarterly 4(1), 1957).</p>
+     * it is not smooth. Each step replaces the distances and the volume by their tangents. It finds the best change that keeps the points
+     * inside that are nearly the farthest. The length of the change has a price. If the true volume shrinks, the change is kept. If not,
+     * the price goes up (the minimax method of Pshenichny and Danilin, "Numerical Methods in Extremal Problems", 1978). The small
+     * quadratic program is solved in its dual, one multiplier after the other (Hildreth, "A Quadratic Programming Procedure", Naval
+     * Research Logistics Quarterly 4(1), 1957).</p>
      *
      * @private
      */
@@ -20,7 +20,7 @@ package starlogo.fitting.minimal
     {
         private static const STEPS:int = 60;
         private static const SWEEPS:int = 60;
-        // Points that are nearer than the radius by more than this share of it cannot matter in one step.
+        // A point cannot matter in one step if its distance is less than the radius by more than this share of the radius.
         private static const ACTIVE:Number = 0.15;
         private static const MOST_ACTIVE:int = 48;
         private static const GAIN:Number = 1e-7;
@@ -41,7 +41,8 @@ package starlogo.fitting.minimal
         private var _trial:Vector.<Number> = new Vector.<Number>(6);
         private var _change:Vector.<Number> = new Vector.<Number>(7);
 
-        // For each active point, the tangent of its distance by the ends' coordinates and the radius, and the radius minus its distance.
+        // For each active point: first the tangent of its distance minus the radius, by the ends' coordinates and the radius; then the
+        // radius minus its distance.
         private var _tangents:Vector.<Number> = new Vector.<Number>();
         private var _room:Vector.<Number> = new Vector.<Number>();
         private var _multipliers:Vector.<Number> = new Vector.<Number>();

@@ -42,13 +42,13 @@ package starlogo.fitting.minimal
             }
         }
 
-        /** The volume of the smallest structure along a direction. It may be larger if it is far from the best. */
+        /** The volume of the smallest structure along a direction. If this volume is far from the best one, the result may be larger. */
         protected function measure(x:Number, y:Number, z:Number):Number
         {
             return Infinity;
         }
 
-        /** Makes the structure along a direction smaller until no small change does, and keeps the smallest of all structures. */
+        /** Changes the structure along a direction until no small change makes it smaller. Keeps the smallest of all structures. */
         protected function descendFrom(x:Number, y:Number, z:Number):void
         {
         }

@@ -1,7 +1,7 @@
 package starlogo.fitting.minimal
 {
     /**
-     * A set of directions. Opposite directions are the same, and of several that are close together only one is kept.
+     * A set of directions. Opposite directions are the same. If several directions are close together, only one of them is kept.
      *
      * @private
      */

@@ -119,7 +119,9 @@ package starlogo.geometry.hull
             }
         }
 
-        /** On which side of the face's plane a point is: positive beyond it, negative behind it, and 0 if it is exactly in the plane. */
+        /**
+         * The side of the face's plane on which a point is: positive beyond it, negative behind it, and 0 if it is exactly in the plane.
+         */
         public function side(points:Vector.<Number>, point:int):Number
         {
             var x:Number = points[3 * point];

@@ -3,8 +3,8 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * Rounds vertices to QuickHull's grid: whole numbers along three axes, in steps. The vertices of a plane are on the grid's floor. Then
-     * one more point, the last one, is above them, so that all points span a volume.
+     * Rounds vertices to QuickHull's grid of whole numbers along three axes. It works in steps. Vertices in a plane are put on the grid's
+     * floor. One more point, the last one, is then above them, so that all points span a volume.
      *
      * @private
      */

@@ -34,8 +34,8 @@ package starlogo.geometry.hull
 
         /**
          * @param vertices x, y, z of each
-         * @param corners the triangles' corners, as indices of vertices. The index after the last vertex is a point outside of vertices
-         *     without volume: triangles and edges with this point are ignored
+         * @param corners the triangles' corners, as indices of vertices. The index after the last vertex stands for an extra point
+         *     outside of vertices without volume. Triangles and edges with this point are ignored
          */
         public function HullMesh(vertices:Vector.<Number>, corners:Vector.<int>)
         {

@@ -25,7 +25,7 @@ package starlogo.geometry.hull
         /** Three perpendicular unit vectors: see ConvexHull. */
         public var axes:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-        /** The vertices found, by their indices: at least one more than dimensions. */
+        /** The indices of the vertices found. Their number is at least <code>dimension</code> plus 1. */
         public var corners:Vector.<int> = new Vector.<int>();
 
         private var _vertices:Vector.<Number>;
@@ -150,7 +150,8 @@ package starlogo.geometry.hull
             }
         }
 
-        // Whether a vertex is outside of the space spanned so far. If so, the space has one dimension more, and an axis towards the vertex.
+        // Whether a vertex is outside of the space spanned so far. If so, the space gets one more dimension, and an axis towards the
+        // vertex.
         private function spans(vertex:int):Boolean
         {
             var from:int = 3 * corners[0];

@@ -103,7 +103,10 @@ package starlogo.geometry.hull
             return count;
         }
 
-        /** Puts a point on the list of the face that it lies beyond. If it lies beyond none, it is inside of the hull for good. */
+        /**
+         * Puts a point on the list of the face that it lies beyond. If it lies beyond none of the faces, it is inside of the hull from
+         * now on.
+         */
         public function assign(point:int, faces:Vector.<HullFace>):void
         {
             var x:Number = _points[3 * point];

@@ -33,7 +33,7 @@ package starlogo.geometry.hull
         // The indices of the points to build the hull of; null for all points.
         private var _among:Vector.<int>;
         private var _outside:OutsidePoints;
-        // For each point, the face of a new vertex whose edge on the horizon begins there.
+        // For each point on the horizon, the new face whose edge on the horizon begins at the point.
         private var _faceFrom:Vector.<HullFace>;
 
         // For the current vertex, the faces that it sees and the new faces.
@@ -80,7 +80,7 @@ package starlogo.geometry.hull
             build(_simplex[0], _simplex[1], _simplex[2], _simplex[3], null);
         }
 
-        // Adds the steps that build the hull from a tetrahedron of four points: of all points, or of those listed.
+        // Adds the steps that build the hull of all points, or of the listed points only. It begins as a tetrahedron of four points.
         private function build(a:int, b:int, c:int, d:int, among:Vector.<int>):void
         {
             var count:int = _points.length / 3;

@@ -55,7 +55,7 @@ package starlogo.libraries.cooked
                     new <ByteArray>[shape == null ? CookedFile.newBytes() : shape, structures, tree, surface]);
         }
 
-        // For each kind first whether there is one, then the structures' numbers.
+        // First a flag for each kind: whether there is a structure. Then the numbers of the structures.
         private static function writeStructures(structures:Vector.<BoundingStructure>, out:ByteArray):void
         {
             var sphere:Sphere = structures[BoundingStructure.SPHERE] as Sphere;

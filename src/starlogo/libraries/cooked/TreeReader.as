@@ -16,8 +16,8 @@ package starlogo.libraries.cooked
 
     /**
      * Restores a hierarchy from the bytes of a TreeWriter. Only the division of the items is read. The boxes are computed again, in a
-     * fraction of the time that dividing takes. So the hierarchy encloses the model, even if the bytes are wrong. If they are right, it
-     * equals the one that was written to the last bit.
+     * fraction of the time that dividing takes. So the hierarchy encloses the model, even if the bytes are wrong. If the bytes are right,
+     * the hierarchy equals the written one to the last bit.
      *
      * @private
      */

@@ -65,7 +65,8 @@ package starlogo.models.collada
             return _reading != null;
         }
 
-        // For each instance first the mesh, then its transform. Null when there are no more.
+        // For each instance, the work that reads its mesh comes first, and the work that places the mesh second. Null when there are no
+        // more.
         private function nextReading():Steps
         {
             if (_instance == _scene.instances.length)

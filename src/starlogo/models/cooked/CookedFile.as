@@ -7,9 +7,9 @@ package starlogo.models.cooked
     import starlogo.steps.StepSequence;
 
     /**
-     * A file with results that were computed once, when a game was built (docs/cooked.md). It has four sections. Each section was computed
-     * for certain settings, and the file has their fingerprint. A fingerprint at the end seals the file. It is read in steps. A file that
-     * is no cooked file, is cut off or has changed has no sections. The code that uses a section checks its content.
+     * A file with results that were computed once, when a game was built (docs/cooked.md). It has four sections. Each section was
+     * computed for certain settings, and the file has their fingerprint. A fingerprint at the end seals the file. It is read in steps. A
+     * file has no sections if it is no cooked file, is cut off or has changed. The code that uses a section checks its content.
      *
      * <pre>
      * at 0   "COOK"
@@ -18,7 +18,7 @@ package starlogo.models.cooked
      *   12   0
      *   16   for each of the four sections: the fingerprint of its settings, its length, 0
      *   80   the sections, one after the other; zeros up to a multiple of 8
-     *   end  the fingerprint of all before
+     *   end  the fingerprint of all bytes before it
      * </pre>
      *
      * @private
@@ -34,10 +34,10 @@ package starlogo.models.cooked
         /** The section with the bounding structures. Its settings are the fitters. */
         public static const STRUCTURES:int = 1;
 
-        /** The section with the hierarchy. Its settings are those of the hierarchy. */
+        /** The section with the hierarchy. Its settings are the hierarchy's settings. */
         public static const HIERARCHY:int = 2;
 
-        /** The section with the surface. Its settings are those of the hierarchy. */
+        /** The section with the surface. Its settings are the hierarchy's settings. */
         public static const SURFACE:int = 3;
 
         /** The number of sections. */

@@ -155,7 +155,7 @@ package starlogo.models.cooked
             for (var i:int = first; i < end; i++)
             {
                 var byte:int = bytes.readUnsignedByte();
-                // Nearly all numbers have one byte. A call for each would take the most time.
+                // Nearly all numbers have one byte. A call for each number would take most of the time.
                 if (byte > 0x7F)
                 {
                     index += CookedNumbers.rest(bytes, byte);

@@ -10,7 +10,8 @@ package starlogo.models.cooked
     use namespace engine;
 
     /**
-     * Writes a model for a CookedReader. It writes the source's vertices in the shortest form that restores the model's to the last bit.
+     * Writes a model for a CookedReader. It writes the source's vertices in the shortest form that restores the model's vertices to the
+     * last bit.
      *
      * @private
      */

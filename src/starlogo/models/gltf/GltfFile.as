@@ -10,7 +10,7 @@ package starlogo.models.gltf
     import starlogo.steps.StepSequence;
 
     /**
-     * A glTF 2.0 file, binary or JSON. In steps it reads the JSON and the buffers inside the file. Call setBuffer for buffers in other
+     * A glTF 2.0 file, binary or JSON. Its steps read the JSON and the buffers inside the file. Call setBuffer for buffers in other
      * files.
      *
      * @private

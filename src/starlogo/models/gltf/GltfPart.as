@@ -81,8 +81,8 @@ package starlogo.models.gltf
             }
         }
 
-        // Triangle n of a list has the corners 3n, 3n+1 and 3n+2; of a fan n+1, n+2 and 0. In a strip, every second triangle has its corner
-        // order reversed.
+        // Triangle n of a list has the corners 3n, 3n+1 and 3n+2. Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every
+        // second triangle has its corner order reversed.
         private function addTriangles(first:int, end:int):void
         {
             var to:Vector.<uint> = _triangles;

@@ -25,7 +25,8 @@ package starlogo.models.gltf
         private var _primitive:int = 0;
         private var _reading:Steps = null;
 
-        // Results so far: the meshes' vertices by their accessors, and the present node's vertices by everything they depend on.
+        // Results so far. The key of a mesh's vertices is their accessors. The key of the present node's vertices is everything they
+        // depend on.
         private var _sources:Object = {};
         private var _placed:Object = {};
         private var _pointCount:Number = 0;
@@ -93,7 +94,8 @@ package starlogo.models.gltf
             return true;
         }
 
-        // Whether a primitive needs more reading: the vertices of the mesh, these at the node's place, or the triangles.
+        // Whether a primitive needs more reading. The mesh's vertices come first, then the vertices at the node's place, then the
+        // triangles.
         private function beginReading(node:Object, mesh:Object, meshIndex:int, primitive:Object, where:String):Boolean
         {
             var json:GltfJson = _file.json;

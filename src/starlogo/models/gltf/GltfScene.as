@@ -40,7 +40,7 @@ package starlogo.models.gltf
         }
 
         /**
-         * A node's transform in the scene: its own transform, and after it those of the nodes around it.
+         * A node's transform in the scene: its own transform, and then the transforms of the nodes around it.
          *
          * @throws ModelError if a transform is wrong, or the node contains itself
          */

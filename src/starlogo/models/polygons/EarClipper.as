@@ -1,10 +1,10 @@
 package starlogo.models.polygons
 {
     /**
-     * Cuts a ring of corners into triangles, one ear at a time. Corners in a straight line, and rings that cross or cover themselves,
-     * produce no triangle without area.
+     * Cuts a ring of corners into triangles, one ear at a time. It adds only triangles with an area. This holds for corners in a straight
+     * line, and for rings that cross or cover themselves.
      *
-     * <p>It ends for every ring, because after two rounds without an ear any corner is cut off.</p>
+     * <p>It ends for every ring, because any corner is cut off after two rounds without an ear.</p>
      */
     internal final class EarClipper
     {

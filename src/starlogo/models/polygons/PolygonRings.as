@@ -8,7 +8,10 @@ package starlogo.models.polygons
      */
     internal final class PolygonRings
     {
-        /** The limit of work, in corners looked at: some seconds. Beyond it, corners are cut off without a test, and holes are filled. */
+        /**
+         * The limit of work: the number of corners looked at. It is reached after some seconds. Beyond it, corners are cut off without a
+         * test, and holes are filled.
+         */
         internal static const MAX_WORK:int = 10000000;
 
         /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */

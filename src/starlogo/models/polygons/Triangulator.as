@@ -3,9 +3,9 @@ package starlogo.models.polygons
     /**
      * Cuts polygons in space into triangles. Polygons may be concave and have holes.
      *
-     * <p>Triangles, quads and convex polygons are cut at once. Other polygons become rings in a plane (PolygonRings). Then their holes are
-     * joined to the outline (HoleBridges), and ears are cut off (EarClipper). Every outline is accepted: corners in a straight line, and
-     * outlines that cross or cover themselves, produce no triangle without area.</p>
+     * <p>Triangles, quads and convex polygons are cut at once. Other polygons become rings in a plane (PolygonRings). Then their holes
+     * are joined to the outline (HoleBridges), and ears are cut off (EarClipper). Every outline is accepted. Corners in a straight line,
+     * and outlines that cross or cover themselves, never produce a triangle of area 0.</p>
      *
      * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners. The total work is limited to 10,000,000 looks at
      * corners. Beyond that, corners are cut off without a test, and holes are filled.</p>
@@ -89,7 +89,10 @@ package starlogo.models.polygons
             _rings.addTriangle(a, b, c);
         }
 
-        /** Whether the last polygon is not completely cut. Call <code>cutSome()</code> until it is, before the next polygon. */
+        /**
+         * Whether a part of the last polygon still has to be cut. If so, call <code>cutSome()</code> until this is false, before the next
+         * polygon.
+         */
         public function get isCutting():Boolean
         {
             return _isCutting;
@@ -111,7 +114,7 @@ package starlogo.models.polygons
         }
 
         /**
-         * Makes a step function that reads polygons. After a large polygon it cuts this before it reads on.
+         * Makes a step function that reads polygons. If a polygon is large, the step function cuts it before it reads on.
          *
          * @param read function():Boolean: adds polygons until one of them <code>isCutting</code>, returns whether there are more
          * @return function():Boolean, to be called until it returns false

@@ -69,7 +69,7 @@ package starlogo.models.stl
             return bytes.length >= HEADER_LENGTH && HEADER_LENGTH + Number(FACET_LENGTH) * countIn(bytes) <= bytes.length;
         }
 
-        /** Whether the text is that of an STL file. */
+        /** Whether the text is an STL file's text. */
         public static function isText(text:String):Boolean
         {
             return /^﻿?\s*solid\b[^\n\r]*[\n\r]\s*(facet|endsolid)\b/i.test(text.substr(0, 1000));

@@ -73,8 +73,8 @@ package starlogo.hierarchy
         /**
          * @inheritDoc
          *
-         * <p>The steps are: the vector from the middle of a's box to that of b's; the gaps along a's axes; the gaps along b's axes; the gap
-         * along the line between the closest points so far.</p>
+         * <p>The steps are: the vector from the middle of a's box to the middle of b's box; the gaps along a's axes; the gaps along b's axes;
+         * the gap along the line between the closest points so far.</p>
          */
         override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
         {

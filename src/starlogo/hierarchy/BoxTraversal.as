@@ -31,9 +31,9 @@ package starlogo.hierarchy
         /**
          * @inheritDoc
          *
-         * <p>The steps for a pair are: the vector from the middle of a's box to that of b's (x, y, z); the distance of b's middle from a,
-         * compared with the spheres around b and inside of it; the faces of a; the faces of b; and if the boxes decide, the nine pairs of
-         * edges.</p>
+         * <p>The steps for a pair are: the vector from the middle of a's box to the middle of b's box (x, y, z); the distance of b's middle
+         * from a, compared with the spheres around b and inside of it; the faces of a; the faces of b; and if the boxes decide, the nine pairs
+         * of edges.</p>
          *
          * <p>All of b's numbers are scaled. So are the entries of its rotation (m00 ...) and their absolute values (abs00 ...). The
          * absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
@@ -74,7 +74,7 @@ package starlogo.hierarchy
             {
                 visits++;
 
-                // the vector from the middle of a's box to that of b's
+                // the vector from the middle of a's box to the middle of b's box
                 var bX:Number = b.x;
                 var bY:Number = b.y;
                 var bZ:Number = b.z;

@@ -19,7 +19,8 @@ package starlogo.hierarchy
      *
      * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the leaves'
      * contents. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
-     * To outweigh the rounding of long ones, a measured distance is reduced a little, and less so the deeper the nodes are.</p>
+     * To outweigh the rounding of long distances, a measured distance is reduced a little. The deeper the nodes are, the less it is
+     * reduced.</p>
      *
      * <p>This class takes all structures. A pair's distance is at least its ancestors' distance, as in a StructureTraversal. BoxDistances
      * has a faster way for boxes.</p>

@@ -20,7 +20,7 @@ package starlogo.hierarchy
         /** @private Whether the items are triangles; otherwise they are vertices. */
         engine var hasTriangles:Boolean;
 
-        /** @private The indices of the triangles or vertices. Those of a leaf stand side by side. */
+        /** @private The indices of the triangles or vertices. The indices of a leaf stand side by side. */
         engine var order:Vector.<int>;
 
         /** @private The model's vertices: x, y, z of each. */

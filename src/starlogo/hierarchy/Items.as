@@ -100,9 +100,7 @@ package starlogo.hierarchy
             return points;
         }
 
-        /**
-         * Adds to a number, one after the other, the smallest and largest coordinates of a range of items along an axis. Returns the sum.
-         */
+        /** Adds the smallest and largest coordinates of a range of items along an axis to a number, one after the other. Returns the sum. */
         public function sumOf(sum:Number, first:int, end:int, axis:int):Number
         {
             var high:int = axis + _high;

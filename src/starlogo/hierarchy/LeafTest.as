@@ -19,9 +19,9 @@ package starlogo.hierarchy
         }
 
         /**
-         * Of models that move: how the contents that touch first do so, at the pose's time, in the space of the first model.
+         * For moving models, finds the contact of the contents that touch first, at the pose's time. It is in the first model's space.
          *
-         * @param out takes it
+         * @param out receives the contact
          */
         public function findContact(out:ContactPoint):void
         {

@@ -10,8 +10,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The structures of two nodes of two trees, in the first model's space. They are mostly the nodes' own structures. But one node may be
-     * on a deeper level than the other tree is visited to. Then the other node's cover is taken, which encloses all its descendants.
+     * The structures of two nodes of two trees, in the first model's space. They are mostly the nodes' own structures. But one node may be on a
+     * level below the depth limit of the other tree. Then the other node's cover is taken, which encloses all its descendants.
      */
     internal final class NodePair
     {

@@ -76,8 +76,8 @@ package starlogo.hierarchy
             return dividesA ? RIGHT_OF_A : RIGHT_OF_B;
         }
 
-        // Sets the field from to the first time at which no face separates two boxes, and with withEdges no edge either. If that is not
-        // before the field time, sets it to RelativeMotion.NEVER.
+        // Sets the field from to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
+        // If that time is not before the field time, sets from to RelativeMotion.NEVER.
         private function sweep(a:HierarchyNode, b:HierarchyNode, withEdges:Boolean):void
         {
             var boxes:BoxSweep = _sweep;

@@ -55,7 +55,7 @@ package starlogo.intersection
         }
 
         /**
-         * Written out here, because relate() and find() take 1.5 times as long in Adobe's VM.
+         * A sphere's contact is written out here, because relate() and find() take 1.5 times as long in Adobe's VM.
          *
          * @inheritDoc
          */

@@ -6,7 +6,7 @@ package starlogo.intersection
      * Whether two triangles overlap, touch, or have a gap of at most <code>closest.reach</code>. Symmetric up to rounding. Allocates
      * nothing.
      *
-     * <p>A quick test rejects most pairs. It looks for a direction along which the gap is larger than that: the second triangle's normal,
+     * <p>A quick test rejects most pairs. It looks for a direction along which the gap is larger than the reach: the second triangle's normal,
      * or a direction perpendicular to an edge of each. If each triangle crosses the other's plane, each has one corner alone on its side of
      * that plane. Then only the edges from these two corners can face each other (Guigue and Devillers, "Fast and robust triangle-triangle
      * overlap test using orientation predicates", Journal of Graphics Tools, 2003). The closest points decide all other pairs: triangles

@@ -38,7 +38,7 @@ package starlogo.solid
             return thing;
         }
 
-        /** Joins two sets. The first set's representative becomes that of both. */
+        /** Joins two sets. The first set's representative becomes the representative of both. */
         public function join(a:int, b:int):void
         {
             _parents[rootOf(b)] = rootOf(a);

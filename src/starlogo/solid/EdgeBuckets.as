@@ -2,7 +2,7 @@ package starlogo.solid
 {
     /**
      * Sorts the edges of triangles into buckets, so that edges between the same two vertices are in the same bucket. The player's own sort
-     * would bring these edges together fastest, but it sorts all edges in one call. A bucket takes it about a millisecond, unless very many
+     * would bring these edges together fastest, but it sorts all edges in one call. It sorts a bucket in about a millisecond, unless very many
      * edges meet at a few vertices.
      */
     internal final class EdgeBuckets

@@ -40,8 +40,8 @@ package starlogo.solid
         /**
          * Connects two triangles that share an edge with no other triangle.
          *
-         * @param a three times the first triangle's index, plus its edge's, from 0
-         * @param b three times the second triangle's index, plus its edge's, from 0
+         * @param a three times the first triangle's index, plus the number of its edge, from 0
+         * @param b three times the second triangle's index, plus the number of its edge, from 0
          * @param differs whether both run along the edge in the same direction
          */
         public function connect(a:int, b:int, differs:Boolean):void

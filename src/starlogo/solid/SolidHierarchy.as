@@ -48,7 +48,7 @@ package starlogo.solid
                 && Math.abs(middle.z - root.z) <= root.halfZ - radius && solid.isInside(middle);
         }
 
-        /** @private The corners of the triangles, in the order of the hierarchy: nine numbers each. Only where there are triangles. */
+        /** @private The corners of the triangles, in the order of the hierarchy: nine numbers each. Only for models with triangles. */
         engine function get corners():Vector.<Number>
         {
             return solid.corners;

@@ -37,7 +37,7 @@ package starlogo.solid
          * @param hierarchy the model's hierarchy
          * @param depth how many of its levels are visited
          * @param exact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
-         * @param ray in the model's space; its beginning becomes the hit, and its normal the one there, against the ray
+         * @param ray in the model's space; its beginning becomes the hit, and its normal becomes the normal there, against the ray
          * @return whether there is a hit
          */
         public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean

@@ -22,7 +22,7 @@ package starlogo.solid
         /** How far apart a triangle and the structure may be and still touch. */
         protected var touching:Number = 0;
 
-        /** The structure's extents, wider by that: least x, greatest x, least y, ... */
+        /** The structure's extents, enlarged by <code>touching</code>: least x, greatest x, least y, ... */
         protected var extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // A sphere's centre or the ends of a capsule's axis, as a triangle.
@@ -85,7 +85,7 @@ package starlogo.solid
             return false;
         }
 
-        /** Whether the extents of a triangle overlap those of the structure. */
+        /** Whether the extents of a triangle overlap the structure's extents. */
         protected final function isNear(triangle:int):Boolean
         {
             var of:Vector.<Number> = solid.extents;
@@ -94,7 +94,7 @@ package starlogo.solid
                 && of[int(at + 2)] <= extents[5] && of[int(at + 5)] >= extents[4];
         }
 
-        /** Whether a triangle touches the structure where that stands. */
+        /** Whether a triangle touches the standing structure. */
         protected final function touches(triangle:int):Boolean
         {
             return _isBox ? _box.touches(solid.corners, 9 * triangle) : _closest.areWithin(solid.corners, 9 * triangle, _core, 0);

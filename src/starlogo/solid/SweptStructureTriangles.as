@@ -15,10 +15,10 @@ package starlogo.solid
         private var _motion:RelativeMotion;
         private var _sweep:StructureSweep = new StructureSweep();
 
-        // The first number of the triangle that is touched first.
+        // The index of the first number of the triangle that is touched first.
         private var _first:int = 0;
 
-        /** No model yet. */
+        /** Creates a test without a model. */
         public function SweptStructureTriangles()
         {
         }
@@ -26,9 +26,9 @@ package starlogo.solid
         /**
          * Begins with a model that has triangles.
          *
-         * @param structure where its motion begins, in the space of the model; is made wider
-         * @param gap as in begin
-         * @param motion of the structure from there
+         * @param structure at the beginning of its motion, in the space of the model; the call enlarges it
+         * @param gap the same as for begin
+         * @param motion the structure's motion from there; kept
          */
         public function beginMotion(model:SolidHierarchy, structure:BoundingStructure, gap:Number, motion:RelativeMotion):void
         {
@@ -76,7 +76,7 @@ package starlogo.solid
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
 
-        // Makes the extents those of the motion too.
+        // Extends the extents to include the motion.
         private function extend(at:int, way:Number):void
         {
             if (way < 0)

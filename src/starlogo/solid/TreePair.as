@@ -24,8 +24,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Tests two placed models: two trees, or a tree and a structure. <code>areOverlapping()</code> tests whether two standing models
-     * overlap. For all other questions the pair is set once, and then asked when it first touches, where, and how far it is apart (thesis
+     * Tests two placed models: two trees, or a tree and a structure. <code>areOverlapping()</code> tests whether two standing models overlap.
+     * For all other questions the pair is set once. Then it can be asked when the two first touch, where, and how far they are apart (thesis
      * §4.6). Nothing is allocated once the stacks have grown and the models' triangles are prepared.
      *
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models
@@ -278,7 +278,7 @@ package starlogo.solid
          * Finds the distance and the closest points of the two models as they were set. It measures the nodes that
          * <code>areOverlapping()</code> tests, or the triangles.
          *
-         * @param areTouching whether the two overlap: then a point of both is found
+         * @param areTouching whether the two overlap. If so, a point of both is found
          * @param out receives the distance and the points, in the world
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void

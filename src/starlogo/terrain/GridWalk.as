@@ -1,12 +1,12 @@
 package starlogo.terrain
 {
     /**
-     * Walks the squares of a grid that a box passes over, row by row: on a way from its beginning on, and in each square with the heights between which
-     * the box is there.
+     * Walks over a grid, and finds the squares that a box passes over, row by row. If the box moves, the walk follows its way. Each square
+     * comes with the heights between which the box is there.
      */
     internal final class GridWalk
     {
-        /** The square under way. */
+        /** The current square: its column and its row. */
         public var column:int = 0;
 
         /** @copy #column */
@@ -30,7 +30,8 @@ package starlogo.terrain
         private var _box:PassingBox;
         private var _isStanding:Boolean = true;
 
-        // The columns that count; the next ones; the part of the way over the row.
+        // The first and the last column that count. The next column, and how many are left in the row. The next row, and how many are left. The
+        // part of the way that is over the current row.
         private var _first:int = 0;
         private var _last:int = 0;
         private var _next:int = 0;
@@ -40,10 +41,11 @@ package starlogo.terrain
         private var _from:Number = 0;
         private var _to:Number = 0;
 
-        // A place, from the first square's beginning: a field, because V8 makes an object of each Number that it passes.
+        // Argument of indexOf: a distance from the first square's beginning. A field, because V8 allocates an object for each Number that is
+        // passed.
         private var _at:Number = 0;
 
-        /** @param box walks */
+        /** @param box the box to follow; kept */
         public function GridWalk(box:PassingBox)
         {
             _box = box;
@@ -73,7 +75,7 @@ package starlogo.terrain
             _left = 0;
         }
 
-        /** Goes on to the next square; false if there is none. */
+        /** Goes on to the next square. Returns false if there is none. */
         public function next():Boolean
         {
             while (true)
@@ -132,7 +134,7 @@ package starlogo.terrain
             _next = box.wayX < 0 ? farthest : nearest;
         }
 
-        // Whether the box passes over the square, within the limit; finds the heights between which it does.
+        // Whether the box passes over the current square, within the limit. Also finds the heights between which the box is there.
         private function isOver():Boolean
         {
             var box:PassingBox = _box;
@@ -146,7 +148,7 @@ package starlogo.terrain
             return box.from <= box.to;
         }
 
-        // The square of the place, within bounds.
+        // The column or row at the place, clamped to the bounds.
         private function indexOf(least:int, greatest:int):int
         {
             var at:Number = Math.floor(_at / width);

@@ -7,23 +7,26 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * Finds the triangles of the ground's surface that a box may meet, one after the other: on a way nearly in its order. The surface is the tops of the cells;
-     * at the borders of the terrain upright walls, down to below the box; and between columns of different heights upright walls.
+     * Finds the triangles of the ground's surface that a box may meet, one after the other. If the box moves, they come nearly in the order of
+     * its way.
      *
-     * <p>It walks blocks of cells, and the cells of those whose heights the box comes to.</p>
+     * <p>The surface consists of the cells' tops and of upright walls. At the terrain's borders, walls reach down to below the box. With
+     * columns, a wall also stands between two columns of different heights.</p>
+     *
+     * <p>It walks over blocks of cells. If the box comes to the heights of a block, it walks over the block's cells.</p>
      */
     internal final class GroundFaces
     {
         // Two triangles on top, and two for each of four sides.
         private static const FACES:int = 10;
 
-        /** The box; to be set, then <code>begin()</code>. */
+        /** The box. It must be set before <code>begin()</code>. */
         public var box:PassingBox = new PassingBox();
 
         /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** How far apart the triangle and another shape may be, because of the triangle's size, and still touch. */
+        /** The largest gap across which the triangle and another shape still touch. It depends on the size of the triangle. */
         public var gap:Number = 0;
 
         /** How far triangles are moved into the ground. */
@@ -38,21 +41,21 @@ package starlogo.terrain
         private var _blocks:GridWalk;
         private var _cells:GridWalk;
 
-        // Of the cell: its next triangle, and its corners, counter-clockwise.
+        // The current cell: the number of its next triangle, and its corners, counter-clockwise.
         private var _face:int = FACES;
         private var _x:Vector.<Number> = new Vector.<Number>(4, true);
         private var _y:Vector.<Number> = new Vector.<Number>(4, true);
         private var _z:Vector.<Number> = new Vector.<Number>(4, true);
         private var _outside:ContactPoint = new ContactPoint();
 
-        /** No ground yet. */
+        /** Creates a finder without ground. */
         public function GroundFaces()
         {
             _blocks = new GridWalk(box);
             _cells = new GridWalk(box);
         }
 
-        /** Begins with the box, which is made a little wider because of rounding. */
+        /** Begins with the box. The box becomes a little wider, because of rounding. */
         public function begin(grid:HeightGrid):void
         {
             var width:Number = grid.cellWidth;
@@ -77,7 +80,7 @@ package starlogo.terrain
             _face = FACES;
         }
 
-        /** Points a normal out of the ground from a triangle of its surface, or from one that was kept. */
+        /** Sets a contact's normal to the normal of a triangle of the ground's surface. It points out of the ground. */
         public static function findOutside(p:Vector.<Number>, out:ContactPoint):void
         {
             var ux:Number = p[3] - p[0];
@@ -90,7 +93,7 @@ package starlogo.terrain
             out.normalise();
         }
 
-        /** Goes on to the next triangle; false if there is none. */
+        /** Goes on to the next triangle. Returns false if there is none. */
         public function next():Boolean
         {
             while (true)
@@ -139,7 +142,7 @@ package starlogo.terrain
             return false;
         }
 
-        // The walls at the terrain's borders are as deep as may be.
+        // Whether the box comes to the heights of a block. A block at the terrain's border has walls that reach down below any box.
         private function meetsBlock(column:int, row:int):Boolean
         {
             var block:int = row * _grid.blockColumns + column;
@@ -171,7 +174,7 @@ package starlogo.terrain
             _z[3] = _heights[int(at + _columns)];
         }
 
-        // Of columns the walls to the next ones too are the cell's.
+        // Whether the box comes to the heights of the cell. With columns, the walls to the next column and to the next row belong to the cell.
         private function meetsCell():Boolean
         {
             var low:Number = Math.min(Math.min(_z[0], _z[1]), Math.min(_z[2], _z[3]));
@@ -192,7 +195,7 @@ package starlogo.terrain
             return _cells.high >= low - gap || _cells.column == 0 || _cells.row == 0 || _cells.column == _lastColumn || _cells.row == _lastRow;
         }
 
-        // Writes a triangle; false if the cell has none of that number, or the box is above or below it.
+        // Writes the triangle with a number. Returns false if the cell has no such triangle, or if the box is above or below it.
         private function findFace(face:int):Boolean
         {
             if (face < 2)
@@ -218,7 +221,7 @@ package starlogo.terrain
             return true;
         }
 
-        // A wall stands on the side from one corner to the next. The half with the upper edge comes last.
+        // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second.
         private function findWall(side:int, isUpper:Boolean):Boolean
         {
             var end:int = (side + 1) & 3;
@@ -238,7 +241,7 @@ package starlogo.terrain
                 }
                 if (low > top)
                 {
-                    // it is the other one's, seen from here
+                    // The next column is higher, so this is its wall, seen from here.
                     endTop = low;
                     low = top;
                     top = endTop;

@@ -20,36 +20,43 @@ package starlogo.terrain
 
     use namespace engine;
 
-    /** A convex part of an agent in the world, a sphere, capsule, box or triangle: how it meets one triangle of the ground. */
+    /**
+     * Tests a convex part of an agent against triangles of the ground, one at a time. The part is a sphere, capsule, box or triangle in the
+     * world.
+     */
     internal final class GroundPiece
     {
         private static const TRIANGLE:int = 4;
 
-        /** How far apart the piece and the triangle that is asked about may be and still touch, beside the piece's margin. */
+        /** The largest gap across which the piece and a triangle of the ground still touch, in addition to the piece's margin. */
         public var gap:Number = 0;
 
-        /** The latest time that is of interest; takes the time at which the piece first touches a triangle, or RelativeMotion.NEVER. */
+        /**
+         * Before <code>findTime()</code>: the latest time to look at. After it: when the piece first touches the triangle, or
+         * RelativeMotion.NEVER.
+         */
         public var time:Number = 0;
 
-        /** How far the closest triangle is, of those that were measured; less than 0 if it is deep inside. */
+        /** The distance of the closest triangle that was measured. It is less than 0 if the triangle is deep inside of the piece. */
         public var distance:Number = 0;
 
-        // The triangles of a box: of each corner, the axes along which it is on the far side, as bits.
+        // The corners of a box's triangles. A corner's number has a bit for each axis along which it is on the far side.
         private static const BOX_CORNERS:Vector.<int> = new <int>[
                 0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 3, 7, 1, 7, 5];
 
-        // Which it is, and by kind the structure in the world.
+        // The piece's kind. For each kind, a structure in the world. The current one of these structures.
         private var _kind:int = 0;
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
         private var _placed:BoundingStructure = null;
 
-        // The triangle, or the middles of the ends of a sphere or capsule as one; how far the piece reaches around it, and still touches.
+        // The core as a triangle: a triangle itself, a capsule's two ends, or the centre of a sphere or box. The radius around the core, and
+        // the margin across which the piece still touches. The triangle's extents.
         private var _core:Vector.<Number> = new Vector.<Number>(9, true);
         private var _radius:Number = 0;
         private var _margin:Number = 0;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The triangles of a box.
+        // Whether the triangles of a box have been computed, and their corners.
         private var _areSides:Boolean = false;
         private var _sides:Vector.<Number> = new Vector.<Number>(3 * BOX_CORNERS.length, true);
 
@@ -61,12 +68,12 @@ package starlogo.terrain
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _outside:ContactPoint = new ContactPoint();
 
-        /** Nothing yet. */
+        /** Creates a piece that is not set yet. */
         public function GroundPiece()
         {
         }
 
-        /** Makes it a structure of a model that stands somewhere, wider by a margin. */
+        /** Sets the piece to a structure of a placed model, enlarged by a margin. */
         public function setStructure(structure:BoundingStructure, placement:Placement, margin:Number):void
         {
             var placed:BoundingStructure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
@@ -74,7 +81,7 @@ package starlogo.terrain
             setPlaced(placed);
         }
 
-        /** Makes it a structure in the world, which is kept. */
+        /** Sets the piece to a structure in the world. The object is kept. */
         public function setPlaced(placed:BoundingStructure):void
         {
             _kind = placed.kind;
@@ -98,7 +105,7 @@ package starlogo.terrain
             }
         }
 
-        /** Makes it a triangle of a model that stands somewhere: nine numbers of a list, from an index on. */
+        /** Sets the piece to a triangle of a placed model: nine numbers of a list, from an index on. */
         public function setTriangle(corners:Vector.<Number>, at:int, placement:Placement, margin:Number):void
         {
             _kind = TRIANGLE;
@@ -120,7 +127,7 @@ package starlogo.terrain
             }
         }
 
-        /** Makes a box the triangle's extents. */
+        /** Sets a box to the triangle's extents. */
         public function writeBox(box:PassingBox):void
         {
             box.x = (_extents[0] + _extents[1]) / 2;
@@ -131,7 +138,7 @@ package starlogo.terrain
             box.halfZ = (_extents[5] - _extents[4]) / 2;
         }
 
-        /** Whether a point of the piece is under the ground, whose surface the piece does not touch. */
+        /** Whether a point of the piece is under the ground. Only for pieces that do not touch the ground's surface. */
         public function isUnder(grid:HeightGrid):Boolean
         {
             grid.placeX = _core[0];
@@ -160,7 +167,7 @@ package starlogo.terrain
             return _closest.areWithin(corners, 0, _core, 0);
         }
 
-        /** Begins with no triangles, and a motion from where it stands: that of another motion, without its start. */
+        /** Forgets all triangles, and sets the motion. The piece moves from where it stands, so the motion's start is not used. */
         public function begin(motion:RelativeMotion):void
         {
             _motion.x = motion.x;
@@ -175,7 +182,7 @@ package starlogo.terrain
             _areSides = false;
         }
 
-        /** Finds when it first touches a triangle as it moves: <code>time</code>. */
+        /** Finds when the moving piece first touches a triangle, and sets <code>time</code>. */
         public function findTime(corners:Vector.<Number>):void
         {
             if (_kind == TRIANGLE)
@@ -197,7 +204,7 @@ package starlogo.terrain
             }
         }
 
-        /** How it touches a triangle at the time of its motion: the normal points out of the ground. */
+        /** Finds the contact of the piece and a triangle at <code>time</code>. The normal points out of the ground. */
         public function findContact(corners:Vector.<Number>, out:ContactPoint):void
         {
             if (_kind != TRIANGLE)
@@ -222,7 +229,7 @@ package starlogo.terrain
             }
         }
 
-        /** Measures a triangle of the ground. */
+        /** Measures the distance to a triangle of the ground, and updates <code>distance</code>. */
         public function measure(corners:Vector.<Number>):void
         {
             if (_kind != BoundingStructure.BOX)
@@ -267,7 +274,7 @@ package starlogo.terrain
             }
         }
 
-        // Whether all of it is above the plane of a triangle, as most pieces are.
+        // Whether the whole piece is above the plane of a triangle. Most pieces are.
         private function isAbove(corners:Vector.<Number>):Boolean
         {
             GroundFaces.findOutside(corners, _outside);

@@ -19,15 +19,15 @@ package starlogo.terrain
         private var _triangles:TriangleRay = new TriangleRay();
         private var _outside:ContactPoint = new ContactPoint();
 
-        /** Nothing found yet. */
+        /** Creates a finder that has found nothing yet. */
         public function GroundRay()
         {
         }
 
         /**
-         * Narrows a ray to what is behind its first hit.
+         * Narrows a ray to the part behind its first hit.
          *
-         * @param ray in the world; its beginning becomes the hit, with the normal there: out of the ground
+         * @param ray in the world; its beginning becomes the hit, with the normal there, which points out of the ground
          * @return whether there is a hit
          */
         public function find(grid:HeightGrid, ray:Ray):Boolean
@@ -68,7 +68,7 @@ package starlogo.terrain
             return isHit;
         }
 
-        // Begins with the part of the ray that is over the terrain; false if there is none.
+        // Begins with the part of the ray that is over the terrain. Returns false if there is none.
         private function beginOver(grid:HeightGrid, ray:Ray):Boolean
         {
             var box:PassingBox = _faces.box;

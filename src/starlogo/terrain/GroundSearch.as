@@ -14,12 +14,12 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * Goes through the convex pieces of a model, which are one structure or those of its tree, and the triangles of the ground near each, with one of four
-     * goals.
+     * Tests the convex pieces of a model against the triangles of the ground near each piece, with one of four goals. The pieces are the
+     * model's structure, or the structures or triangles of its tree.
      */
     internal class GroundSearch
     {
-        // What is looked for: whether a piece overlaps the ground; when one first touches the surface; the deepest contact; the closest points.
+        // The goals: whether a piece overlaps the ground; when a piece first touches the surface; the deepest contact; the closest points.
         protected static const OVERLAP:int = 0;
         protected static const TIME:int = 1;
         protected static const CONTACT:int = 2;
@@ -28,7 +28,7 @@ package starlogo.terrain
         /** How far the surface of the ground is moved inwards. */
         public var inset:Number = 0;
 
-        /** For <code>isOverlapping()</code>: the gap. */
+        /** The largest gap across which a structure still touches the ground. Input of <code>isOverlapping()</code>. */
         public var gap:Number = 0;
 
         protected var grid:HeightGrid;
@@ -38,14 +38,15 @@ package starlogo.terrain
         protected var corners:Vector.<Number>;
         protected var isExact:Boolean;
 
-        // Where the model is at the time under way, and how much wider it is.
+        // The model's placement at the current time, and the margin by which the model is enlarged.
         protected var placed:Placement = new Placement();
         protected var margin:Number = 0;
 
         protected var goal:int = 0;
         private var _motion:RelativeMotion;
 
-        // What was found: whether there is anything; the time, the distance, or the depth below 0; the piece and the triangle.
+        // The result: whether anything was found; the time, the distance or the negative depth. The current piece, the best piece and its
+        // triangle.
         protected var isFound:Boolean = false;
         protected var best:Number = 0;
         protected var piece:GroundPiece = new GroundPiece();
@@ -58,7 +59,7 @@ package starlogo.terrain
         protected var faces:GroundFaces = new GroundFaces();
         protected var nodeFaces:GroundFaces = new GroundFaces();
 
-        /** No model yet. */
+        /** Creates a search without a model. */
         public function GroundSearch()
         {
         }
@@ -95,7 +96,7 @@ package starlogo.terrain
                 meetStructure(structureOf(node));
                 return;
             }
-            // less than the nodes are wider than the triangles
+            // The nodes are enlarged by more than this, so they still contain the triangles.
             var reach:Number = margin + Tolerances.SURFACES / 2 * tree.root.radius * placed.size;
             for (var i:int = node.first; i < node.end && !isDone(); i++)
             {
@@ -111,7 +112,7 @@ package starlogo.terrain
             return isFound && (goal == OVERLAP || goal == TIME && best == 0);
         }
 
-        // Around a node and its descendants.
+        // The structure around a node and its descendants.
         private function structureOf(node:HierarchyNode):BoundingStructure
         {
             if (tree.boundsKind != BoundingStructure.BOX)
@@ -121,7 +122,7 @@ package starlogo.terrain
             return node.writeBox(_box);
         }
 
-        // Whether the surface comes near a node. One away from it that is under the ground overlaps it.
+        // Whether the surface comes near a node. If it does not, and the node is under the ground, the node overlaps the ground.
         private function isNear(node:HierarchyNode):Boolean
         {
             var box:PassingBox = nodeFaces.box;
@@ -141,7 +142,7 @@ package starlogo.terrain
             return false;
         }
 
-        // Makes a box the extents of a structure where the model stands.
+        // Sets a box to the extents of a structure at the model's current placement.
         protected final function writeBox(structure:BoundingStructure, box:PassingBox):void
         {
             structure.turnedExtentsInto(placed, _extents);
@@ -153,7 +154,7 @@ package starlogo.terrain
             box.halfZ = _extents[5] + margin;
         }
 
-        // Begins with the box that stands: as far on its way, or as far around it, as something better may be found.
+        // Begins with the standing box. Extends it along its way, or to all sides, as far as something better may be found.
         private function beginFaces(of:GroundFaces):void
         {
             var box:PassingBox = of.box;
@@ -178,7 +179,7 @@ package starlogo.terrain
             meet();
         }
 
-        /** The piece with the surface near it; the box is that around the piece. */
+        /** Tests the piece against the surface near it. The box of <code>faces</code> must be the box around the piece. */
         protected final function meet():void
         {
             var isBetter:Boolean = false;
@@ -219,7 +220,7 @@ package starlogo.terrain
             }
         }
 
-        // Whether a triangle is better than all before, or as good as the bound that there is at the beginning.
+        // Whether a triangle is better than all before it. The first triangle found may also be only as good as the bound at the beginning.
         private function isBetterFace():Boolean
         {
             var found:Number = Infinity;

@@ -1,8 +1,8 @@
 package starlogo.terrain
 {
     /**
-     * The heights of a terrain, with bounds of blocks of cells, by which what is far above or below skips them. Plain fields: all that meets the ground reads
-     * them, and V8 makes an object of each Number that it passes.
+     * The heights of a terrain, with bounds for blocks of cells. Tests skip the blocks that are far above or below. It has plain fields,
+     * because all tests of the ground read them, and V8 allocates an object for each Number that is passed.
      *
      * @private
      */
@@ -32,16 +32,16 @@ package starlogo.terrain
         /** The heights, row by row. */
         public var heights:Vector.<Number>;
 
-        /** How many blocks a row of them has. */
+        /** How many blocks there are in a row. */
         public var blockColumns:int;
 
-        /** By block, row by row: the least height of its cells' corners, and of the neighbours' to which walls lead. */
+        /** For each block, row by row: the least height of its cells' corners, and of the neighbours that its walls lead to. */
         public var leasts:Vector.<Number>;
 
-        /** By block: the greatest of these heights. */
+        /** For each block: the greatest of these heights. */
         public var greatests:Vector.<Number>;
 
-        /** By block: the square of the steepest slope of its cells. */
+        /** For each block: the square of the steepest slope of its cells. */
         public var steepests:Vector.<Number>;
 
         /** Tests models against the ground. It is here, so that a bundle without a Terrain has none of these tests. */
@@ -65,13 +65,13 @@ package starlogo.terrain
         /** How high the ground is at the place; NaN outside. */
         public var height:Number = 0;
 
-        // Not the constant: where one was written before, V8 makes an object of the next Number.
+        // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
         private var _nothing:Number = NaN;
 
         // The greatest of all heights; NaN if it has to be found anew.
         private var _greatest:Number = NaN;
 
-        /** Flat ground; the numbers are right. */
+        /** Creates flat ground. The caller has checked the numbers. */
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
         {
             this.columns = columns;
@@ -127,7 +127,7 @@ package starlogo.terrain
                 height = _nothing;
                 return;
             }
-            // int rounds down what is not negative
+            // The conversion to int rounds down, because the numbers are not negative.
             var column:int = toX;
             var row:int = toY;
             column = column < columns - 1 ? column : column - 1;
@@ -145,7 +145,7 @@ package starlogo.terrain
             }
         }
 
-        /** Finds the bounds of the blocks that have some heights, and of those whose cells end there. */
+        /** Computes the bounds of the blocks that contain a range of heights, and of the blocks whose cells end there. */
         public function findBounds(first:int, firstRow:int, last:int, lastRow:int):void
         {
             revision++;
@@ -191,7 +191,7 @@ package starlogo.terrain
             steepests[block] = steepest / cellWidth / cellWidth;
         }
 
-        // Of columns.
+        // Finds the height at the place on a surface of columns.
         private function findTop():void
         {
             var toX:Number = (placeX - x) / cellWidth + 0.5;

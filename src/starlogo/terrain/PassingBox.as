@@ -1,6 +1,9 @@
 package starlogo.terrain
 {
-    /** A box along the world's axes that stands, or moves straight on. Plain fields, because V8 makes an object of each Number that it passes. */
+    /**
+     * A box along the world's axes that stands, or moves along a straight line. It has plain fields, because V8 allocates an object for each
+     * Number that is passed.
+     */
     internal final class PassingBox
     {
         /** Its middle, where the way begins. */
@@ -30,7 +33,7 @@ package starlogo.terrain
         /** @copy #wayX */
         public var wayZ:Number = 0;
 
-        /** How much of the way counts, as a multiple of it. Finite; it may be made less during a walk. */
+        /** How much of the way counts, as a multiple of the way. It must be finite. It may be reduced during a walk. */
         public var limit:Number = 0;
 
         /** The part of the way that <code>cut()</code> narrows. */
@@ -39,12 +42,12 @@ package starlogo.terrain
         /** @copy #from */
         public var to:Number = 0;
 
-        /** At the origin. */
+        /** Creates a box at the origin. */
         public function PassingBox()
         {
         }
 
-        /** Narrows the part of the way to where, along one axis, the box overlaps an interval. */
+        /** Narrows the part of the way to the part on which the box overlaps an interval along one axis. */
         public function cut(at:Number, half:Number, way:Number, low:Number, high:Number):void
         {
             low -= at + half;

@@ -6,14 +6,14 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * Answers for most agents in a tenth of the time whether they touch the ground: for those that reach down to it in their middle, and for those that are
-     * higher above it than the steepest slope near them allows.
+     * Answers for most agents in a tenth of the time whether they touch the ground. It decides about agents whose inner ball reaches down to
+     * the ground, and about agents that are higher above the ground than the steepest slope near them allows.
      *
      * @private
      */
     public final class QuickLook
     {
-        // The cells within its reach.
+        // The cells within the agent's reach.
         private var _first:int = 0;
         private var _last:int = 0;
         private var _firstRow:int = 0;
@@ -28,24 +28,24 @@ package starlogo.terrain
         /** @copy #x */
         public var z:Number = 0;
 
-        /** Whether it holds its middle, and the radius of a ball about that which it holds. */
+        /** Whether the agent contains its middle, and the radius of a ball about the middle that the agent contains. */
         public var isSolid:Boolean = false;
 
         /** @copy #isSolid */
         public var inner:Number = 0;
 
-        /** The radius of a ball around it, with the gap across which it and the ground touch. */
+        /** The radius of a ball around the agent, enlarged by the gap across which the agent and the ground still touch. */
         public var outer:Number = 0;
 
-        /** Whether it touches the ground, as far as is known. */
+        /** Whether the agent is known to touch the ground. */
         public var isTouching:Boolean = false;
 
-        /** No agent yet. */
+        /** Creates a test without an agent. */
         public function QuickLook()
         {
         }
 
-        /** Whether it is known. At the borders of a terrain it mostly is not. */
+        /** Whether the answer is known. At the borders of a terrain it is mostly not known. */
         public function decide(grid:HeightGrid):Boolean
         {
             grid.placeX = x;
@@ -69,13 +69,13 @@ package starlogo.terrain
             return isAbove(grid, above);
         }
 
-        // Whether, within its reach, it is higher than all of the ground, or all slopes are less steep: a plane with a slope is as far away as the height above
-        // it times the cosine.
+        // Whether the agent is higher than all of the ground within its reach, or too high for the slopes there. The distance from a sloped
+        // plane is the height above the plane times the cosine of its angle.
         private function isAbove(grid:HeightGrid, above:Number):Boolean
         {
             var greatest:Number = -Agent.LARGEST_COORDINATE;
             var steepest:Number = 0;
-            // a column reaches half a cell farther than its height
+            // A column extends half a cell beyond the place of its height.
             for (var row:int = _firstRow >> HeightGrid.BLOCK; row <= (_lastRow + 1) >> HeightGrid.BLOCK; row++)
             {
                 for (var column:int = _first >> HeightGrid.BLOCK; column <= (_last + 1) >> HeightGrid.BLOCK; column++)

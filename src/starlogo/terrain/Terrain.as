@@ -7,11 +7,11 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * The ground of a game: a grid of heights, and solid below them, however deep. Outside of the grid there is nothing.
+     * The ground of a game: a grid of heights. Below the heights the ground is solid, however deep. Outside of the grid there is nothing.
      *
-     * <p>The heights make one of two surfaces. As slopes, each cell between four heights is two triangles, cut by the diagonal from its least corner
-     * to its greatest. With <code>isBlocky</code>, each height is the top of an upright square column around it, one cell wide. The surface
-     * belongs to the ground.</p>
+     * <p>The heights make one of two surfaces: slopes or columns. With slopes, each cell between four heights is two triangles. The diagonal
+     * between them goes from the corner with the least x and y to the corner with the greatest x and y. With <code>isBlocky</code>, each height
+     * is the top of an upright square column around it, one cell wide. The surface belongs to the ground.</p>
      *
      * <p>Heights may change at any time. Frames and questions that begin later see the change. The cost is in proportion to the heights that
      * change. The memory is 9 bytes for each height. A call that throws changes nothing.</p>
@@ -58,7 +58,7 @@ package starlogo.terrain
          * Ground with a height for each pixel of a picture. The picture is seen from above: its top row has the greatest y.
          *
          * @param picture in Flash a BitmapData, in JavaScript an ImageData
-         * @param height of white; black is 0, and greys are in between. A color is the grey of the mean of its red, green and blue
+         * @param height the height of white; black is 0, and greys are in between. A color counts as the mean of its red, green and blue
          * @throws ArgumentError if there is no picture
          * @throws RangeError as the constructor does for the other numbers, and if the height is not finite
          */
@@ -116,7 +116,7 @@ package starlogo.terrain
 
         /**
          * The agent that stands for the ground: handlers get it as the collidee, and answers to questions name it. Its breed is
-         * <code>Collision.TERRAIN</code>. No list of agents may have it.
+         * <code>Collision.TERRAIN</code>. It must not be put into a list of agents.
          */
         public function get agent():Agent
         {
@@ -138,7 +138,7 @@ package starlogo.terrain
          * Changes one of the heights.
          *
          * @param height in patches, at most Agent.LARGEST_COORDINATE either way
-         * @throws RangeError if there is no such height, or it cannot be that
+         * @throws RangeError if there is no such height, or if the new height is not finite or too large
          */
         public function setHeight(column:int, row:int, height:Number):void
         {
@@ -151,10 +151,10 @@ package starlogo.terrain
         /**
          * Changes the heights of a region.
          *
-         * @param column the first, from 0 on; row and rows are the same the other way
-         * @param columns how many
+         * @param column the region's first column, from 0 on; row is its first row
+         * @param columns how many columns the region has; rows is how many rows
          * @param heights as many as the region has, row by row
-         * @throws ArgumentError if there are none
+         * @throws ArgumentError if heights is null
          * @throws RangeError if the region is not within the terrain, there are too few or too many, or one is not finite or too large
          */
         public function setHeights(column:int, row:int, columns:int, rows:int, heights:Vector.<Number>):void
@@ -180,8 +180,8 @@ package starlogo.terrain
         }
 
         /**
-         * Raises a round hill about (x, y), or with a negative height digs a hollow. The middle rises by the height, the border not at all. At a part d of the way to the
-         * border it is (1 - dd)(1 - dd) of the height.
+         * Raises a round hill about (x, y). With a negative height it digs a hollow. The middle rises by the height, and the border does not
+         * rise. At the share d of the way from the middle to the border, the ground rises by (1 - dd)(1 - dd) times the height.
          *
          * @param width from border to border, more than 0
          * @throws RangeError if a number is not finite, the hill is wholly outside of the terrain, or a height would be too large
@@ -214,7 +214,7 @@ package starlogo.terrain
                     raised.push(grid.heights[int(row * grid.columns + column)] + height * share * share);
                 }
             }
-            // none if it is between heights
+            // There are none if the hill is between heights.
             if (raised.length > 0)
             {
                 setHeights(first, firstRow, last - first + 1, lastRow - firstRow + 1, raised);
@@ -245,7 +245,7 @@ package starlogo.terrain
         }
 
         /**
-         * How high the ground is at a place; at a border between columns it is the higher one's height.
+         * How high the ground is at a place. At a border between columns it is the height of the higher column.
          *
          * @return NaN outside of the terrain
          */
@@ -258,8 +258,8 @@ package starlogo.terrain
         }
 
         /**
-         * The direction that points out of the ground at a place, of length 1. At a border between triangles it is that of one of them; columns have it
-         * straight up.
+         * The direction that points out of the ground at a place, of length 1. At a border between triangles it is the direction of one of
+         * them. On columns it is straight up.
          *
          * @param out takes it; made if null
          * @return out, or the new one; null outside of the terrain

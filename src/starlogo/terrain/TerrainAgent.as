@@ -7,7 +7,7 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * The agent that stands for a terrain. It is where the terrain's first height is; neither that nor another of its traits counts.
+     * The agent that stands for a terrain. Its place is the place of the terrain's first height. Neither its place nor its other traits count.
      *
      * @private
      */

@@ -13,13 +13,15 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * A model that is placed in the world, as a structure or a tree, and the ground: whether they overlap, when, how, and how far they are apart.
+     * Tests a placed model against the ground: whether the two overlap, when and how they first touch, and how far they are apart. The model is
+     * a structure or a tree.
      *
-     * <p>What hangs together and does not touch the surface of the ground is under it or not, as a whole: a point decides. So each convex piece, a structure
-     * or a triangle, meets the triangles of the surface near it (GroundFaces), and then a point of it is tried. Nodes of a tree that are divided
-     * only say by their boxes which surface is near. Nodes at the depth limit are pieces.</p>
+     * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
+     * First, each convex piece is tested against the triangles of the surface near it (GroundFaces). Then a point of the piece is tested. A
+     * piece is a structure or a triangle. Nodes at the depth limit are pieces. Nodes that are divided only say, by their boxes, whether the
+     * surface is near.</p>
      *
-     * <p>Answers are nested: a node's piece holds those of its descendants, covers included, and all its triangles.</p>
+     * <p>Answers are nested, because a node's piece contains the pieces of its descendants, their covers, and all its triangles.</p>
      *
      * @private
      */
@@ -27,20 +29,20 @@ package starlogo.terrain
     {
         private var _placement:Placement;
 
-        /** No model yet. */
+        /** Creates a test without a model. */
         public function TerrainPair()
         {
         }
 
         /**
-         * Sets the two.
+         * Sets the model and the ground.
          *
          * @param grid the ground
          * @param tree the model's hierarchy; null if a structure represents it
          * @param structure the structure, or the one around the tree, in the model's space
          * @param placement where the model stands
          * @param depth how many levels of the tree are visited
-         * @param exact whether, if the tree has triangles, depths do not count and triangles decide
+         * @param exact whether triangles decide in place of depths, if the tree has triangles
          */
         public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
@@ -51,7 +53,7 @@ package starlogo.terrain
             isExact = tree != null && exact && tree.hasTriangles;
             this.depth = isExact ? int.MAX_VALUE : depth;
             corners = isExact ? tree.corners : null;
-            // as if another agent stood where it touches
+            // The margin is as large as if another agent stood at the place of the touch.
             margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
             gap = 0;
             faces.inset = nodeFaces.inset = inset;
@@ -85,7 +87,10 @@ package starlogo.terrain
             return overlapsAt(RelativeMotion.NONE, 0);
         }
 
-        /** Finds the first moment of a motion of the model at which the two overlap: its time, from 0 to 1, or RelativeMotion.NEVER. */
+        /**
+         * Finds the first moment at which the two overlap while the model moves. The motion receives the time, from 0 to 1, or
+         * RelativeMotion.NEVER.
+         */
         public function findTime(motion:RelativeMotion):void
         {
             if (overlapsAt(motion, 0))
@@ -105,7 +110,7 @@ package starlogo.terrain
          * Finds when the model first touches the surface as it moves, and how.
          *
          * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out takes how, the normal pointing out of the ground; null if only the time is wanted
+         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -120,10 +125,11 @@ package starlogo.terrain
         }
 
         /**
-         * How the model, which overlaps the ground at a motion's time, does so: as it first touches the surface, or, where it stands, as the deepest of its pieces
-         * does. One that is wholly under the ground is to be lifted.
+         * Finds the contact of the model and the ground, which overlap at the motion's time. If the moving model first touches the surface
+         * then, it is the contact of this touch. Otherwise it is the contact of the deepest piece, where the model stands then. If the model is
+         * wholly under the ground, the contact lifts it up.
          *
-         * @param out takes it, the normal pointing out of the ground
+         * @param out receives the contact, with a normal that points out of the ground
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -145,7 +151,7 @@ package starlogo.terrain
             }
         }
 
-        /** How far the model, where it stands, has to be lifted to be above the ground at its middle. */
+        /** Finds the contact that lifts the standing model above the ground at its middle. */
         public function findOuterContact(out:ContactPoint):void
         {
             moveTo(RelativeMotion.NONE, 0);
@@ -155,7 +161,7 @@ package starlogo.terrain
         /**
          * Finds how far the two are apart where the model stands, and between which points.
          *
-         * @param areTouching whether they overlap: then a point of both is found
+         * @param areTouching whether they overlap. If so, a point of both is found
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
@@ -205,7 +211,7 @@ package starlogo.terrain
             return isFound;
         }
 
-        // From the lowest place of the model to the ground over or under its middle: there may be higher ground beside it.
+        // Finds the way from the model's lowest place up to the ground at the model's middle. There may be higher ground beside it.
         private function findWayUp(out:ContactPoint):void
         {
             var box:PassingBox = nodeFaces.box;
@@ -214,14 +220,15 @@ package starlogo.terrain
             grid.placeY = box.y;
             grid.findHeight();
             out.setNormal(0, 0, 1);
-            // 0 for NaN
+            // If the height is NaN, the depth is 0.
             out.depth = grid.height > box.z - box.halfZ ? grid.height - box.z + box.halfZ : 0;
             out.x = box.x;
             out.y = box.y;
             out.z = box.z - box.halfZ + out.depth / 2;
         }
 
-        // No less than how far the two are apart: as far as the nearest height is from the middle of the model, and how far that reaches.
+        // An upper bound of the distance of the two: the distance from the model's middle to the nearest height, plus how far the model
+        // extends.
         private function findBound():Number
         {
             var box:PassingBox = nodeFaces.box;

@@ -7,8 +7,8 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * The edges of the world: the least and the greatest x, y and z. An agent touches them where its shape, as the collision system sees it, comes to an
-     * edge or reaches beyond it.
+     * The edges of the world: the least and the greatest x, y and z. An agent touches them where its shape, as the collision system sees it, comes
+     * to an edge or reaches beyond it.
      */
     public final class WorldBounds
     {
@@ -16,7 +16,7 @@ package starlogo.terrain
         private var _agent:Agent;
 
         /**
-         * Edges of the world; each may be infinite, and there is none then.
+         * Creates the edges of the world. Where a number is infinite, the world has no edge.
          *
          * @param minX the least x, in patches; may be -Infinity
          * @param minY the least y
@@ -35,7 +35,7 @@ package starlogo.terrain
         }
 
         /**
-         * Moves the edges; parameters and errors as in the constructor. After an error they are where they were.
+         * Moves the edges. The parameters and the errors are the same as in the constructor. After an error the edges are where they were.
          *
          * @param minX the least x; may be infinite
          * @param minY the least y; may be infinite
@@ -94,7 +94,10 @@ package starlogo.terrain
             return _edges[5];
         }
 
-        /** Stands for the edges in handlers: of the breed <code>Collision.EDGE</code>, in no list. None of its other traits counts. */
+        /**
+         * The agent that stands for the edges in handlers. Its breed is <code>Collision.EDGE</code>, and it is in no list. Its other traits do
+         * not count.
+         */
         public function get agent():Agent
         {
             return _agent;

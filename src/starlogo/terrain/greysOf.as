@@ -4,7 +4,7 @@ package starlogo.terrain
      * The grey values of a picture's pixels, the bottom row first.
      *
      * @param picture a BitmapData, or an ImageData
-     * @param scale of the sum of red, green and blue
+     * @param scale the factor of the sum of red, green and blue
      *
      * @private
      */

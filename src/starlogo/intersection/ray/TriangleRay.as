@@ -10,7 +10,7 @@ package starlogo.intersection.ray
      * edge. For the two triangles of an edge the two values are opposite, or both 0, to the last bit. So no ray slips through between the
      * triangles.</p>
      *
-     * <p>A ray also meets a triangle that it passes within the gap across which surfaces still touch (Tolerances.SURFACES). So a ray
+     * <p>A ray also meets a triangle if it passes the triangle within the gap across which surfaces still touch (Tolerances.SURFACES). So a ray
      * towards a silhouette finds it. In this case the point must lie within the triangle's extents, enlarged by the gap, because the
      * hierarchy's boxes contain only such points.</p>
      *

@@ -15,8 +15,8 @@ package starlogo.intersection.sweep
      * Finds when a sphere, capsule or box that moves touches a triangle for the first time, and how the two touch.
      *
      * <p>Two convex bodies first touch at an edge of the triangle, or at a corner of the structure that comes to the triangle's face. An edge is a
-     * capsule without a radius, so the structures' own kernels answer for it. A corner moves along a ray. The corners of a sphere or capsule are the
-     * middles of its ends, with the radius around them.</p>
+     * capsule without a radius, so the structures' own kernels answer for it. A corner moves along a ray. The corners of a sphere or capsule are
+     * the middles of its ends, with the radius around them.</p>
      *
      * @private
      */
@@ -50,7 +50,7 @@ package starlogo.intersection.sweep
         private var _isOver:Boolean = true;
         private var _point:Vector3D = new Vector3D();
 
-        /** No structure yet. */
+        /** Creates a sweep without a structure. */
         public function StructureSweep()
         {
         }
@@ -58,8 +58,8 @@ package starlogo.intersection.sweep
         /**
          * Begins with a structure.
          *
-         * @param structure where its motion begins; is kept
-         * @param motion from there, with a start of 0; is kept, and its time is overwritten
+         * @param structure at the beginning of its motion; kept
+         * @param motion the structure's motion, with a start of 0; kept, and its time is overwritten
          */
         public function begin(structure:BoundingStructure, motion:RelativeMotion):void
         {
@@ -89,8 +89,8 @@ package starlogo.intersection.sweep
         /**
          * Sets the triangle.
          *
-         * @param corners has nine numbers of it: x, y, z of each corner; is kept
-         * @param at where they begin
+         * @param corners nine numbers of the triangle: x, y, z of each corner; kept
+         * @param at index of the first of them
          */
         public function setTriangle(corners:Vector.<Number>, at:int):void
         {
@@ -105,17 +105,20 @@ package starlogo.intersection.sweep
             var longest:Number = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
             _face.setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
             _face.normalise();
-            // Without a radius, rounding would hide the direction of the last of the gap
+            // Without this radius, rounding would hide the direction of the gap when the gap is almost closed.
             _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(longest) + Math.abs(corners[at]) + Math.abs(corners[int(at + 1)])
                     + Math.abs(corners[int(at + 2)]));
             if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * longest * longest))
             {
-                // it is no more than its edges
+                // The triangle counts as its edges.
                 _face.setNormal(0, 0, 0);
             }
         }
 
-        /** Finds when the two first touch that do not touch at the beginning: <code>time</code>. A time after the limit is of no interest. */
+        /**
+         * Finds when the two first touch, and sets <code>time</code>. They must not touch at the beginning. Times after the limit do not
+         * matter.
+         */
         public function findTime(limit:Number):void
         {
             time = RelativeMotion.NEVER;
@@ -136,10 +139,10 @@ package starlogo.intersection.sweep
         }
 
         /**
-         * Finds how the two touch at a time of the motion, from 0 to 1. Of the normal of the face and those of the edges it takes the one along which
-         * the two overlap least.
+         * Finds how the two touch at a time of the motion, from 0 to 1. The normal is the normal of the face or of an edge. The one along which
+         * the two overlap least is chosen.
          *
-         * @param out takes it, the normal pointing from the triangle to the structure
+         * @param out receives the contact, with a normal that points from the triangle to the structure
          */
         public function findContact(time:Number, out:ContactPoint):void
         {
@@ -262,7 +265,8 @@ package starlogo.intersection.sweep
             return low > reach || high < -reach;
         }
 
-        // When a corner of the structure comes to the triangle's face. One that is in the plane already can only come over an edge.
+        // Finds when a corner of the structure comes to the triangle's face. A corner that is in the plane already can only come to the face
+        // over an edge.
         private function meetFace(corner:int):void
         {
             var above:Number = aboveFace(corner);

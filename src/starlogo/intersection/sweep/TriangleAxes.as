@@ -95,8 +95,8 @@ package starlogo.intersection.sweep
         }
 
         /**
-         * Tries the axes in a triangle's plane that are perpendicular to an edge until one separates the two. The given edges should be
-         * those of the triangle whose normal is more precise.
+         * Tries the axes in a triangle's plane that are perpendicular to an edge until one separates the two. The given edges should belong to
+         * the triangle with the more precise normal.
          */
         protected final function areSeparatedInPlane(edges:Vector.<Number>):Boolean
         {

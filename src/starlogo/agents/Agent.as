@@ -89,7 +89,10 @@ package starlogo.agents
             takeBreed(breed);
         }
 
-        /** @private Gives its id back, because it is the engine's own, in no list, and the last that was made. It is 0 then. */
+        /**
+         * @private Gives the agent's id back. Its id is 0 then. Call it only for an agent of the engine that is in no list and was created
+         * last.
+         */
         engine function giveIdBack():void
         {
             number = 0;
@@ -140,7 +143,7 @@ package starlogo.agents
             }
         }
 
-        /** @private Makes the breed any, without a question. */
+        /** @private Sets the breed to any name, without a check. */
         engine function takeBreed(value:String):void
         {
             _breed = value;

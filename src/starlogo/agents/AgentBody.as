@@ -318,7 +318,7 @@ package starlogo.agents
             extentsChanged();
         }
 
-        // By a quaternion of any length except 0.
+        // Turns the agent by a quaternion of any length except 0.
         private function turnBy(x:Number, y:Number, z:Number, w:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z + w * w);

@@ -14,7 +14,7 @@ package starlogo.agents
         /** The breed of agents that stand for the edges of the world. */
         public static const EDGE:String = "*edge";
 
-        // How many names, the first, are of no agents that a game makes.
+        // The number of reserved names. They are the first names, and no agent of a game can have them.
         private static const RESERVED:int = 2;
 
         private static var sNames:Vector.<String> = new <String>[TERRAIN, EDGE];
@@ -63,7 +63,7 @@ package starlogo.agents
             return sLast;
         }
 
-        /** Whether a number is that of a breed of the ground or the edges, which no other agent may have. */
+        /** Whether a number belongs to the breed of the ground or of the edges. No other agent may have these breeds. */
         public static function isReserved(number:int):Boolean
         {
             return number < RESERVED;

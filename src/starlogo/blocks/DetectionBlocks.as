@@ -43,7 +43,7 @@ package starlogo.blocks
         }
 
         /**
-         * Takes the present places of all agents. Call it once a frame, before scripts run.
+         * Reads the present places of all agents. Call it once a frame, before scripts run.
          *
          * @throws ArgumentError as AgentQueries.update
          */
@@ -54,7 +54,7 @@ package starlogo.blocks
         }
 
         /**
-         * Takes the present place of one agent, so that others find it there.
+         * Reads the present place of one agent, so that others find it there.
          *
          * @throws ArgumentError as AgentQueries.moved
          */
@@ -175,7 +175,7 @@ package starlogo.blocks
             var filter:AgentFilter = breed == Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
             if (breed == Collision.ANY_BREED)
             {
-                // the ground is not anyone, as in handlers
+                // ANY_BREED does not stand for the ground. It is the same in handlers
                 filter.exceptBreeds = new <String>[Collision.TERRAIN];
             }
             filter.accepts = accepts;

@@ -18,10 +18,10 @@ package starlogo.blocks
         private var _ground:AgentFilter = AgentFilter.ofBreeds(Collision.TERRAIN);
 
         /**
-         * Blocks for the ground and the edges of a game.
+         * Creates blocks for the ground and the edges of a game.
          *
-         * @param collisions know the ground and the edges
-         * @param detection asks what an agent touches
+         * @param collisions has the ground and the edges
+         * @param detection finds what an agent touches
          * @throws ArgumentError if one is null
          */
         public function TerrainBlocks(collisions:CollisionBlocks, detection:DetectionBlocks)
@@ -37,7 +37,7 @@ package starlogo.blocks
         /**
          * The block "build wall": raises the ground's height that is nearest to the agent.
          *
-         * @param agent builds at its place
+         * @param agent the agent that builds, at its place
          * @param height by how much, in patches; a negative height digs
          * @throws BlockError if something is missing, the height is not a number, or the agent is outside of the ground
          */
@@ -58,7 +58,7 @@ package starlogo.blocks
         /**
          * The block "build mound": raises a round hill with the agent in the middle.
          *
-         * @param agent builds at its place
+         * @param agent the agent that builds, at its place
          * @param width of the hill from border to border, in patches, more than 0
          * @param height of its middle, in patches; a negative height digs a hollow
          * @throws BlockError if something is missing, a number is wrong, or the hill would be wholly outside of the ground
@@ -84,7 +84,7 @@ package starlogo.blocks
         /**
          * The block "terrain height": how high the ground is at the agent's place.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @return patches; 0 outside of the ground
          * @throws BlockError if something is missing
          */
@@ -105,11 +105,11 @@ package starlogo.blocks
         }
 
         /**
-         * The block "touching ground?": whether the agent touches the ground or is in it, as the collision system sees it. The agent is where it
-         * is, and the ground as high as it is. A ground that the client exchanges counts from the next <code>update()</code> of the detection
-         * blocks on.
+         * The block "touching ground?": whether the agent touches the ground or is in it, as the collision system sees it. The agent's
+         * present place and the ground's present heights count. If the client exchanges the ground, the new ground counts from the next
+         * <code>update()</code> of the detection blocks on.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @return false if the game has no ground, or while the agent's model is loading
          * @throws BlockError if there is no agent
          */
@@ -122,7 +122,7 @@ package starlogo.blocks
         /**
          * The block "touching edge?": whether the agent touches an edge of the world or is beyond it, as the collision system sees it.
          *
-         * @param agent asks
+         * @param agent the agent that asks
          * @return false if the world has no edges, or while the agent's model is loading
          * @throws BlockError if there is no agent
          */

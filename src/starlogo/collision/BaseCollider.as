@@ -76,8 +76,8 @@ package starlogo.collision
         }
 
         /**
-         * How two agents touch, for handlers with a third argument. Here it is what the other collision system tells, if that is a BaseCollider;
-         * otherwise half way between the agents, with a depth of 0.
+         * Computes how two agents touch, for handlers with a third argument. If the other collision system is a BaseCollider, its contact
+         * is returned. Otherwise the point is half way between the agents, and the depth is 0.
          *
          * @param collider the normal points to it
          * @param collidee another agent
@@ -95,19 +95,19 @@ package starlogo.collision
             return contact;
         }
 
-        /** @private The engine's collider that finds just what this one finds, or null. Snapshots and questions use it. */
+        /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */
         engine function get collider():Collider
         {
             return null;
         }
 
         /**
-         * @private Finds the pairs of a Collision's frame. A system of a game's own may return a vector of its own, and need not count.
+         * @private Finds the pairs of a Collision's frame. A game's own system may return its own vector, and need not count its tests.
          *
-         * @param takePart which agents do, by their indices in the list; null for all
+         * @param takePart by index in the list: whether the agent takes part; null for all
          * @param ground stands for the ground; null for none
          * @param bounds the edges of the world; null for none
-         * @throws IllegalOperationError if there is ground, or there are edges, and this is none of the engine's systems
+         * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
         engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, bounds:WorldBounds, out:FoundPairs):void
         {

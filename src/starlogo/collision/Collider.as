@@ -24,8 +24,8 @@ package starlogo.collision
      * agents whose breeds have handlers: their order in the list, their positions and extents. In a pair, the agent that is first in the list
      * comes first.</p>
      *
-     * <p>An agent whose model a ModelLoader is still loading collides with nothing. The statistics count it. Models may be replaced and removed
-     * at any time.</p>
+     * <p>While a ModelLoader is loading an agent's model, the agent collides with nothing. The statistics count it. Models may be replaced
+     * and removed at any time.</p>
      */
     public class Collider extends BaseCollider
     {
@@ -97,7 +97,7 @@ package starlogo.collision
          * @param collidee another agent
          * @param out receives the contact; created if null
          * @return out. If the two do not touch, the point is where they are nearest, and the depth is 0
-         * @throws ArgumentError if one is null, both are one, or a model is unknown or still loading
+         * @throws ArgumentError if one is null, if both are the same agent, or if a model is unknown or still loading
          */
         override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {

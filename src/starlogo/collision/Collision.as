@@ -41,33 +41,33 @@ package starlogo.collision
         public static const ANY_BREED:String = BreedInterests.ANY_BREED;
 
         /**
-         * In place of a breed's name: the ground. A handler for it gets <code>terrain.agent</code>. ANY_BREED does not stand for the ground. No other
-         * agent may have this breed.
+         * Stands for the ground in place of a breed's name. A handler for it gets <code>terrain.agent</code>. ANY_BREED does not stand for
+         * the ground. No other agent may have this breed.
          */
         public static const TERRAIN:String = Breeds.TERRAIN;
 
         /**
-         * The ground, or null for none. Agents collide with it whose breeds have handlers together with <code>TERRAIN</code>. The others cost
-         * nothing. It may be exchanged between frames. It needs one of the engine's collision systems.
+         * The ground, or null for none. Agents collide with it if their breeds have handlers together with <code>TERRAIN</code>. Other
+         * agents cost nothing. You may exchange the ground between frames. It needs one of the engine's collision systems.
          */
         public var terrain:Terrain = null;
 
         /**
-         * In place of a breed's name: the edges of the world. A handler for them gets <code>bounds.agent</code>, and a contact whose normal points into the
-         * world. ANY_BREED does not stand for them. No other agent may have this breed.
+         * Stands for the edges of the world in place of a breed's name. A handler for them gets <code>bounds.agent</code>, and a contact
+         * whose normal points into the world. ANY_BREED does not stand for them. No other agent may have this breed.
          */
         public static const EDGE:String = Breeds.EDGE;
 
         /**
-         * The edges of the world, or null for none. Agents collide with them whose breeds have handlers together with <code>EDGE</code>. The others cost
-         * nothing. They may be exchanged between frames. They need one of the engine's collision systems.
+         * The edges of the world, or null for none. Agents collide with them if their breeds have handlers together with <code>EDGE</code>.
+         * Other agents cost nothing. You may exchange the edges between frames. They need one of the engine's collision systems.
          */
         public var bounds:WorldBounds = null;
 
         /**
-         * Which agents take part: an AgentFilter, or null for all. The others cost no tests and collide with nothing, as if they were not in the
-         * list; but an agent that takes part again has moved from where the last frame saw it. It is asked once a frame of each agent, before
-         * anything is tested; an error that it throws ends the frame, and no handler runs.
+         * Decides which agents take part: an AgentFilter, or null for all. Other agents cost no tests and collide with nothing, as if they
+         * were not in the list. But when such an agent takes part again, its motion begins where the last frame saw it. The filter is asked
+         * once a frame about each agent, before anything is tested. If it throws an error, the frame ends, and no handler runs.
          */
         public var filter:AgentPredicate = null;
 
@@ -397,7 +397,7 @@ package starlogo.collision
             _statistics.findMs = getTimer() - start;
         }
 
-        // The collision system refuses an agent that is null.
+        // Asks the filter about each agent. An agent that is null takes part, because the collision system refuses it.
         private function applyFilter(agents:Vector.<Agent>):void
         {
             for (var i:int = 0; filter != null && i < agents.length; i++)

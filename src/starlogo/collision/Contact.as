@@ -10,9 +10,10 @@ package starlogo.collision
      * Tells when, where and how deep two agents touch. A handler with a third argument gets a Contact. The next call overwrites it, so keep the
      * numbers, or clone the vectors.
      *
-     * <p>The depth separates the two, in each of the engine's systems. Move the collider along the normal by the depth and 1e-9 of the larger
-     * extent more, and the two no longer touch, as that system sees them. Move it by 1e-9 less, and they still do. From about a million times
-     * the extent away from the origin, the rounding of the coordinates is coarser than that, and takes the place of 1e-9.</p>
+     * <p>The depth separates the two, in each of the engine's systems. Move the collider along the normal by the depth and 1e-9 of the
+     * larger extent more, and the two no longer touch, as that system sees them. Move it by 1e-9 less, and they still do. If the origin is
+     * farther away than about a million times the extent, the rounding of the coordinates is coarser than that, and takes the place of
+     * 1e-9.</p>
      *
      * <p>For spheres, capsules and boxes the normal is the shortest way out. For hierarchies and triangles it is a short way. If they overlap by
      * less than 1/256 of the larger extent, it is the normal of the first two nodes or triangles that touch. Otherwise the engine improves this
@@ -45,8 +46,9 @@ package starlogo.collision
         public var depth:Number = 0;
 
         /**
-         * How fast the collider came to the collidee along the normal, in patches a frame, as their motions since the last frame say: not negative; 0 where
-         * neither sweeps, and where they do not come nearer. For <code>moveUntilTouch()</code> it is how far the motion goes against the normal.
+         * How fast the collider came to the collidee along the normal, in patches a frame. It is computed from their motions since the last
+         * frame, and is not negative. It is 0 if neither sweeps, or if they do not come nearer. For <code>moveUntilTouch()</code> it is how
+         * far the motion goes against the normal.
          */
         public var approachSpeed:Number = 0;
 

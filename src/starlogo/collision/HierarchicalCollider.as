@@ -7,9 +7,10 @@ package starlogo.collision
      * Finds collisions by the hierarchies of the agents' models (thesis §4): trees of boxes around their parts. If it is exact, it finds them by
      * the models' triangles.
      *
-     * <p>The extents of an agent's whole model decide which agents it is near (§4.7). If the extents of two agents overlap, their hierarchies
-     * are visited together, depth-first (§4.6). The two collide if two of their structures overlap that are leaves or at the depth limit. A
-     * depth counts levels; the root is on level 1. If one hierarchy ends before the other, only the other is descended further.</p>
+     * <p>The extents of an agent's whole model decide which agents it is near (§4.7). If the extents of two agents overlap, their
+     * hierarchies are visited together, depth-first (§4.6). The two collide if two of their structures overlap, and each of these is a leaf
+     * or at the depth limit. A depth counts levels; the root is on level 1. If one hierarchy ends before the other, only the other is
+     * descended further.</p>
      *
      * <p>The thesis transforms the two structures of each pair of nodes into the world (§4.5), and descends both hierarchies at once (§4.6).
      * Here one transform for each pair of agents serves all nodes. If two nodes overlap, the larger one is divided; if the middle of one is in

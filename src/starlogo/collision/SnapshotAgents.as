@@ -25,7 +25,7 @@ package starlogo.collision
 
         private static var sCount:int = 0;
 
-        // Tells this Collision's snapshots from all others: the count does it within this program, the clock between programs.
+        // Marks the snapshots of this Collision. The count differs between the Collisions of this program, and the clock between programs.
         private var _origin:Number;
 
         /** Creates it for a new Collision. */

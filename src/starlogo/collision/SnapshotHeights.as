@@ -8,18 +8,19 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * Writes and reads the heights of the ground in a snapshot. A run of heights that are 0 takes eight bytes together, so flat ground takes hardly any.
+     * Writes and reads the heights of the ground in a snapshot. A run of heights that are 0 takes eight bytes together, so flat ground
+     * takes only a few bytes.
      *
-     * <p>The bytes: how many columns; how many rows; whether the surface is columns; runs until all heights are there, each with how many
-     * heights are 0, how many follow, and these.</p>
+     * <p>The bytes are: the number of columns; the number of rows; whether the surface is columns; then runs, until all heights are there.
+     * A run is the number of heights that are 0, the number of other heights that follow, and these other heights.</p>
      */
     internal final class SnapshotHeights
     {
-        // Of the snapshot that was read last.
+        // The heights and the surface of the snapshot that was read last.
         private var _heights:Vector.<Number>;
         private var _isBlocky:Boolean;
 
-        /** Nothing read yet. */
+        /** Begins without a snapshot. */
         public function SnapshotHeights()
         {
         }
@@ -45,9 +46,10 @@ package starlogo.collision
         }
 
         /**
-         * Reads what was written; the terrain does not change yet. False, or an EOFError, for bytes that are no snapshot.
+         * Reads the heights that <code>write()</code> has written. The terrain does not change yet. If the bytes are no snapshot, it
+         * returns false or throws an EOFError.
          *
-         * @throws ArgumentError if it was of another grid
+         * @throws ArgumentError if the snapshot has another number of columns or rows than the terrain
          */
         public function read(bytes:ByteArray, terrain:Terrain):Boolean
         {

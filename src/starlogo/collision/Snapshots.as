@@ -82,7 +82,7 @@ package starlogo.collision
          * @param tracker knows which pairs touch now; it is empty afterwards, and used in the next call
          * @param terrain the ground, which gets the heights that it had then; or null
          * @param bounds the edges of the world, or null
-         * @return what knows which pairs touched then
+         * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
         public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker, terrain:Terrain,
@@ -133,7 +133,7 @@ package starlogo.collision
             {
                 var pair:Touch = tracker.pairAt(i);
                 pairs.writeInt(indices[table.rowOf(pair.first)]);
-                // the breeds that are reserved have the first numbers: first the ground's
+                // the reserved breeds have the first numbers, and the ground's breed is the first of them
                 pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + pair.secondBreed : indices[table.rowOf(pair.second)]);
                 pairs.writeInt(indexIn(breeds, pair.firstBreed));
                 pairs.writeInt(indexIn(breeds, pair.secondBreed));
@@ -151,7 +151,8 @@ package starlogo.collision
             bytes.writeBytes(pairs);
         }
 
-        // Looks at everything, and reads the pairs into a tracker that has none. False, or an EOFError, for bytes that are no snapshot.
+        // Checks all bytes, and reads the pairs into a tracker without pairs. If the bytes are no snapshot, it returns false or throws an
+        // EOFError.
         private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain, bounds:WorldBounds):Boolean
         {
             var count:int = bytes.readInt();
@@ -210,7 +211,7 @@ package starlogo.collision
             return tracker.count == pairs;
         }
 
-        // The agent with an index: after those of the list come the ground and the edges. Null if there is none.
+        // The agent with an index. After the agents of the list come the ground and the edges. Null if there is none.
         private static function agentAt(agents:Vector.<Agent>, index:uint, terrain:Terrain, bounds:WorldBounds):Agent
         {
             if (index < agents.length)

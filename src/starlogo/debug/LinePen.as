@@ -17,7 +17,7 @@ package starlogo.debug
             this.lines = lines == null ? new Vector.<Number>() : lines;
         }
 
-        /** The point that lies atA along a and atB along b from a point. */
+        /** A point moved by atA along a, and by atB along b. */
         public static function along(from:Vector3D, a:Vector3D, atA:Number, b:Vector3D, atB:Number):Vector3D
         {
             return new Vector3D(from.x + a.x * atA + b.x * atB, from.y + a.y * atA + b.y * atB, from.z + a.z * atA + b.z * atB);

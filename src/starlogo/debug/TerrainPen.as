@@ -3,7 +3,7 @@ package starlogo.debug
     import flash.geom.Vector3D;
     import starlogo.terrain.Terrain;
 
-    /** Draws the surface of a terrain, as far as its heights are in a rectangle. */
+    /** Draws the surface of a terrain between the heights that are in a rectangle. */
     internal final class TerrainPen
     {
         private var _terrain:Terrain;
@@ -13,7 +13,7 @@ package starlogo.debug
         private var _firstRow:int;
         private var _lastRow:int;
 
-        /** As Wireframes.ofTerrain has them. */
+        /** The parameters are those of Wireframes.ofTerrain. */
         public function TerrainPen(terrain:Terrain, minX:Number, minY:Number, maxX:Number, maxY:Number, pen:LinePen)
         {
             _terrain = terrain;
@@ -51,13 +51,14 @@ package starlogo.debug
             return Math.max(least, Math.min(greatest, value));
         }
 
-        // From a height to a neighbour.
+        // Draws the line from a height to a neighbour.
         private function drawSlope(column:int, row:int, columns:int, rows:int):void
         {
             drawLine(column, row, heightOf(column, row), column + columns, row + rows, heightOf(column + columns, row + rows));
         }
 
-        // The lines of the corner that four columns have in common: the edges of their tops that lead from there along x and y, and an upright.
+        // Draws the lines of the corner that four columns have in common. These are the edges of their tops that lead from there along x
+        // and y, and an upright line.
         private function drawColumns(column:int, row:int):void
         {
             var here:Number = heightOf(column, row);
@@ -79,7 +80,7 @@ package starlogo.debug
             }
         }
 
-        // The edge of two columns: one line if they are of the same height.
+        // Draws the edge between two columns. It is one line if they have the same height.
         private function drawTops(column:int, row:int, columns:int, rows:int, a:Number, b:Number):void
         {
             drawLine(column - 0.5, row - 0.5, a, column - 0.5 + columns, row - 0.5 + rows, a);
@@ -102,7 +103,7 @@ package starlogo.debug
             return new Vector3D(_terrain.x + column * _terrain.cellWidth, _terrain.y + row * _terrain.cellWidth, height);
         }
 
-        // NaN outside of the rectangle.
+        // The height at a column and a row. It is NaN outside of the rectangle.
         private function heightOf(column:int, row:int):Number
         {
             return column >= _first && column <= _last && row >= _firstRow && row <= _lastRow ? _terrain.getHeight(column, row) : NaN;

@@ -117,12 +117,13 @@ package starlogo.debug
         }
 
         /**
-         * The surface of the ground in a rectangle. Slopes are the edges of the triangles between the heights that are in it. Columns are the edges
-         * of those whose middles are in it: of their tops, and of the walls between them.
+         * The surface of the ground in a rectangle. If the surface is slopes, these are the edges of the triangles between the heights in
+         * the rectangle. If it is columns, these are the edges of the columns whose middles are in the rectangle: of their tops, and of the
+         * walls between them.
          *
          * @param terrain the ground as it is now
          * @param minX the rectangle's least x; the rectangle may reach beyond the ground
-         * @param minY its least y; may be infinite, as all four
+         * @param minY its least y. All four numbers may be infinite
          * @param maxX its greatest x
          * @param maxY its greatest y
          * @param out the lines are added to it, in the world; made if null

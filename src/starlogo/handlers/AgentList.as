@@ -4,9 +4,9 @@ package starlogo.handlers
     import starlogo.search.IdTable;
 
     /**
-     * Tells whether an agent is still in the list, which handlers may change. If an agent has left its index, the search begins towards the start
-     * of the list, because agents move there when others are removed. Then it goes through the whole list. After as many entries as the list has,
-     * the indices of all agents are read again.
+     * Tells whether an agent is still in the list, which handlers may change. If an agent has left its index, the search begins towards the
+     * start of the list, because agents move there when others are removed. Then it goes through the whole list. When the number of
+     * searched entries has reached the length of the list, the indices of all agents are read again.
      *
      * @private
      */

@@ -22,7 +22,10 @@ package starlogo.handlers
         /** Knows the touching pairs of breeds that have handlers for starts or ends. */
         public var tracker:TouchTracker = new TouchTracker();
 
-        /** What agents may touch beside those of the list: their indices begin after its last. The agent of the ground, or null; that of the edges. */
+        /**
+         * The agent of the ground, or null, and the agent of the edges, or null. Agents of the list may touch them. Their indices begin
+         * after the end of the list.
+         */
         public var fixtures:Vector.<Agent> = new <Agent>[null, null];
 
         private var _contacts:ContactSource;
@@ -122,7 +125,7 @@ package starlogo.handlers
                 {
                     if (count == calls)
                     {
-                        // the error is not a handler's: calling again would throw it again
+                        // the error does not come from a handler, so calling again would throw it again
                         throw error;
                     }
                     _errors.push(error is Error ? error : new Error(String(error)));

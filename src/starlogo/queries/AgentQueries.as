@@ -61,9 +61,9 @@ package starlogo.queries
          * The ground that questions see after the next update; null for none. If these questions were made for a Collision, this is the
          * Collision's ground, and setting it changes the Collision.
          *
-         * <p>The ground touches agents, blocks rays and stops motions as an agent does. Answers have its <code>agent</code>. If it is as far
-         * away as an agent, the agent comes first. In lists of agents that touch, it comes last. Questions about near agents never find it. A
-         * filter can exclude it.</p>
+         * <p>The ground touches agents, blocks rays and stops motions as an agent does. Answers have its <code>agent</code>. If the ground
+         * and an agent are equally far away, the agent comes first. In lists of agents that touch, the ground comes last. Questions about
+         * near agents never find it. A filter can exclude it.</p>
          */
         public function get terrain():Terrain
         {
@@ -314,7 +314,8 @@ package starlogo.queries
          * The distance between the surfaces of two agents, as the collision system sees them. It is 0 if they touch, and only then.
          *
          * <p>A tree's surface is the nodes at which a test of the tree ends. In exact mode it is the triangles, if both models have some. A
-         * greater depth never gives a smaller distance. Exact mode never gives a smaller distance than any system but the BinCollider.</p>
+         * greater depth never gives a smaller distance. Exact mode never gives a smaller distance than another system, except the
+         * BinCollider.</p>
          *
          * <p>The first agent is seen where it is now. The second is seen as of the last update, or of its last <code>moved()</code>. If it is
          * not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b, a)</code> is the same number.</p>
@@ -366,8 +367,9 @@ package starlogo.queries
          * depth limit, or, in exact mode, inside its closed surface. The ray meets triangles from either side. No ray slips through a common
          * edge or corner of triangles.</p>
          *
-         * <p>If exact mode meets an agent, every other system but the BinCollider meets it too, and no farther away. The same holds for a
-         * smaller depth compared with a greater one.</p>
+         * <p>If a ray meets an agent in exact mode, it meets the agent in every other system too, at the same distance or nearer. Only the
+         * BinCollider is an exception. If a ray meets an agent at one depth, it meets the agent at every smaller depth too, at the same
+         * distance or nearer.</p>
          *
          * <p>In exact mode a model's triangles have to be prepared for rays. This happens when the first ray meets the extents of an agent with
          * the model, or when the model is added if GreatLand.prepareExact is set. It takes a fifth of a second for 400,000 triangles, and 38
@@ -425,9 +427,9 @@ package starlogo.queries
          * The first agent that a structure touches on a straight way. If it touches several at the same time, it is the first of them in the
          * list. Nothing moves.
          *
-         * <p>An agent stops the structure if it would stop an agent of this shape in <code>moveUntilTouch()</code>: the structure would go into
-         * it. An agent that it touches at the beginning does not stop it if the way leaves it or runs along it. In exact mode the triangles of
-         * the agents decide.</p>
+         * <p>An agent stops the structure if it would stop an agent of this shape in <code>moveUntilTouch()</code>: the structure would go
+         * into it. The structure may touch an agent at the beginning. That agent does not stop it if the way leaves the agent or runs along
+         * it. In exact mode the triangles of the agents decide.</p>
          *
          * @param structure a Sphere, Box or Capsule in the world, where the way begins
          * @param dx how far along x, in patches
@@ -512,10 +514,10 @@ package starlogo.queries
         /**
          * Moves an agent along a straight line until it touches another agent. Then it calls <code>moved()</code> for the agent.
          *
-         * <p>The agent ends in the touch, no deeper than 1e-9 of the larger extent. An agent that it touches at the beginning does not stop it
-         * if the motion leaves it or runs along it. If the agent overlaps another at the beginning, it can only move where the overlap does not
-         * become deeper: not against the normal of their contact. Otherwise it stays. The other agents are seen as of the last update, or of
-         * their last <code>moved()</code>.</p>
+         * <p>The agent ends in the touch, no deeper than 1e-9 of the larger extent. It may touch another agent at the beginning. The other
+         * agent does not stop it if the motion leaves that agent or runs along it. If the agent overlaps another at the beginning, it can
+         * only move in a direction that does not make the overlap deeper: not against the normal of their contact. Otherwise it stays. The
+         * other agents are seen as of the last update, or of their last <code>moved()</code>.</p>
          *
          * <p>The free part is never greater than it would be in exact mode, except with the BinCollider, or if the agent overlaps another at the
          * beginning.</p>
@@ -563,18 +565,19 @@ package starlogo.queries
         }
 
         /**
-         * Moves an agent along the ground, as a game character walks. It slides along walls, climbs steps and slopes that are not too high and not too
-         * steep, and stays on the ground downhill and down steps.
+         * Moves an agent along the ground, as a game character walks. The agent slides along walls. It climbs steps and slopes if they are
+         * not too high and not too steep. It stays on the ground when it goes downhill or down steps.
          *
-         * <p>Only what it stands on at the beginning it can climb from and stay on: in the air it goes straight on. It does not fall: while it does not
-         * stand the game moves it down, by <code>moveUntilTouch()</code> say. It ends a hair above the ground, as <code>slide()</code> does. It takes as long
-         * as two slides or three, and as six where a wall stops it.</p>
+         * <p>If the agent stands at the beginning, it can climb, and it stays on the ground. If it is in the air, it goes straight on. It
+         * does not fall. While it does not stand, the game has to move it down, for example with <code>moveUntilTouch()</code>. It ends a
+         * hair above the ground, as with <code>slide()</code>. A walk takes as long as two or three slides. If a wall stops the agent, it
+         * takes as long as six.</p>
          *
-         * @param agent walks; its model may be loading, and touches nothing then
+         * @param agent the agent that walks. While its model is loading it touches nothing
          * @param dx how far along x, in patches
          * @param dy how far along y
          * @param options how it walks; null for steps of 0.25 up and down, and slopes of 45 degrees
-         * @param out takes how it stands in the end; null for a new one
+         * @param out receives how it stands at the end; null for a new Footing
          * @return out
          * @throws ArgumentError as moveUntilTouch does
          * @throws RangeError as moveUntilTouch does

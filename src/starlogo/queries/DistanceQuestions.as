@@ -125,7 +125,7 @@ package starlogo.queries
 
         private function writePoints(pointA:Vector3D, pointB:Vector3D):void
         {
-            // by fields alone: in JavaScript other things than Vector3Ds take points
+            // sets the fields one by one, because JavaScript callers may pass an object that is not a Vector3D
             if (pointA != null)
             {
                 pointA.x = closest.aX;

@@ -9,16 +9,16 @@ package starlogo.queries
         /** Whether it stands on something that is not too steep. Otherwise it is in the air, or on a slope that is too steep. */
         public var stands:Boolean = false;
 
-        /** What it stands on: an agent, or the one that stands for the ground. Null if it does not stand. */
+        /** The agent that it stands on. If it stands on the ground, this is the ground's agent. It is null if the agent does not stand. */
         public var on:Agent = null;
 
-        /** The normal of what it stands on, of length 1; upright if it does not stand. */
+        /** The normal of the surface that it stands on, a unit vector. If the agent does not stand, the normal points up. */
         public var normal:Vector3D = new Vector3D(0, 0, 1);
 
         /** How far it has come on the ground plane, as a part of the way, from 0 to 1. */
         public var part:Number = 1;
 
-        /** For AgentQueries to write into. */
+        /** An empty Footing. Pass it to <code>AgentQueries.walk()</code>, which fills it. */
         public function Footing()
         {
         }

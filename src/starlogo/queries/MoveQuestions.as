@@ -21,7 +21,7 @@ package starlogo.queries
         /** The motion of the next question. It is a field because V8 makes an object for each Number that is passed. */
         public var way:Vector3D = new Vector3D();
 
-        /** Finds where rows come to. */
+        /** Computes where moving rows end. */
         public var mover:Mover = null;
 
         /** The agents that count and are near the way of the last question. */
@@ -153,7 +153,7 @@ package starlogo.queries
             }
             var asked:AskedStructure = structure == null ? null : takeStructure(structure);
             findNear(agent, asked, filter, isAnywhere);
-            // the filter may have asked such questions too
+            // the filter may have asked other questions that set the motion
             way.setTo(dx, dy, dz);
             if (mover == null || mover.pairs !== _seen.pairs)
             {

@@ -22,7 +22,7 @@ package starlogo.queries
      */
     public final class Mover
     {
-        /** An ending of a motion: in the touch. */
+        /** An ending of a motion: the row touches the other row. */
         public static const TOUCH:int = 0;
 
         /** An ending: half a hair before the touch. */
@@ -31,17 +31,17 @@ package starlogo.queries
         /** An ending: the row slides along what it meets. */
         public static const SLIDE:int = 2;
 
-        /** For <code>steepest</code>: nothing is a wall. */
+        /** A value of <code>steepest</code>: no contact is a wall. */
         public static const NOTHING_STEEP:Number = -2;
 
         // If an overlap is deeper than this fraction of the larger extent, the contact's plane stands for the other row.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
-        // The number of places that are tried for an end in which the two touch.
+        // The number of places that are tried in order to find one at which the two touch.
         private static const STEPS_INTO_TOUCH:int = 6;
 
-        // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. If a contact at an edge
-        // does not tell what stops the motion, the contact at this distance behind it is used.
+        // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. If a contact at an
+        // edge does not show what stops the motion, the contact this distance farther along the way is used.
         private static const NEXT:Number = 1e-4;
 
         // Between two walls the row may be lifted to and fro. After this many rounds, the planes of the remaining contacts stand for the walls.
@@ -56,7 +56,7 @@ package starlogo.queries
         /** Tests which rows touch. */
         public var pairs:RowPairs;
 
-        /** A slide takes a contact for an upright wall if its normal's z is less than this. */
+        /** If the z of a contact's normal is less than this, a slide treats the contact as an upright wall. */
         public var steepest:Number = NOTHING_STEEP;
 
         /** Whether the last slide met such a wall. */
@@ -247,9 +247,9 @@ package starlogo.queries
             }
         }
 
-        // Moves the row into the touch, on the side that it comes from. Beyond a row without thickness it would not touch, and could not come
-        // back. On a long way rounding may hide the touch. Then the last hair of the way is swept again. If that finds no touch, the row ends
-        // just before it.
+        // Moves the row into the touch, on the side that it comes from. If it went beyond a row without thickness, the two would not touch,
+        // and it could not come back. On a long way rounding may hide the touch. Then the last hair of the way is swept again. If that
+        // finds no touch, the row ends just before it.
         private function endTouching():void
         {
             if (!stepIntoTouch())
@@ -312,7 +312,8 @@ package starlogo.queries
             part = gone < whole ? gone / whole : 1;
         }
 
-        // Makes a contact that is too steep an upright wall. The rest of the motion becomes level, because the slope would stop it up or down.
+        // If a contact is too steep, this turns it into an upright wall. The rest of the motion becomes level, because the slope would stop
+        // a motion up or down.
         private function standUp():void
         {
             metWall = true;

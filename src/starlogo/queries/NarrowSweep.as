@@ -33,8 +33,9 @@ package starlogo.queries
         private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
         private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
 
-        // In a trial the smallest half-extent of the smaller row loses a hair, and the others lose in proportion. For a slim row a tenth of its
-        // largest half-extent loses the hair. So no half-extent loses more than ten hairs. A row loses at most half of its size.
+        // In a trial the smallest half-extent of the smaller row loses a hair, and the others lose in proportion. For a slim row, a tenth
+        // of its largest half-extent takes the place of the smallest one. So no half-extent loses more than ten hairs. A row loses at most
+        // half of its size.
         private static const SLIMMEST:Number = 10;
         private static const MOST_SHARE:Number = 0.5;
 
@@ -72,8 +73,8 @@ package starlogo.queries
         // The part of a hair that stands for rounding errors.
         private var _rounding:Number = 0;
 
-        // The smaller row of the two when they met: its middle, and the part of its size that was taken off. The part is negative if it is the
-        // moving row.
+        // The smaller row of the two when they met: its middle, and the part of its size that was taken off. The part is negative if the
+        // smaller row is the moving row.
         private var _middleX:Number = 0;
         private var _middleY:Number = 0;
         private var _middleZ:Number = 0;
@@ -215,7 +216,7 @@ package starlogo.queries
                 _middleZ = extents.z[other];
                 if (_table.forms[other] == ModelShape.GROUND)
                 {
-                    // the ground loses the same everywhere
+                    // the ground becomes narrower by the same width everywhere
                     _middleX = contact.x - extents.halfX[other] * contact.normalX;
                     _middleY = contact.y - extents.halfX[other] * contact.normalY;
                     _middleZ = contact.z - extents.halfX[other] * contact.normalZ;

@@ -13,7 +13,7 @@ package starlogo.queries
      */
     public final class PlaceQuestions
     {
-        // If too few of the nearest agents are accepted, the next search looks for this many times as many.
+        // If too few of the nearest agents are accepted, the next search multiplies the number of agents by this.
         private static const MORE:int = 4;
 
         private var _seen:SeenAgents;

@@ -17,9 +17,10 @@ package starlogo.queries
     /**
      * Finds the point where a ray first meets a row of a table, as a collider sees the row.
      *
-     * <p>It first moves the ray into the space of the row's model. There the structure, the tree and the triangles are as they were fitted, and
-     * rounding errors depend on the model's size, not on its place. The ray is given there by the point of its line that is nearest to the row's
-     * place. This is the same for all systems. So if a ray meets a model's triangles, it meets the structures around them not later.</p>
+     * <p>It first moves the ray into the space of the row's model. There the structure, the tree and the triangles are as they were fitted,
+     * and rounding errors depend on the model's size, not on its place. The ray is given there by the point of its line that is nearest to
+     * the row's place. This is the same for all systems. So if a ray meets a model's triangles, it meets the structures around them at the
+     * same distance or earlier.</p>
      *
      * <p>A ray is a line without thickness. So the margin by which shapes are widened for touching (Tolerances.PLACES) is not added.</p>
      *

@@ -3,8 +3,8 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
 
     /**
-     * Tests whether a row counts in a search. It is a class and not an interface because calls through an interface take half as much time
-     * again.
+     * Tests whether a row counts in a search. It is a class and not an interface, because a call through an interface takes 1.5 times as
+     * long.
      *
      * @private
      */

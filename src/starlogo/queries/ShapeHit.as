@@ -3,7 +3,10 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
 
-    /** The place where a structure or an agent that is cast along a way touches an agent. <code>AgentQueries.castShape()</code> returns it. */
+    /**
+     * The place where a cast first touches an agent. A cast moves a structure or an agent along a straight way.
+     * <code>AgentQueries.castShape()</code> returns a ShapeHit.
+     */
     public final class ShapeHit
     {
         /** The agent that is touched. */

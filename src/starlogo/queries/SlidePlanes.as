@@ -12,11 +12,11 @@ package starlogo.queries
      */
     public final class SlidePlanes
     {
-        /** Up to an angle with this sine, a motion runs along a plane. */
+        /** A motion runs along a plane if the sine of the angle between them is at most this. */
         public static const LEVEL:Number = 1e-12;
 
-        // STUCK: a motion shorter than this fraction of the whole counts as
-        // none. SAME: above this cosine of the angle between them, two planes are the same.
+        // STUCK: a motion shorter than this fraction of the whole counts as none. SAME: two planes are the same if the cosine of the angle
+        // between them is greater than this.
         private static const STUCK:Number = 1e-10;
         private static const SAME:Number = 1 - 1e-14;
 

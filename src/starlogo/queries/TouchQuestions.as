@@ -29,7 +29,7 @@ package starlogo.queries
         private var _moved:MovedRow = new MovedRow();
         private var _place:Vector3D = new Vector3D();
 
-        // The edges need the pairs of the collision system that is asked.
+        // Tests the edges of the world with the pairs of one collision system. If the system changes, it is made again.
         private var _edges:EdgePairs = null;
         private var _edgesOf:RowPairs = null;
 
@@ -84,7 +84,7 @@ package starlogo.queries
             return _found.list(out);
         }
 
-        /** As AgentQueries.touchesEdge. */
+        /** See AgentQueries.touchesEdge. */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             if (bounds == null)

@@ -1,16 +1,16 @@
 package starlogo.queries
 {
-    /** How an agent walks. A number that is refused leaves what was there. */
+    /** How an agent walks. If a property refuses a number, it keeps its old value. */
     public final class WalkOptions
     {
         private var _stepHeight:Number = 0.25;
         private var _slopeDegrees:Number = 45;
         private var _snap:Number = 0.25;
 
-        /** Which agents are in the way and can be stood on; null for all. */
+        /** The agents that can be in its way, and that it can stand on; null for all. */
         public var filter:AgentFilter = null;
 
-        /** For agents that are about a patch wide. */
+        /** Begins with options for agents that are about a patch wide. */
         public function WalkOptions()
         {
         }
@@ -27,7 +27,8 @@ package starlogo.queries
         }
 
         /**
-         * How steep the ground may be that it stands on and climbs, in degrees: 0 for level ground, less than 90. What is steeper is a wall.
+         * The steepest slope that it can stand on and climb, in degrees, from 0 to less than 90. With 0 it can stand only on level ground.
+         * A steeper surface is a wall.
          *
          * @throws RangeError if it is negative, 90 or more, or not a number
          */
@@ -46,8 +47,8 @@ package starlogo.queries
         }
 
         /**
-         * How far below it the ground may be, in patches, for it to stay on the ground, as it goes downhill and down steps. Where the ground is deeper it
-         * walks into the air. 0 for ground that it touches.
+         * The greatest depth of the ground below it, in patches, at which it stays on the ground. So it can go downhill and down steps. If
+         * the ground is deeper, it walks into the air. With 0 it stays only on ground that it touches.
          *
          * @throws RangeError if it is negative or not finite
          */

@@ -10,14 +10,15 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Moves an agent as a game character walks: a slide along the ground for which what is too steep is a wall; if a wall stops it, the same a step higher and
-     * down again; at last down to the ground.
+     * Moves an agent as a game character walks. First it slides along the ground. For this slide, surfaces that are too steep are walls. If
+     * a wall stops the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground.
      *
      * @private
      */
     public final class WalkQuestions
     {
-        // As parts of the extent: how far below it the ground may be that it stands on; how far behind an edge the face is looked at.
+        // Both are parts of the extent. CLOSE: the agent stands on ground that is at most this far below it. BEHIND_EDGE: at an edge, the
+        // face this far behind the edge is tested.
         private static const CLOSE:Number = 1e-6;
         private static const BEHIND_EDGE:Number = 1e-4;
 
@@ -27,23 +28,23 @@ package starlogo.queries
         private var _defaults:WalkOptions = new WalkOptions();
         private var _rays:RowRays = new RowRays();
 
-        // What the walk under way has of its options: the cosine and the tangent of the steepest slope.
+        // The options of the walk under way. The cosine and the tangent belong to the steepest slope.
         private var _step:Number = 0;
         private var _snap:Number = 0;
         private var _cosine:Number = 0;
         private var _tangent:Number = 0;
 
-        // How high an edge may be that it stands on.
+        // The greatest height of an edge that it can stand on.
         private var _highest:Number = 0;
 
-        // The walk, where it begins, where it comes to without a step; how large the agent is.
+        // The walk; the place where it begins; the place that it reaches without a step; and the size of the agent.
         private var _dx:Number = 0;
         private var _dy:Number = 0;
         private var _start:Vector3D = new Vector3D();
         private var _plain:Vector3D = new Vector3D();
         private var _extent:Number = 0;
 
-        // A part of the walk; the place that it begins at.
+        // A part of the walk, and the place where this part begins.
         private var _way:Vector3D = new Vector3D();
         private var _from:Vector3D = new Vector3D();
 
@@ -55,7 +56,7 @@ package starlogo.queries
 
         /**
          * @param seen the agents that are asked about
-         * @param moves find what is near the way
+         * @param moves finds the agents near the way
          */
         public function WalkQuestions(seen:SeenAgents, moves:MoveQuestions)
         {
@@ -63,7 +64,7 @@ package starlogo.queries
             _moves = moves;
         }
 
-        /** As AgentQueries.walk. */
+        /** See AgentQueries.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             if (!isFinite(dx) || !isFinite(dy))
@@ -77,7 +78,7 @@ package starlogo.queries
             var slope:Number = options.slopeDegrees;
             _moves.way.setTo(Math.abs(dx) + Math.abs(dy), 0, 2 * step + snap);
             var row:int = _moves.begin(agent, null, options.filter, true);
-            // the filter may have asked for walks too
+            // the filter may have asked for other walks, which set these fields
             _step = step;
             _snap = snap;
             _cosine = Trigonometry.cosine(slope);
@@ -105,7 +106,7 @@ package starlogo.queries
             return footing;
         }
 
-        // Returns whether it stands in the end.
+        // Walks among the agents near the way. Returns whether the agent stands at the end.
         private function goOnGround():Boolean
         {
             var close:Number = CLOSE * _extent;
@@ -137,7 +138,7 @@ package starlogo.queries
             _mover.steepest = Mover.NOTHING_STEEP;
         }
 
-        // Goes the way a step higher, and down again. Returns whether it came farther than without the step, and stands.
+        // Tries the same way a step higher, and goes down again. Returns whether the agent came farther than without the step, and stands.
         private function climb(close:Number):Boolean
         {
             _mover.at.copyFrom(_start);
@@ -157,7 +158,7 @@ package starlogo.queries
             return ((place.x - _start.x) * _dx + (place.y - _start.y) * _dy) / Math.sqrt(_dx * _dx + _dy * _dy);
         }
 
-        // Goes down to the ground, if there is some no deeper than this that is not too steep. Returns whether there is.
+        // Goes down to the ground if it is no deeper than this depth, and not too steep. Returns whether there is such ground.
         private function findGround(depth:Number):Boolean
         {
             _from.copyFrom(_mover.at);
@@ -171,8 +172,8 @@ package starlogo.queries
             return false;
         }
 
-        // Whether what it came down on is not too steep. At an edge, as of a step, that is so of the face behind it; but the edge may be no higher above the
-        // beginning of the walk than a step.
+        // Whether the surface that stopped the way down is not too steep. At an edge, for example of a step, the face behind the edge
+        // decides. But the edge must not be more than a step higher than the beginning of the walk.
         private function isLevel(contact:ContactPoint):Boolean
         {
             _normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
@@ -186,7 +187,7 @@ package starlogo.queries
             }
             var across:Number = Math.sqrt(_normal.x * _normal.x + _normal.y * _normal.y);
             var behind:Number = BEHIND_EDGE * _extent;
-            // outside of all faces that are not too steep
+            // the ray begins outside of all faces that are not too steep
             var above:Number = 1.01 * behind * (_tangent + 1);
             _origin.setTo(contact.x - behind * _normal.x / across, contact.y - behind * _normal.y / across, contact.z + above);
             _rays.ray.aim(_origin, _down);

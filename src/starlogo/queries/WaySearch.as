@@ -13,7 +13,7 @@ package starlogo.queries
 
         private var _tree:RowTree;
 
-        // The row of the ground, which every box meets, until it was returned; or -1.
+        // The row of the ground, which every box meets. It is -1 if there is no ground, or if the row was returned already.
         private var _beyond:int = -1;
         private var _moves:Boolean = false;
 

@@ -172,7 +172,10 @@ package starlogo.search
             readRow(guest);
         }
 
-        /** Reads the agent that stands for the ground into the ground's row; null if there is no ground. Call this before the list is read. */
+        /**
+         * Reads the agent that stands for the ground into the ground's row. Pass null if there is no ground. Call this before the list is
+         * read.
+         */
         public function readGround(agent:Agent):void
         {
             if (agents[RowList.GROUND] !== agent)
@@ -188,9 +191,9 @@ package starlogo.search
         }
 
         /**
-         * Makes the row of a guest that of a shape at a place. The place may be farther away than an agent can be.
+         * Puts a shape at a place into the row of a guest or of an edge. The place may be farther away than an agent can be.
          *
-         * @param row 0, 1, or that of an edge
+         * @param row 0 or 1 for a guest, or the row of an edge
          * @param agent stands for the shape, and is in no list
          * @param at begins with x, y, z
          */

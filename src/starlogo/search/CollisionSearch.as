@@ -85,12 +85,12 @@ package starlogo.search
          *
          * @param agents the list
          * @param interests the pairs of breeds; null for all
-         * @param takePart which agents do, by their indices in the list; null for all
-         * @param out takes the pairs; of each, the agent that is first in the list comes first
-         * @param counts takes what the search did
-         * @param outAgents takes the pairs as agents; then the indices are not to be used. Null for indices
-         * @param ground stands for the ground; the index of its pairs is that after the last agent. Null if there is none
-         * @param bounds the edges of the world; the index of their pairs is the next. Null if there are none
+         * @param takePart by index in the list: whether the agent takes part; null for all
+         * @param out takes the pairs. In a pair, the agent that is first in the list comes first
+         * @param counts takes the counts of this search
+         * @param outAgents takes the pairs as agents. The indices in out are void then. Null if indices are wanted
+         * @param ground stands for the ground; null if there is none. In a pair, its index is the number of agents
+         * @param bounds the edges of the world; null if there are none. In a pair, their index is the number of agents plus 1
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
@@ -322,13 +322,14 @@ package starlogo.search
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
-        // The members that touch the ground, or the edges of the world, and whose breeds are of interest together with its breed.
+        // Finds the members that touch the ground, or the edges of the world. It tests only members whose breeds are of interest together
+        // with the given breed.
         private function findFixture(interests:BreedInterests, breed:String, index:int):void
         {
             var agents:Vector.<Agent> = table.agents;
             var fixture:int = interests.indexOf(breed);
             var isGround:Boolean = breed == Breeds.TERRAIN;
-            // what writeIndices() makes of it
+            // writeIndices() must leave this index as it is
             _indices.length = Math.max(_indices.length, index + 1);
             _indices[index] = index;
             if (fixture < 0)
@@ -377,7 +378,7 @@ package starlogo.search
             return _isSwept && _motions.isSweeping[row] || _edges.time == RelativeMotion.NEVER ? _edges.time : 1;
         }
 
-        // As EdgePairs.findTime, with the motion of the last search. _way is that.
+        // Like EdgePairs.findTime, with the row's motion in the last search. Writes this motion to _way.
         private function findEdgeTime(row:int, isSwept:Boolean):void
         {
             _way.setTo(0, 0, 0);
@@ -405,7 +406,7 @@ package starlogo.search
             return _edges.bounds != null && agent === _edges.bounds.agent;
         }
 
-        // How an agent touches the edges of the last search.
+        // Finds how an agent touches the edges of the last search. Returns the time of the contact.
         private function findEdgeContact(agent:Agent, out:ContactPoint):Number
         {
             var row:int = table.rowOf(agent);
@@ -424,7 +425,7 @@ package starlogo.search
             return time;
         }
 
-        // From the numbers of members to the indices of their agents in the list.
+        // Replaces the numbers of members by the indices of their agents in the list.
         private function writeIndices(out:FoundPairs):void
         {
             for (var i:int = 0; i < 2 * out.count; i++)

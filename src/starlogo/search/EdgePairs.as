@@ -14,13 +14,14 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Answers for rows of a table and the edges of the world: whether a row touches them, when, and how.
+     * Tests whether a row of a table touches the edges of the world, when it touches them, and how.
      *
-     * <p>An edge is a plane, so a row touches it if the farthest point of its shape does. For spheres, capsules and boxes that is where the extents end. A tree is
-     * moved against a box that stands at the end of its extents, which tells how much less far it reaches.</p>
+     * <p>An edge is a plane, so a row touches it if the farthest point of its shape does. Spheres, capsules and boxes reach to the ends of
+     * their extents. A tree may reach less far. To find out how much less, it is moved against a box that stands at the end of its
+     * extents.</p>
      *
-     * <p>A row that touches several edges has one contact. Its depth is the length of the shortest way back from all of them, and its normal the direction of
-     * that way.</p>
+     * <p>A row that touches several edges has one contact. Its depth is the length of the shortest way back from all of them. Its normal is
+     * the direction of that way.</p>
      *
      * @private
      */
@@ -29,22 +30,24 @@ package starlogo.search
         /** The edges. */
         public var bounds:WorldBounds = null;
 
-        /** When the row that was asked about last touches an edge first, from 0 to 1; RelativeMotion.NEVER if it does not. */
+        /** The time at which the last tested row first touches an edge, from 0 to 1. It is RelativeMotion.NEVER if the row touches none. */
         public var time:Number = RelativeMotion.NEVER;
 
         private var _pairs:RowPairs;
 
-        // Of the row, by axis: the middle of its extents, half their lengths, its motion; a contact's way back. How far it may be from an edge and still touch it.
+        // By axis: the middle of the row's extents, half of their lengths, the row's motion, and the way back of a contact. _margin is the
+        // largest gap between the row and an edge that still counts as a touch.
         private var _middle:Vector.<Number> = new Vector.<Number>(3, true);
         private var _half:Vector.<Number> = new Vector.<Number>(3, true);
         private var _way:Vector.<Number> = new Vector.<Number>(3, true);
         private var _back:Vector.<Number> = new Vector.<Number>(3, true);
         private var _margin:Number = 0;
 
-        // By edge, x, y, z, the least first: how far the row is beyond it at the end of its motion; less than 0 before it.
+        // By edge, in the order of x, y and z, with the least first: how far the row is beyond it at the end of its motion. It is less than
+        // 0 if the row is before the edge.
         private var _beyond:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // By axis: the row's point that is farthest towards the edge that was asked about.
+        // By axis: the row's farthest point in the direction of the last tested edge.
         private var _point:Vector.<Number> = new Vector.<Number>(3, true);
 
         // The box that trees are moved against, and how they touch it.
@@ -53,7 +56,7 @@ package starlogo.search
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _touch:ContactPoint = new ContactPoint();
 
-        /** @param pairs decide when trees touch */
+        /** @param pairs finds when trees touch */
         public function EdgePairs(pairs:RowPairs)
         {
             _pairs = pairs;
@@ -62,9 +65,9 @@ package starlogo.search
         }
 
         /**
-         * Finds when a row first touches an edge: <code>time</code>.
+         * Finds when a row first touches an edge, and writes it to <code>time</code>.
          *
-         * @param way the row's motion, which ends where it is
+         * @param way the row's motion. It ends where the row is now
          */
         public function findTime(table:AgentTable, row:int, way:Vector3D):void
         {
@@ -87,10 +90,11 @@ package starlogo.search
         }
 
         /**
-         * Finds how the row touches the edges that findTime was asked about last.
+         * Finds how a row touches the edges. Call <code>findTime()</code> for this row first.
          *
          * @param at the time, from 0 to 1
-         * @param out takes it, the normal pointing into the world. If the row touches no edge, that is the nearest one's, with a depth of 0
+         * @param out takes the contact. Its normal points into the world. If the row touches no edge, it is the contact with the nearest
+         *     edge, with a depth of 0
          */
         public function findContact(table:AgentTable, row:int, at:Number, out:ContactPoint):void
         {
@@ -103,7 +107,7 @@ package starlogo.search
             var count:int = 0;
             for (var axis:int = 0; axis < 3; axis++)
             {
-                // of two edges that face each other, the one that the row is farther beyond
+                // of two opposite edges, the one with the larger value counts
                 edge = _beyond[2 * axis] >= _beyond[2 * axis + 1] ? 2 * axis : 2 * axis + 1;
                 var isTouched:Boolean = _beyond[edge] >= -_margin;
                 if (isTouched)
@@ -140,7 +144,7 @@ package starlogo.search
             _margin = table.marginOf(row) + Tolerances.ROUNDING * extents.largestHalf(row);
         }
 
-        // How far the row has come towards an edge.
+        // How far the row's motion goes towards an edge.
         private function comeTo(edge:int):Number
         {
             return edge % 2 == 0 ? -_way[edge >> 1] : _way[edge >> 1];
@@ -205,7 +209,7 @@ package starlogo.search
             _back[edge >> 1] = edge % 2 == 0 ? by : -by;
         }
 
-        // Finds the row's point that is farthest towards an edge: in the middle, where several are.
+        // Finds the row's farthest point in the direction of an edge. If several points are equally far, it is the middle of them.
         private function findPoint(table:AgentTable, row:int, edge:int):void
         {
             _point[0] = _middle[0];
@@ -232,7 +236,7 @@ package starlogo.search
             }
         }
 
-        // Moves the point by a part of an axis, in the direction that comes nearer to an edge.
+        // Moves the point towards an edge, by a part of an axis.
         private function pushAlong(x:Number, y:Number, z:Number, part:Number, edge:int):void
         {
             var towards:Number = edge < 2 ? x : (edge < 4 ? y : z);
@@ -249,7 +253,7 @@ package starlogo.search
             _point[2] += part * z;
         }
 
-        // Takes the point back along the motion; where the normal leads away from an edge, into the middle of the overlap.
+        // Moves the point back along the motion. If the normal leads away from an edge, moves it into the middle of the overlap.
         private function placePoint(axis:int, left:Number):void
         {
             var edge:int = _back[axis] > 0 ? 2 * axis : 2 * axis + 1;

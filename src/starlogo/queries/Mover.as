@@ -358,16 +358,15 @@ package starlogo.queries
             return _sweep.time * _rest.length < NEXT * _sweep.extent;
         }
 
-        // The row may still touch rows that it touched on the last part of its way. It is lifted half a hair off them, if there is room.
-        private function leaveTouches():void
+        /** Lifts the row half a hair off the rows that it only touches at the end of a motion, if there is room. */
+        public function leaveTouches():void
         {
             _before.copyFrom(at);
-            for (var i:int = 0; i < _sweep.touchedCount; i++)
+            for (var i:int = 0; i < _count; i++)
             {
-                var other:int = _sweep.touched[i];
-                if (_sweep.touchesAt(other, at))
+                if (_sweep.touchesAt(_others[i], at))
                 {
-                    _sweep.findContact(other, at, _standing);
+                    _sweep.findContact(_others[i], at, _standing);
                     var by:Number = _standing.depth + _sweep.hair / 2;
                     if (by > MOST_HAIRS * _sweep.hair)
                     {

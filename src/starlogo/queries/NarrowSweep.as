@@ -57,12 +57,6 @@ package starlogo.queries
         /** When the row in its whole size touches the last row that was tested. */
         public var wholeTime:Number = 0;
 
-        /** The rows that it has touched on the way, whether it met them or not. The list may be longer than <code>touchedCount</code>. */
-        public var touched:Vector.<int> = new Vector.<int>();
-
-        /** The number of rows that it has touched. */
-        public var touchedCount:int = 0;
-
         private var _pairs:RowPairs;
         private var _separation:Separation;
         private var _table:AgentTable;
@@ -101,7 +95,6 @@ package starlogo.queries
         {
             _table = table;
             _row = row;
-            touchedCount = 0;
             _moving.take(table, row);
             _rounding = OF_PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]))
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
@@ -146,14 +139,13 @@ package starlogo.queries
             _separation.find(_table, _row, other, RelativeMotion.NONE, out);
         }
 
-        /** Sets the motion for the next tests. It forgets what was found and touched before. */
+        /** Sets the motion for the next tests. It forgets what was found before. */
         public function aim(at:Vector3D, motion:Vector3D):void
         {
             _end.copyFrom(at);
             _end.incrementBy(motion);
             _motion.endAfter(motion.x, motion.y, motion.z);
             time = AFTER;
-            touchedCount = 0;
         }
 
         /** Finds when the row in its whole size first touches another, and writes it to <code>wholeTime</code>. */
@@ -186,8 +178,6 @@ package starlogo.queries
             {
                 return false;
             }
-            touched[touchedCount] = other;
-            touchedCount++;
             narrowOther(other);
             _pairs.findImpact(_table, _row, other, _motion, _triedOther);
             _standing.giveBack();

@@ -98,7 +98,9 @@ package starlogo.queries
                 _extent = 2 * table.extents.largestHalf(row);
                 _highest = table.extents.z[row] - table.extents.halfZ[row] + step + CLOSE * _extent;
                 _mover.begin(table, row, _moves.agents, _moves.way);
-                setFooting(footing, goOnGround());
+                var stands:Boolean = goOnGround();
+                _mover.leaveTouches();
+                setFooting(footing, stands);
                 _mover.end();
             }
             table.endGuests();

@@ -246,6 +246,10 @@ package starlogo.queries
                         {
                             _wrong.add(name + ": in the ground", message);
                         }
+                        if (queries.touchesAny(walker))
+                        {
+                            _wrong.add(name + ": ends in a touch", message);
+                        }
                         if (Math.abs(walker.x) > 10 || Math.abs(walker.y) > 10)
                         {
                             walker.moveTo(-0.9 * walker.x, -0.9 * walker.y, 20);

@@ -19,6 +19,15 @@ package starlogo.blocks
             }
         }
 
+        /** Throws a BlockError if there is no agent that uses the block. */
+        public static function checkAgent(block:String, agent:Agent):void
+        {
+            if (agent == null)
+            {
+                throw new BlockError(block, "needs an agent, but got nothing. Remember: \"collidee\" is an agent only while a collision block runs.");
+            }
+        }
+
         /** Throws a BlockError if the breed's name is missing. */
         public static function checkBreed(block:String, breed:String):void
         {

@@ -206,10 +206,7 @@ package starlogo.blocks
 
         private static function check(block:String, agent:Agent, breed:String):void
         {
-            if (agent == null)
-            {
-                throw new BlockError(block, "needs an agent that asks, but got nothing. Remember: \"collidee\" is an agent only while a collision block runs.");
-            }
+            BlockSubject.checkAgent(block, agent);
             BlockSubject.checkBreed(block, breed);
         }
 

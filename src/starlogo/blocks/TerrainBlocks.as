@@ -43,16 +43,10 @@ package starlogo.blocks
          */
         public function buildWall(agent:Agent, height:Number):void
         {
-            var ground:Terrain = groundFor("build wall", agent);
-            checkHeight("build wall", height);
-            try
-            {
-                ground.raiseWall(agent.x, agent.y, height);
-            }
-            catch (error:RangeError)
-            {
-                refuse("build wall", error);
-            }
+            build("build wall", agent, height, function(ground:Terrain):void
+                {
+                    ground.raiseWall(agent.x, agent.y, height);
+                });
         }
 
         /**
@@ -65,20 +59,14 @@ package starlogo.blocks
          */
         public function buildMound(agent:Agent, width:Number, height:Number):void
         {
-            var ground:Terrain = groundFor("build mound", agent);
-            if (!(width > 0 && width < Infinity))
-            {
-                throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
-            }
-            checkHeight("build mound", height);
-            try
-            {
-                ground.raiseMound(agent.x, agent.y, width, height);
-            }
-            catch (error:RangeError)
-            {
-                refuse("build mound", error);
-            }
+            build("build mound", agent, height, function(ground:Terrain):void
+                {
+                    if (!(width > 0 && width < Infinity))
+                    {
+                        throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
+                    }
+                    ground.raiseMound(agent.x, agent.y, width, height);
+                });
         }
 
         /**
@@ -90,7 +78,8 @@ package starlogo.blocks
          */
         public function terrainHeight(agent:Agent):Number
         {
-            var height:Number = groundFor("terrain height", agent).heightAt(agent.x, agent.y);
+            BlockSubject.checkAgent("terrain height", agent);
+            var height:Number = groundOf("terrain height").heightAt(agent.x, agent.y);
             return isNaN(height) ? 0 : height;
         }
 
@@ -115,7 +104,7 @@ package starlogo.blocks
          */
         public function isTouchingGround(agent:Agent):Boolean
         {
-            checkAgent("touching ground?", agent);
+            BlockSubject.checkAgent("touching ground?", agent);
             return _detection.queries.touchesAny(agent, _ground);
         }
 
@@ -128,15 +117,28 @@ package starlogo.blocks
          */
         public function isTouchingEdge(agent:Agent):Boolean
         {
-            checkAgent("touching edge?", agent);
+            BlockSubject.checkAgent("touching edge?", agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
             return bounds != null && _detection.queries.touchesEdge(agent, bounds);
         }
 
-        private function groundFor(block:String, agent:Agent):Terrain
+        // Calls a function that raises the ground at an agent's place.
+        private function build(block:String, agent:Agent, height:Number, raise:Function):void
         {
-            checkAgent(block, agent);
-            return groundOf(block);
+            BlockSubject.checkAgent(block, agent);
+            var ground:Terrain = groundOf(block);
+            if (!isFinite(height))
+            {
+                throw new BlockError(block, "needs a number for the height, but got " + height + ".");
+            }
+            try
+            {
+                raise(ground);
+            }
+            catch (error:RangeError)
+            {
+                throw new BlockError(block, "cannot build here: " + error.message + ".");
+            }
         }
 
         private function groundOf(block:String):Terrain
@@ -147,27 +149,6 @@ package starlogo.blocks
                 throw new BlockError(block, "needs a terrain, but this game has none.");
             }
             return ground;
-        }
-
-        private static function checkAgent(block:String, agent:Agent):void
-        {
-            if (agent == null)
-            {
-                throw new BlockError(block, "needs an agent, but got nothing. Remember: \"collidee\" is an agent only while a collision block runs.");
-            }
-        }
-
-        private static function checkHeight(block:String, height:Number):void
-        {
-            if (!isFinite(height))
-            {
-                throw new BlockError(block, "needs a number for the height, but got " + height + ".");
-            }
-        }
-
-        private static function refuse(block:String, error:RangeError):void
-        {
-            throw new BlockError(block, "cannot build here: " + error.message + ".");
         }
     }
 }

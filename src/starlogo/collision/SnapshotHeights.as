@@ -8,11 +8,10 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * Writes and reads the heights of the ground in a snapshot. A run of heights that are 0 takes eight bytes together, so flat ground
-     * takes only a few bytes.
+     * Writes and reads the heights of the ground in a snapshot. Heights of 0 that follow one another take twelve bytes together.
      *
-     * <p>The bytes are: the number of columns; the number of rows; whether the surface is columns; then runs, until all heights are there.
-     * A run is the number of heights that are 0, the number of other heights that follow, and these other heights.</p>
+     * <p>The bytes are: the number of columns; the number of rows; whether the surface is columns; then the heights. After a height of 0
+     * comes the number of heights that are 0 from there on, and only the first of them is written.</p>
      */
     internal final class SnapshotHeights
     {
@@ -32,15 +31,17 @@ package starlogo.collision
             bytes.writeInt(terrain.rows);
             bytes.writeBoolean(terrain.isBlocky);
             var heights:Vector.<Number> = terrain.grid.heights;
-            for (var at:int = 0; at < heights.length; )
+            for (var at:int = 0; at < heights.length; at += count)
             {
-                var first:int = endOfRun(heights, at, true);
-                var end:int = endOfRun(heights, first, false);
-                bytes.writeInt(first - at);
-                bytes.writeInt(end - first);
-                for (at = first; at < end; at++)
+                var count:int = 1;
+                bytes.writeDouble(heights[at]);
+                if (heights[at] == 0)
                 {
-                    bytes.writeDouble(heights[at]);
+                    while (at + count < heights.length && heights[at + count] == 0)
+                    {
+                        count++;
+                    }
+                    bytes.writeInt(count);
                 }
             }
         }
@@ -49,41 +50,19 @@ package starlogo.collision
          * Reads the heights that <code>write()</code> has written. The terrain does not change yet. If the bytes are no snapshot, it
          * returns false or throws an EOFError.
          *
-         * @throws ArgumentError if the snapshot has another number of columns or rows than the terrain
+         * @param bytes their heights end at the position <code>end</code>
+         * @param terrain the ground; null if there is none, and the bytes should have none
+         * @throws ArgumentError if the snapshot has ground and the Collision has none, or the reverse, or if the snapshot has another number
+         *     of columns or rows than the terrain
          */
-        public function read(bytes:ByteArray, terrain:Terrain):Boolean
+        public function read(bytes:ByteArray, end:int, terrain:Terrain):Boolean
         {
-            var columns:int = bytes.readInt();
-            var rows:int = bytes.readInt();
-            if (columns != terrain.columns || rows != terrain.rows)
+            var hasGround:Boolean = bytes.position < end;
+            if (hasGround != (terrain != null))
             {
-                throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights");
+                throw new ArgumentError("bytes are no snapshot of a Collision " + (hasGround ? "without" : "with") + " ground");
             }
-            _isBlocky = bytes.readBoolean();
-            _heights = new Vector.<Number>();
-            while (_heights.length < columns * rows)
-            {
-                var zeros:uint = bytes.readUnsignedInt();
-                var others:uint = bytes.readUnsignedInt();
-                if (zeros + others == 0 || zeros + others > columns * rows - _heights.length)
-                {
-                    return false;
-                }
-                for (; zeros > 0; zeros--)
-                {
-                    _heights.push(0);
-                }
-                for (; others > 0; others--)
-                {
-                    var height:Number = bytes.readDouble();
-                    if (!(Math.abs(height) <= Agent.LARGEST_COORDINATE))
-                    {
-                        return false;
-                    }
-                    _heights.push(height);
-                }
-            }
-            return true;
+            return !hasGround || readHeights(bytes, terrain);
         }
 
         /** Gives a terrain the heights that were read. */
@@ -94,13 +73,26 @@ package starlogo.collision
             _heights = null;
         }
 
-        private static function endOfRun(heights:Vector.<Number>, at:int, isOfZeros:Boolean):int
+        private function readHeights(bytes:ByteArray, terrain:Terrain):Boolean
         {
-            while (at < heights.length && (heights[at] == 0) == isOfZeros)
+            var columns:int = bytes.readInt();
+            var rows:int = bytes.readInt();
+            if (columns != terrain.columns || rows != terrain.rows)
             {
-                at++;
+                throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights");
             }
-            return at;
+            _isBlocky = bytes.readBoolean();
+            _heights = new Vector.<Number>(columns * rows);
+            for (var at:uint = 0; at < _heights.length; at += count)
+            {
+                _heights[at] = bytes.readDouble();
+                var count:uint = _heights[at] == 0 ? bytes.readUnsignedInt() : 1;
+                if (!(Math.abs(_heights[at]) <= Agent.LARGEST_COORDINATE) || count > _heights.length - at)
+                {
+                    return false;
+                }
+            }
+            return true;
         }
     }
 }

@@ -19,13 +19,12 @@ package starlogo.collision
      *
      * <p>The bytes are: a mark; the number of agents, and for each whether it may have a motion from its last position, and that position; the
      * number of breeds' names, and the names; the number of touching pairs, and for each its agents, their breeds, and whether it touches both
-     * ways; the agents' ids (SnapshotAgents).</p>
+     * ways; the heights, if there is ground (SnapshotHeights); the agents' ids (SnapshotAgents).</p>
      */
     internal final class Snapshots
     {
-        // "SLF1", and "SLF2" for one with ground
+        // "SLF1"
         private static const MARK:uint = 0x534C4631;
-        private static const MARK_WITH_GROUND:uint = 0x534C4632;
         private static const AGENTS_AT:int = 8;
         private static const BYTES_PER_AGENT:int = 25;
 
@@ -55,7 +54,7 @@ package starlogo.collision
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
             var bytes:ByteArray = newBytes();
-            bytes.writeUnsignedInt(markOf(terrain));
+            bytes.writeUnsignedInt(MARK);
             bytes.writeInt(agents.length);
             if (search == null)
             {
@@ -91,15 +90,9 @@ package starlogo.collision
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
             copy.position = 0;
-            var mark:uint = copy.length < AGENTS_AT ? 0 : copy.readUnsignedInt();
-            if (mark != MARK && mark != MARK_WITH_GROUND)
+            if (copy.length < AGENTS_AT || copy.readUnsignedInt() != MARK)
             {
                 throw new ArgumentError("bytes are no snapshot: they do not begin as one");
-            }
-            if (mark != markOf(terrain))
-            {
-                var which:String = terrain == null ? "without" : "with";
-                throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
             var found:TouchTracker = _read;
             try
@@ -164,7 +157,9 @@ package starlogo.collision
             bytes.position = Math.max(AGENTS_AT, end);
             _who.check(bytes, count, agents);
             bytes.position = AGENTS_AT;
-            return arePositions(bytes, count) && readPairs(bytes, agents, tracker, terrain, bounds) && (terrain == null || _heights.read(bytes, terrain)) && bytes.position == end;
+            // the ground and the edges have the indices after the agents
+            var all:Vector.<Agent> = agents.concat(new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent]);
+            return arePositions(bytes, count) && readPairs(bytes, all, count, tracker) && _heights.read(bytes, end, terrain) && bytes.position == end;
         }
 
         private static function arePositions(bytes:ByteArray, count:int):Boolean
@@ -180,7 +175,7 @@ package starlogo.collision
             return true;
         }
 
-        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain, bounds:WorldBounds):Boolean
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, tracker:TouchTracker):Boolean
         {
             var breeds:Vector.<int> = new Vector.<int>();
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
@@ -200,38 +195,18 @@ package starlogo.collision
                 var firstBreed:uint = bytes.readUnsignedInt();
                 var secondBreed:uint = bytes.readUnsignedInt();
                 var flag:int = bytes.readUnsignedByte();
-                var other:Agent = agentAt(agents, second, terrain, bounds);
-                if (first >= agents.length || other == null || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
+                if (first >= count || second >= agents.length || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
                 {
                     return false;
                 }
-                tracker.start(agents[first], other, breeds[firstBreed], breeds[secondBreed], flag == 1);
+                if (agents[second] == null)
+                {
+                    throw new ArgumentError("bytes are no snapshot of a Collision without " + (second == count ? "ground" : "bounds"));
+                }
+                tracker.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
             }
             // each agent is there once
             return tracker.count == pairs;
-        }
-
-        // The agent with an index. After the agents of the list come the ground and the edges. Null if there is none.
-        private static function agentAt(agents:Vector.<Agent>, index:uint, terrain:Terrain, bounds:WorldBounds):Agent
-        {
-            if (index < agents.length)
-            {
-                return agents[index];
-            }
-            if (index == agents.length)
-            {
-                return terrain == null ? null : terrain.agent;
-            }
-            if (index == agents.length + 1 && bounds == null)
-            {
-                throw new ArgumentError("bytes are a snapshot of a Collision with bounds, which this one has not");
-            }
-            return index == agents.length + 1 ? bounds.agent : null;
-        }
-
-        private static function markOf(terrain:Terrain):uint
-        {
-            return terrain == null ? MARK : MARK_WITH_GROUND;
         }
 
         private static function check(isSnapshot:Boolean):void

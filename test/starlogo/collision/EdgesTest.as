@@ -267,7 +267,7 @@ package starlogo.collision
                 assertCalls(name, collision, agents, "end");
                 var bounds:WorldBounds = collision.bounds;
                 collision.bounds = null;
-                assertThrows(ArgumentError, /a Collision with bounds/, collision.restore, bytes, agents);
+                assertThrows(ArgumentError, /a Collision without bounds/, collision.restore, bytes, agents);
                 collision.bounds = bounds;
                 assertCalls(name, collision, agents, "");
                 cube.x = 9;

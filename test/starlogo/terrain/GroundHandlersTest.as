@@ -3,6 +3,7 @@ package starlogo.terrain
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
+    import flash.utils.Endian;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertStrictlyEquals;
@@ -222,9 +223,49 @@ package starlogo.terrain
             _collision.terrain = new Terrain(5, 5);
             assertThrows(ArgumentError, /11 by 11/, _collision.restore, bytes, listed);
             _collision.terrain = _terrain;
-            bytes.length -= 1;
-            assertThrows(ArgumentError, /no snapshot/, _collision.restore, bytes, listed);
+            while (bytes.length > 0)
+            {
+                bytes.length -= 1;
+                assertThrows(ArgumentError, /no snapshot/, _collision.restore, bytes, listed);
+            }
             assertEquals("nothing has changed", 9, _terrain.getHeight(3, 3));
+        }
+
+        [Test]
+        public function damagedHeightsAreRefused():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[];
+            _collision.update(agents);
+            _terrain.setHeight(2, 0, 5);
+            var bytes:ByteArray = _collision.snapshot();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            // the heights begin after the mark, three counts, columns, rows and a flag: two of 0, a 5, and 118 of 0
+            var firstAt:int = 25;
+            for each (var wrong:Number in [NaN, Infinity, 2e9, 0])
+            {
+                var broken:ByteArray = new ByteArray();
+                broken.endian = Endian.LITTLE_ENDIAN;
+                broken.writeBytes(bytes);
+                broken.position = firstAt + 12;
+                assertEquals(5, broken.readDouble());
+                broken.position -= 8;
+                broken.writeDouble(wrong);
+                assertThrows(ArgumentError, /no snapshot/, _collision.restore, broken, agents);
+            }
+            for each (var count:int in [0, 1, 3, 118, 119, 121, int.MAX_VALUE, -1])
+            {
+                broken = new ByteArray();
+                broken.endian = Endian.LITTLE_ENDIAN;
+                broken.writeBytes(bytes);
+                broken.position = firstAt + 8;
+                assertEquals(2, broken.readInt());
+                broken.position -= 4;
+                broken.writeInt(count);
+                assertThrows(ArgumentError, /no snapshot/, _collision.restore, broken, agents);
+            }
+            _terrain.reset();
+            _collision.restore(bytes, agents);
+            assertEquals(5, _terrain.getHeight(2, 0));
         }
 
         [Test]

@@ -12,7 +12,7 @@ package
 
     /**
      * The test SWF: loads the files that the test classes ask for, runs every class of the generated list (or those
-     * that the parameter <code>test</code> picks), and reports to the headless runner. Those that the parameter
+     * that the parameters <code>test</code> and <code>part</code> pick), and reports to the headless runner. Those that the parameter
      * <code>elsewhere</code> lists are left out. With the parameter <code>full</code> long tests try more.
      *
      * <p>A class that needs files lists their addresses in a public static <code>FIXTURES:Array</code>.</p>
@@ -29,7 +29,7 @@ package
             Garbage.isCounted = loaderInfo.parameters["collects"] == "false";
             Garbage.isCollected = loaderInfo.parameters["player"] == "avmshell" && !Garbage.isCounted;
             Effort.isInterpreted = loaderInfo.parameters["player"] == "ruffle" && !Effort.isFull;
-            var filter:TestFilter = new TestFilter(loaderInfo.parameters["test"], loaderInfo.parameters["elsewhere"]);
+            var filter:TestFilter = new TestFilter(loaderInfo.parameters["test"], loaderInfo.parameters["elsewhere"], loaderInfo.parameters["part"]);
             var classes:Array = filter.classesOf(AllTests.CLASSES);
             _request = Request.classes.apply(null, classes);
             _request = filter.narrow(_request);
@@ -43,7 +43,7 @@ package
         private function run():void
         {
             _core = new FlexUnitCore();
-            _core.addListener(new TestReporter());
+            _core.addListener(new TestReporter(loaderInfo.parameters["part"]));
             _core.run(_request);
         }
     }

@@ -13,6 +13,7 @@
  *   --player avmshell       Adobe's VM instead of Ruffle, for a SWF compiled for it: AVMSHELL names the folder of its shell
  *   --start file.abc        what starts the SWF there (default: bin/avm/start.abc)
  *   --no-gc                 collects no garbage there: memory then tells what was allocated
+ *   --parts 4               runs the SWF so many times, with the parameter part: 1/4, 2/4 and so on (default: once, without it)
  *
  * The SWF's side of it is src/headless/Host.as. Exit status: the SWF's own; 70 when it threw, crashed the player or
  * stalled; 69 when there is no browser, or no shell; 64 for wrong arguments.
@@ -47,6 +48,7 @@ function readArguments() {
 			player: { type: 'string', default: 'ruffle' },
 			start: { type: 'string', default: 'bin/avm/start.abc' },
 			'no-gc': { type: 'boolean', default: false },
+			parts: { type: 'string', default: '1' },
 		},
 	});
 	if (positionals.length !== 1) {
@@ -65,6 +67,7 @@ function readArguments() {
 		player: values.player,
 		start: values.start,
 		collects: !values['no-gc'],
+		parts: Number(values.parts),
 		parameters: pairs(values.param),
 		folders: pairs(values.mount),
 		out: values.out,
@@ -148,6 +151,16 @@ async function run(options) {
 	}
 }
 
+/** Plays all parts, one after the other. Resolves with the first exit status that is not 0. */
+async function runParts(options) {
+	let status = 0;
+	for (let part = 1; part <= options.parts; part++) {
+		const parameters = options.parts > 1 ? { ...options.parameters, part: `${part}/${options.parts}` } : options.parameters;
+		status = status || await run({ ...options, parameters });
+	}
+	return status;
+}
+
 async function save(folder, file, text) {
 	const target = path.resolve(folder, file);
 	if (!target.startsWith(path.resolve(folder) + path.sep)) {
@@ -158,7 +171,7 @@ async function save(folder, file, text) {
 }
 
 try {
-	process.exitCode = await run(readArguments());
+	process.exitCode = await runParts(readArguments());
 } catch (error) {
 	console.error(`headless: ${error instanceof RunError ? error.message : error.stack ?? error}`);
 	process.exitCode = error.status ?? (error.code?.startsWith?.('ERR_PARSE_ARGS') ? USAGE : FAILED);

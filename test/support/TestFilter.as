@@ -13,12 +13,22 @@ package support
         private var _picked:Object;
         private var _elsewhere:Object;
 
+        // Of so many parts of the classes, the one that is run, counted from 0 on.
+        private var _part:int = 0;
+        private var _parts:int = 1;
+
         /**
          * @param picked classes and tests of classes, by qualified names with commas between; nothing for all
          * @param elsewhere classes and tests that another machine runs, in the same form; it does not matter if something is picked
+         * @param part the part of the classes that is run: "2/3" is the second of three parts; nothing for all
          */
-        public function TestFilter(picked:String, elsewhere:String = null)
+        public function TestFilter(picked:String, elsewhere:String = null, part:String = null)
         {
+            if (part)
+            {
+                _part = int(part.split("/")[0]) - 1;
+                _parts = int(part.split("/")[1]);
+            }
             _picked = tableOf(picked);
             _elsewhere = _picked == null ? tableOf(elsewhere) : null;
         }
@@ -26,7 +36,7 @@ package support
         /** The classes among these of which something is run. */
         public function classesOf(classes:Array):Array
         {
-            return classes.filter(hasRun);
+            return classes.filter(hasRun).filter(isInPart);
         }
 
         /** Whether tests are left out that another machine runs. */
@@ -70,6 +80,11 @@ package support
                 }
             }
             return false;
+        }
+
+        private function isInPart(testClass:Class, index:int, classes:Array):Boolean
+        {
+            return index % _parts == _part;
         }
 
         private function shouldRun(description:IDescription):Boolean

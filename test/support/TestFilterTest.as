@@ -15,7 +15,7 @@ package support
             for each (var nothing:String in [null, ""])
             {
                 assertEquals(3, new TestFilter(nothing).classesOf(CLASSES).length);
-                assertEquals(5, narrowed(nothing));
+                assertEquals(6, narrowed(nothing));
             }
         }
 
@@ -23,7 +23,7 @@ package support
         public function aClassIsPickedByItsWholeName():void
         {
             assertEquals([TestFilterTest, TestStage].join(), new TestFilter("support.TestStage,support.TestFilterTest").classesOf(CLASSES).join());
-            assertEquals(5, narrowed("support.TestFilterTest"));
+            assertEquals(6, narrowed("support.TestFilterTest"));
             assertEquals("another package", 0, new TestFilter("TestFilterTest").classesOf(CLASSES).length);
             assertEquals("a part of its name", 0, new TestFilter("support.TestFilter").classesOf(CLASSES).length);
         }
@@ -41,7 +41,7 @@ package support
         {
             var all:TestFilter = new TestFilter("", "support.Effort,support.TestFilterTest.nothingTakesAll");
             assertEquals([TestFilterTest, TestStage].join(), all.classesOf(CLASSES).join());
-            assertEquals(4, all.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
+            assertEquals(5, all.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
             assertTrue(all.leavesOut);
             assertFalse(new TestFilter("").leavesOut);
         }
@@ -51,7 +51,15 @@ package support
         {
             var named:TestFilter = new TestFilter("support.TestFilterTest", "support.TestFilterTest.nothingTakesAll");
             assertFalse(named.leavesOut);
-            assertEquals(5, named.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
+            assertEquals(6, named.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
+        }
+
+        [Test]
+        public function partsHaveEachClassOnce():void
+        {
+            assertEquals([TestFilterTest, TestStage].join(), new TestFilter("", "", "1/2").classesOf(CLASSES).join());
+            assertEquals([Effort].join(), new TestFilter("", "", "2/2").classesOf(CLASSES).join());
+            assertEquals("of those that run here", TestStage, new TestFilter("", "support.Effort", "2/2").classesOf(CLASSES).join());
         }
 
         private static function narrowed(picked:String):int

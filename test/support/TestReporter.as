@@ -16,6 +16,8 @@ package support
     {
         private static const PROGRESS_MS:int = 5000;
 
+        // What the names of the reports end with.
+        private var _ending:String;
         private var _total:int;
         private var _finished:int = 0;
         private var _failed:int = 0;
@@ -26,6 +28,12 @@ package support
         private var _failures:Dictionary = new Dictionary();
         private var _skippedTests:Dictionary = new Dictionary();
         private var _suites:XML = <testsuites/>;
+
+        /** @param part the part of the classes that is run, for example "2/3"; nothing for all */
+        public function TestReporter(part:String = null)
+        {
+            _ending = part ? "-" + part.split("/")[0] : "";
+        }
 
         override public function testRunStarted(description:IDescription):void
         {
@@ -92,8 +100,8 @@ package support
             _suites.@failures = _failed;
             _suites.@skipped = _skipped;
             _suites.@time = seconds(getTimer() - _start);
-            Host.writeFile("test-reports/TEST-flexunit.xml", '<?xml version="1.0" encoding="UTF-8"?>\n' + _suites.toXMLString() + "\n");
-            Host.writeFile("test-reports/summary.txt", counts + "\n");
+            Host.writeFile("test-reports/TEST-flexunit" + _ending + ".xml", '<?xml version="1.0" encoding="UTF-8"?>\n' + _suites.toXMLString() + "\n");
+            Host.writeFile("test-reports/summary" + _ending + ".txt", counts + "\n");
             trace("ran in " + seconds(getTimer() - _start) + " s");
             trace(counts);
             Host.exit(_failed == 0 ? 0 : 1);

@@ -7,13 +7,13 @@ package support
     public final class RandomGround
     {
         /** The kinds that <code>make()</code> knows. */
-        public static const KINDS:Array = ["hills", "flat", "steps", "rough", "needle", "wide cells", "small cells", "far out"];
+        public static const KINDS:Array = ["hills", "flat", "steps", "rough", "needle", "wide cells", "small cells", "far out", "long"];
 
         /** Makes a terrain, of slopes or columns, about the origin but for "far out". */
         public static function make(kind:String, random:SeededRandom):Terrain
         {
-            var columns:int = random.integer(2, 12);
-            var rows:int = random.integer(2, 12);
+            var columns:int = kind == "long" ? random.integer(65, 90) : random.integer(2, 12);
+            var rows:int = kind == "long" ? random.integer(2, 3) : random.integer(2, 12);
             var width:Number = kind == "wide cells" ? random.logBetween(5, 50) : kind == "small cells" ? random.logBetween(0.05, 0.3) : random.chance(0.5) ? 1 : random.between(0.5, 2);
             var far:Number = kind == "far out" ? random.integer(-1000000, 1000000) : 0;
             var terrain:Terrain = new Terrain(columns, rows, width, far - columns * width / 2, far - rows * width / 2);

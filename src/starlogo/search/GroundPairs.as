@@ -1,14 +1,12 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.QuickLook;
     import starlogo.terrain.HeightGrid;
     import starlogo.terrain.TerrainAgent;
     import starlogo.terrain.TerrainPair;
@@ -106,22 +104,9 @@ package starlogo.search
 
         private static function isSure(table:AgentTable, row:int, grid:HeightGrid):Boolean
         {
-            var look:QuickLook = grid.look;
-            var extents:Extents = table.extents;
-            look.x = extents.x[row];
-            look.y = extents.y[row];
-            look.z = extents.z[row];
-            var halfX:Number = extents.halfX[row];
-            var halfY:Number = extents.halfY[row];
-            var halfZ:Number = extents.halfZ[row];
-            var isSphere:Boolean = table.forms[row] == BoundingStructure.SPHERE;
-            var inner:Number = isSphere ? halfX : 0;
-            var outer:Number = isSphere ? halfX : Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
-            look.isSolid = table.forms[row] != ModelShape.TREE;
-            look.inner = inner;
-            look.outer = outer * Tolerances.OUTER + 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row])
-                    + Math.abs(table.z[row]));
-            return look.decide(grid);
+            var form:int = table.forms[row];
+            grid.look.gap = 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
+            return grid.look.decide(grid, table.extents, row, form == BoundingStructure.SPHERE, form != ModelShape.TREE);
         }
 
         // Sets the pair, and returns the motion of the row that is not the ground.

@@ -10,15 +10,20 @@ package starlogo.terrain
      * Finds the triangles of the ground's surface that a box may meet, one after the other. If the box moves, they come nearly in the order of
      * its way.
      *
-     * <p>The surface consists of the cells' tops and of upright walls. At the terrain's borders, walls reach down to below the box. With
-     * columns, a wall also stands between two columns of different heights.</p>
+     * <p>The surface consists of the cells' tops and of upright walls. A wall stands where a column is higher than its neighbour. At the
+     * terrain's borders, walls reach down to below the box.</p>
      *
-     * <p>It walks over blocks of cells. If the box comes to the heights of a block, it walks over the block's cells.</p>
+     * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
+     * place. The smallest squares, of level 0, are the cells.</p>
      */
     internal final class GroundFaces
     {
-        // Two triangles on top, and two for each of four sides.
-        private static const FACES:int = 10;
+        // The search begins with squares of which the box is at most this many long, because most boxes are small.
+        private static const FIRST_SQUARES:int = 3;
+
+        // Where the neighbour on each side of a cell is, counter-clockwise from the side with the least y on.
+        private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
+        private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
 
         /** The box. It must be set before <code>begin()</code>. */
         public var box:PassingBox = new PassingBox();
@@ -33,26 +38,37 @@ package starlogo.terrain
         public var inset:Number = 0;
 
         private var _grid:HeightGrid;
-        private var _heights:Vector.<Number>;
-        private var _isBlocky:Boolean;
-        private var _columns:int;
         private var _lastColumn:int;
         private var _lastRow:int;
-        private var _blocks:GridWalk;
-        private var _cells:GridWalk;
 
-        // The current cell: the number of its next triangle, and its corners, counter-clockwise.
-        private var _face:int = FACES;
-        private var _x:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _y:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _z:Vector.<Number> = new Vector.<Number>(4, true);
+        // Where the first cell begins.
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+
+        // Level, column and row of each square that is still to be visited, and how many numbers these are.
+        private var _squares:Vector.<int> = new Vector.<int>();
+        private var _top:int = 0;
+
+        // The current square: its place, its width, and the heights between which the box is over it.
+        private var _column:int = 0;
+        private var _row:int = 0;
+        private var _width:Number = 1;
+        private var _low:Number = 0;
+        private var _high:Number = 0;
+
+        // The current cell: its next triangle, the number of its triangles, and the heights of its corners, counter-clockwise.
+        private var _face:int = 0;
+        private var _faceCount:int = 0;
+        private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
+
+        // The results of findRange(), and of findOutside().
+        private var _first:int = 0;
+        private var _last:int = 0;
         private var _outside:ContactPoint = new ContactPoint();
 
         /** Creates a finder without ground. */
         public function GroundFaces()
         {
-            _blocks = new GridWalk(box);
-            _cells = new GridWalk(box);
         }
 
         /** Begins with the box. The box becomes a little wider, because of rounding. */
@@ -60,24 +76,27 @@ package starlogo.terrain
         {
             var width:Number = grid.cellWidth;
             var middle:Number = grid.isBlocky ? width / 2 : 0;
+            var fewer:int = grid.isBlocky ? 1 : 2;
             _grid = grid;
-            _heights = grid.heights;
-            _isBlocky = grid.isBlocky;
-            _columns = grid.columns;
-            _lastColumn = _isBlocky ? _columns - 1 : _columns - 2;
-            _lastRow = _isBlocky ? grid.rows - 1 : grid.rows - 2;
-            _cells.width = width;
-            _blocks.width = width * (1 << HeightGrid.BLOCK);
-            _cells.originX = _blocks.originX = grid.x - middle;
-            _cells.originY = _blocks.originY = grid.y - middle;
-            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + width
-                    + box.limit * (Math.abs(box.wayX) + Math.abs(box.wayY) + Math.abs(box.wayZ)));
+            _lastColumn = grid.columns - fewer;
+            _lastRow = grid.rows - fewer;
+            _x = grid.x - middle;
+            _y = grid.y - middle;
+            _face = _faceCount = _top = 0;
+            var wayX:Number = box.limit * Math.abs(box.wayX);
+            var wayY:Number = box.limit * Math.abs(box.wayY);
+            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + width + wayX + wayY
+                    + box.limit * Math.abs(box.wayZ));
             box.halfX += rounding;
             box.halfY += rounding;
             box.halfZ += rounding;
-            _cells.begin(0, 0, -1, -1);
-            _blocks.begin(0, 0, _lastColumn >> HeightGrid.BLOCK, _lastRow >> HeightGrid.BLOCK);
-            _face = FACES;
+            var length:Number = Math.max(2 * box.halfX + wayX, 2 * box.halfY + wayY);
+            var level:int = 0;
+            while (level < grid.levels && length > FIRST_SQUARES * grid.widths[level])
+            {
+                level++;
+            }
+            addSquares(level, 0, 0, int.MAX_VALUE);
         }
 
         /** Sets a contact's normal to the normal of a triangle of the ground's surface. It points out of the ground. */
@@ -96,113 +115,112 @@ package starlogo.terrain
         /** Goes on to the next triangle. Returns false if there is none. */
         public function next():Boolean
         {
-            while (true)
+            while (_face < _faceCount || _top > 0)
             {
-                while (_face < FACES)
+                if (_face == _faceCount)
                 {
-                    _face++;
-                    if (findFace(_face - 1))
-                    {
-                        return true;
-                    }
+                    visitSquare();
                 }
-                if (!findCell())
+                else if (findFace(_face++))
                 {
-                    return false;
-                }
-                _face = 0;
-            }
-            return false;
-        }
-
-        private function findCell():Boolean
-        {
-            while (true)
-            {
-                while (_cells.next())
-                {
-                    readCell(_cells.column, _cells.row);
-                    if (meetsCell())
-                    {
-                        return true;
-                    }
-                }
-                if (!_blocks.next())
-                {
-                    return false;
-                }
-                if (meetsBlock(_blocks.column, _blocks.row))
-                {
-                    var first:int = _blocks.column << HeightGrid.BLOCK;
-                    var firstRow:int = _blocks.row << HeightGrid.BLOCK;
-                    var most:int = (1 << HeightGrid.BLOCK) - 1;
-                    _cells.begin(first, firstRow, Math.min(first + most, _lastColumn), Math.min(firstRow + most, _lastRow));
+                    return true;
                 }
             }
             return false;
         }
 
-        // Whether the box comes to the heights of a block. A block at the terrain's border has walls that reach down below any box.
-        private function meetsBlock(column:int, row:int):Boolean
+        // Puts some squares of a level on the stack: those that the box passes over. The nearest comes last.
+        private function addSquares(level:int, first:int, firstRow:int, most:int):void
         {
-            var block:int = row * _grid.blockColumns + column;
-            if (_blocks.low > _grid.greatests[block])
+            var shift:int = level * HeightGrid.SHIFT;
+            var last:int = Math.min(first + most - 1, _lastColumn >> shift);
+            _width = _grid.widths[level];
+            box.from = 0;
+            box.to = box.limit;
+            findRange(box.y - _y, box.halfY, box.wayY, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            var isBack:Boolean = box.wayY < 0;
+            var row:int = isBack ? _first : _last;
+            for (var rows:int = _last - _first + 1; rows > 0; rows--)
             {
-                return false;
+                _row = row;
+                row += isBack ? 1 : -1;
+                cutToRow();
+                findRange(box.x - _x, box.halfX, box.wayX, first, last);
+                for (var i:int = _first; i <= _last && box.from <= box.to; i++)
+                {
+                    _squares[_top] = level;
+                    _squares[int(_top + 1)] = box.wayX < 0 ? i : _first + _last - i;
+                    _squares[int(_top + 2)] = _row;
+                    _top += 3;
+                }
             }
-            return _blocks.high >= _grid.leasts[block] || column == 0 || row == 0 || column == _lastColumn >> HeightGrid.BLOCK
-                || row == _lastRow >> HeightGrid.BLOCK;
         }
 
-        private function readCell(column:int, row:int):void
+        // Takes a square from the stack. If the box comes to its heights, continues with its smaller squares, or with the cell's triangles.
+        private function visitSquare():void
         {
-            var width:Number = _cells.width;
-            var at:int = row * _columns + column;
-            var z:Number = _heights[at];
-            _x[0] = _x[3] = _cells.originX + column * width;
-            _x[1] = _x[2] = _cells.originX + (column + 1) * width;
-            _y[0] = _y[1] = _cells.originY + row * width;
-            _y[2] = _y[3] = _cells.originY + (row + 1) * width;
-            _z[0] = z;
-            if (_isBlocky)
+            _top -= 3;
+            var level:int = _squares[_top];
+            var shift:int = level * HeightGrid.SHIFT;
+            _column = _squares[int(_top + 1)];
+            _row = _squares[int(_top + 2)];
+            _width = _grid.widths[level];
+            var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
+            if (!isOver())
             {
-                _z[1] = _z[2] = _z[3] = z;
                 return;
             }
-            _z[1] = _heights[int(at + 1)];
-            _z[2] = _heights[int(at + _columns + 1)];
-            _z[3] = _heights[int(at + _columns)];
+            if (level == 0)
+            {
+                visitCell(hasWalls || _grid.isBlocky);
+                return;
+            }
+            var bounds:int = _grid.begins[level] + 3 * (_row * _grid.across[level] + _column);
+            if (_low <= _grid.bounds[int(bounds + 1)] && (hasWalls || _high >= _grid.bounds[bounds]))
+            {
+                addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);
+            }
         }
 
-        // Whether the box comes to the heights of the cell. With columns, the walls to the next column and to the next row belong to the cell.
-        private function meetsCell():Boolean
+        // Whether the box passes over the current square, within the limit. Also finds the heights between which the box is there.
+        private function isOver():Boolean
         {
-            var low:Number = Math.min(Math.min(_z[0], _z[1]), Math.min(_z[2], _z[3]));
-            var high:Number = Math.max(Math.max(_z[0], _z[1]), Math.max(_z[2], _z[3]));
-            if (_isBlocky)
-            {
-                var at:int = _cells.row * _columns + _cells.column;
-                var east:Number = _cells.column < _lastColumn ? _heights[int(at + 1)] : low;
-                var north:Number = _cells.row < _lastRow ? _heights[int(at + _columns)] : low;
-                low = Math.min(low, Math.min(east, north));
-                high = Math.max(high, Math.max(east, north));
-            }
-            gap = Tolerances.SURFACES * (_cells.width + high - low);
-            if (_cells.low > high + gap)
-            {
-                return false;
-            }
-            return _cells.high >= low - gap || _cells.column == 0 || _cells.row == 0 || _cells.column == _lastColumn || _cells.row == _lastRow;
+            cutToRow();
+            box.cut(box.x, box.halfX, box.wayX, _x + _column * _width, _x + (_column + 1) * _width);
+            var start:Number = box.z + box.from * box.wayZ;
+            var end:Number = box.z + box.to * box.wayZ;
+            _low = Math.min(start, end) - box.halfZ;
+            _high = Math.max(start, end) + box.halfZ;
+            return box.from <= box.to;
         }
 
-        // Writes the triangle with a number. Returns false if the cell has no such triangle, or if the box is above or below it.
+        // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
+        private function visitCell(hasWalls:Boolean):void
+        {
+            var heights:Vector.<Number> = _grid.heights;
+            var at:int = _row * _grid.columns + _column;
+            var z:Number = heights[at];
+            _tops[0] = z;
+            _tops[1] = _grid.isBlocky ? z : heights[int(at + 1)];
+            _tops[2] = _grid.isBlocky ? z : heights[int(at + _grid.columns + 1)];
+            _tops[3] = _grid.isBlocky ? z : heights[int(at + _grid.columns)];
+            if (_low <= Math.max(Math.max(z, _tops[1]), Math.max(_tops[2], _tops[3]))
+                    && (hasWalls || _high >= Math.min(Math.min(z, _tops[1]), Math.min(_tops[2], _tops[3]))))
+            {
+                _face = 0;
+                _faceCount = hasWalls ? 10 : 2;
+            }
+        }
+
+        // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
+        // box is above or below it.
         private function findFace(face:int):Boolean
         {
             if (face < 2)
             {
-                put(0, 0);
-                put(3, face + 1);
-                put(6, face + 2);
+                put(0, 0, _tops[0]);
+                put(3, face + 1, _tops[int(face + 1)]);
+                put(6, face + 2, _tops[int(face + 2)]);
             }
             else if (!findWall((face - 2) >> 1, (face & 1) == 1))
             {
@@ -210,76 +228,40 @@ package starlogo.terrain
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            if (_cells.low > high + gap || _cells.high < low - gap)
-            {
-                return false;
-            }
+            gap = Tolerances.SURFACES * (_width + high - low);
             if (inset > 0)
             {
                 moveIn();
             }
-            return true;
+            return _low <= high && _high >= low;
         }
 
-        // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second.
+        // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
+        // no wall.
         private function findWall(side:int, isUpper:Boolean):Boolean
         {
             var end:int = (side + 1) & 3;
-            var top:Number = _z[side];
-            var endTop:Number = _z[end];
-            var low:Number;
-            if (isAtBorder(side))
+            var column:int = _column + TO_COLUMN[side];
+            var row:int = _row + TO_ROW[side];
+            var top:Number = _tops[side];
+            var endTop:Number = _tops[end];
+            var low:Number = Math.min(_low, Math.min(top, endTop)) - _width;
+            if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
             {
-                low = Math.min(_cells.low, Math.min(top, endTop)) - _cells.width;
+                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] : Infinity;
             }
-            else if (_isBlocky && (side == 1 || side == 2))
-            {
-                low = _heights[int(_cells.row * _columns + _cells.column + (side == 1 ? 1 : _columns))];
-                if (low == top)
-                {
-                    return false;
-                }
-                if (low > top)
-                {
-                    // The next column is higher, so this is its wall, seen from here.
-                    endTop = low;
-                    low = top;
-                    top = endTop;
-                    end = side;
-                    side = (side + 1) & 3;
-                }
-            }
-            else
-            {
-                return false;
-            }
-            put(0, side);
-            put(3, end);
-            put(6, isUpper ? side : end);
-            corners[2] = low;
-            corners[5] = isUpper ? endTop : low;
-            corners[8] = isUpper ? top : endTop;
-            return true;
+            put(0, side, low);
+            put(3, end, isUpper ? endTop : low);
+            put(6, isUpper ? side : end, isUpper ? top : endTop);
+            return low < top || low < endTop;
         }
 
-        private function isAtBorder(side:int):Boolean
+        // Writes a corner of the cell, with a height.
+        private function put(to:int, corner:int, height:Number):void
         {
-            if (side == 0)
-            {
-                return _cells.row == 0;
-            }
-            if (side == 1)
-            {
-                return _cells.column == _lastColumn;
-            }
-            return side == 2 ? _cells.row == _lastRow : _cells.column == 0;
-        }
-
-        private function put(to:int, corner:int):void
-        {
-            corners[to] = _x[corner];
-            corners[int(to + 1)] = _y[corner];
-            corners[int(to + 2)] = _z[corner];
+            corners[to] = _x + (_column + ((corner + 1) >> 1 & 1)) * _width;
+            corners[int(to + 1)] = _y + (_row + (corner >> 1)) * _width;
+            corners[int(to + 2)] = height;
         }
 
         private function moveIn():void
@@ -291,6 +273,23 @@ package starlogo.terrain
                 corners[int(i + 1)] -= inset * _outside.normalY;
                 corners[int(i + 2)] -= inset * _outside.normalZ;
             }
+        }
+
+        // Finds the part of the way that is over the current row.
+        private function cutToRow():void
+        {
+            box.from = 0;
+            box.to = box.limit;
+            box.cut(box.y, box.halfY, box.wayY, _y + _row * _width, _y + (_row + 1) * _width);
+        }
+
+        // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.
+        private function findRange(place:Number, half:Number, way:Number, first:int, last:int):void
+        {
+            var start:Number = place + box.from * way;
+            var end:Number = place + box.to * way;
+            _first = Math.max(first, Math.min(last + 1, Math.floor((Math.min(start, end) - half) / _width)));
+            _last = Math.max(first - 1, Math.min(last, Math.floor((Math.max(start, end) + half) / _width)));
         }
     }
 }

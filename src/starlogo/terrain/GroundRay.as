@@ -15,6 +15,9 @@ package starlogo.terrain
      */
     public final class GroundRay
     {
+        // Longer than any way between two places of the world.
+        private static const FARTHEST:Number = 4 * Agent.LARGEST_COORDINATE;
+
         private var _faces:GroundFaces = new GroundFaces();
         private var _triangles:TriangleRay = new TriangleRay();
         private var _outside:ContactPoint = new ContactPoint();
@@ -40,10 +43,16 @@ package starlogo.terrain
                 ray.faceBack();
                 return true;
             }
-            if (!beginOver(grid, ray))
-            {
-                return false;
-            }
+            var box:PassingBox = _faces.box;
+            box.x = ray.x;
+            box.y = ray.y;
+            box.z = ray.z;
+            box.halfX = box.halfY = box.halfZ = 0;
+            box.wayX = ray.directionX;
+            box.wayY = ray.directionY;
+            box.wayZ = ray.directionZ;
+            box.limit = Math.min(ray.to, FARTHEST);
+            _faces.begin(grid);
             var isHit:Boolean = false;
             _triangles.begin(ray, grid.cellWidth);
             while (_faces.next())
@@ -53,7 +62,7 @@ package starlogo.terrain
                 if (_triangles.at < before || _triangles.triangle == 0 && !isHit)
                 {
                     isHit = true;
-                    _faces.box.limit = _triangles.at;
+                    box.limit = _triangles.at;
                     GroundFaces.findOutside(_faces.corners, _outside);
                 }
             }
@@ -66,33 +75,6 @@ package starlogo.terrain
                 ray.turnNormal();
             }
             return isHit;
-        }
-
-        // Begins with the part of the ray that is over the terrain. Returns false if there is none.
-        private function beginOver(grid:HeightGrid, ray:Ray):Boolean
-        {
-            var box:PassingBox = _faces.box;
-            var middle:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            var highest:Number = 2 * Agent.LARGEST_COORDINATE;
-            box.x = ray.x;
-            box.y = ray.y;
-            box.z = ray.z;
-            box.halfX = box.halfY = box.halfZ = 0;
-            box.wayX = ray.directionX;
-            box.wayY = ray.directionY;
-            box.wayZ = ray.directionZ;
-            box.from = 0;
-            box.to = ray.to;
-            box.cut(box.x, grid.cellWidth, box.wayX, grid.x - middle, grid.x + (grid.columns - 1) * grid.cellWidth + middle);
-            box.cut(box.y, grid.cellWidth, box.wayY, grid.y - middle, grid.y + (grid.rows - 1) * grid.cellWidth + middle);
-            box.cut(box.z, 0, box.wayZ, -highest, grid.greatest);
-            box.limit = box.to;
-            var isOver:Boolean = box.from <= box.to;
-            if (isOver)
-            {
-                _faces.begin(grid);
-            }
-            return isOver;
         }
     }
 }

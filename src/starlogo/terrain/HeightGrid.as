@@ -1,15 +1,15 @@
 package starlogo.terrain
 {
     /**
-     * The heights of a terrain, with bounds for blocks of cells. Tests skip the blocks that are far above or below. It has plain fields,
+     * The heights of a terrain, with bounds for squares of cells. Tests skip the squares that are far above or below. It has plain fields,
      * because all tests of the ground read them, and V8 allocates an object for each Number that is passed.
      *
      * @private
      */
     public final class HeightGrid
     {
-        /** How many cells a block is wide, as a shift. */
-        public static const BLOCK:int = 3;
+        /** How many squares of a level a square of the next level is wide, as a shift. */
+        public static const SHIFT:int = 3;
 
         /** How many heights there are along x. */
         public var columns:int;
@@ -32,17 +32,27 @@ package starlogo.terrain
         /** The heights, row by row. */
         public var heights:Vector.<Number>;
 
-        /** How many blocks there are in a row. */
-        public var blockColumns:int;
+        /**
+         * Three numbers for each square of cells: the least height there, the greatest height, and the greatest difference of two heights that
+         * are neighbours along x or y. A square of level 1 is 8 cells wide, and a square of each next level is 8 squares wide. The last level is
+         * one square. The neighbours of the cells belong to the square.
+         */
+        public var bounds:Vector.<Number>;
 
-        /** For each block, row by row: the least height of its cells' corners, and of the neighbours that its walls lead to. */
-        public var leasts:Vector.<Number>;
+        /** By level: where its squares begin in <code>bounds</code>. Level 0 is the heights, which have no bounds. */
+        public var begins:Vector.<int> = new <int>[0];
 
-        /** For each block: the greatest of these heights. */
-        public var greatests:Vector.<Number>;
+        /** By level: how many squares there are in a row. */
+        public var across:Vector.<int>;
 
-        /** For each block: the square of the steepest slope of its cells. */
-        public var steepests:Vector.<Number>;
+        /** By level: how many rows there are. */
+        public var down:Vector.<int>;
+
+        /** By level: how wide a square is. */
+        public var widths:Vector.<Number>;
+
+        /** The last level. */
+        public var levels:int = 0;
 
         /** Tests models against the ground. It is here, so that a bundle without a Terrain has none of these tests. */
         public var pair:TerrainPair = new TerrainPair();
@@ -65,11 +75,14 @@ package starlogo.terrain
         /** How high the ground is at the place; NaN outside. */
         public var height:Number = 0;
 
+        /** How far sloping ground at the place falls from a height to the next one along x. */
+        public var fallX:Number = 0;
+
+        /** How far it falls along y. */
+        public var fallY:Number = 0;
+
         // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
         private var _nothing:Number = NaN;
-
-        // The greatest of all heights; NaN if it has to be found anew.
-        private var _greatest:Number = NaN;
 
         /** Creates flat ground. The caller has checked the numbers. */
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
@@ -79,11 +92,20 @@ package starlogo.terrain
             this.cellWidth = cellWidth;
             this.x = x;
             this.y = y;
-            blockColumns = ((columns - 1) >> BLOCK) + 1;
-            heights = new Vector.<Number>(columns * rows, true);
-            leasts = new Vector.<Number>(blockColumns * (((rows - 1) >> BLOCK) + 1), true);
-            greatests = new Vector.<Number>(leasts.length, true);
-            steepests = new Vector.<Number>(leasts.length, true);
+            across = new <int>[columns];
+            down = new <int>[rows];
+            widths = new <Number>[cellWidth];
+            var size:int = 0;
+            while (across[levels] > 1 || down[levels] > 1)
+            {
+                across.push(((across[levels] - 1) >> SHIFT) + 1);
+                down.push(((down[levels] - 1) >> SHIFT) + 1);
+                widths.push(widths[levels] * (1 << SHIFT));
+                levels++;
+                begins.push(size);
+                size += 3 * across[levels] * down[levels];
+            }
+            bounds = new Vector.<Number>(size, true);
             reset();
         }
 
@@ -91,25 +113,8 @@ package starlogo.terrain
         public function reset():void
         {
             revision++;
-            clear(heights);
-            clear(leasts);
-            clear(greatests);
-            clear(steepests);
-            _greatest = 0;
-        }
-
-        /** The greatest of all heights. */
-        public function get greatest():Number
-        {
-            if (isNaN(_greatest))
-            {
-                _greatest = greatests[0];
-                for (var i:int = 1; i < greatests.length; i++)
-                {
-                    _greatest = Math.max(_greatest, greatests[i]);
-                }
-            }
-            return _greatest;
+            heights = new Vector.<Number>(columns * rows, true);
+            bounds = new Vector.<Number>(bounds.length, true);
         }
 
         /** Finds the height at the place. */
@@ -128,70 +133,81 @@ package starlogo.terrain
                 return;
             }
             // The conversion to int rounds down, because the numbers are not negative.
-            var column:int = toX;
-            var row:int = toY;
-            column = column < columns - 1 ? column : column - 1;
-            row = row < rows - 1 ? row : row - 1;
+            var column:int = Math.min(toX, columns - 2);
+            var row:int = Math.min(toY, rows - 2);
             toX -= column;
             toY -= row;
             var corner:int = row * columns + column;
-            if (toX >= toY)
-            {
-                height = (1 - toX) * heights[corner] + (toX - toY) * heights[int(corner + 1)] + toY * heights[int(corner + columns + 1)];
-            }
-            else
-            {
-                height = (1 - toY) * heights[corner] + (toY - toX) * heights[int(corner + columns)] + toX * heights[int(corner + columns + 1)];
-            }
+            var isRight:Boolean = toX >= toY;
+            var more:Number = isRight ? toX : toY;
+            var less:Number = isRight ? toY : toX;
+            var near:Number = heights[corner];
+            var side:Number = heights[isRight ? corner + 1 : corner + columns];
+            var far:Number = heights[int(corner + columns + 1)];
+            height = (1 - more) * near + (more - less) * side + less * far;
+            fallX = isRight ? near - side : side - far;
+            fallY = isRight ? side - far : near - side;
         }
 
-        /** Computes the bounds of the blocks that contain a range of heights, and of the blocks whose cells end there. */
+        /** Computes the bounds of all squares to which a range of heights belongs. */
         public function findBounds(first:int, firstRow:int, last:int, lastRow:int):void
         {
             revision++;
-            _greatest = NaN;
-            for (var blockRow:int = Math.max(0, firstRow - 1) >> BLOCK; blockRow <= lastRow >> BLOCK; blockRow++)
+            for (var level:int = 1; level <= levels; level++)
             {
-                for (var blockColumn:int = Math.max(0, first - 1) >> BLOCK; blockColumn <= last >> BLOCK; blockColumn++)
+                first = Math.max(0, first - 1) >> SHIFT;
+                firstRow = Math.max(0, firstRow - 1) >> SHIFT;
+                last = Math.min(across[level - 1] - 1, last + 1) >> SHIFT;
+                lastRow = Math.min(down[level - 1] - 1, lastRow + 1) >> SHIFT;
+                for (var row:int = firstRow; row <= lastRow; row++)
                 {
-                    findBoundsOf(blockColumn, blockRow);
-                }
-            }
-        }
-
-        private function findBoundsOf(blockColumn:int, blockRow:int):void
-        {
-            var least:Number = Infinity;
-            var greatestHere:Number = -Infinity;
-            var steepest:Number = 0;
-            var end:int = Math.min(columns - 1, (blockColumn + 1) << BLOCK);
-            var endRow:int = Math.min(rows - 1, (blockRow + 1) << BLOCK);
-            for (var row:int = blockRow << BLOCK; row <= endRow; row++)
-            {
-                for (var column:int = blockColumn << BLOCK; column <= end; column++)
-                {
-                    var at:int = row * columns + column;
-                    var corner:Number = heights[at];
-                    least = corner < least ? corner : least;
-                    greatestHere = corner > greatestHere ? corner : greatestHere;
-                    if (column < end && row < endRow)
+                    for (var column:int = first; column <= last; column++)
                     {
-                        var far:Number = heights[int(at + columns + 1)];
-                        var x1:Number = heights[int(at + 1)] - corner;
-                        var y1:Number = far - heights[int(at + 1)];
-                        var x2:Number = far - heights[int(at + columns)];
-                        var y2:Number = heights[int(at + columns)] - corner;
-                        steepest = Math.max(steepest, Math.max(x1 * x1 + y1 * y1, x2 * x2 + y2 * y2));
+                        findBoundsOf(level, column, row);
                     }
                 }
             }
-            var block:int = blockRow * blockColumns + blockColumn;
-            leasts[block] = least;
-            greatests[block] = greatestHere;
-            steepests[block] = steepest / cellWidth / cellWidth;
         }
 
-        // Finds the height at the place on a surface of columns.
+        // Computes the bounds of a square from the squares of the level before, or from the heights.
+        private function findBoundsOf(level:int, column:int, row:int):void
+        {
+            var least:Number = Infinity;
+            var greatest:Number = -Infinity;
+            var difference:Number = 0;
+            var stride:int = across[level - 1];
+            var first:int = Math.max(0, (column << SHIFT) - 1);
+            var firstRow:int = Math.max(0, (row << SHIFT) - 1);
+            var end:int = Math.min(stride - 1, (column + 1) << SHIFT);
+            var endRow:int = Math.min(down[level - 1] - 1, (row + 1) << SHIFT);
+            for (var i:int = firstRow; i <= endRow; i++)
+            {
+                for (var j:int = first; j <= end; j++)
+                {
+                    var at:int = i * stride + j;
+                    if (level == 1)
+                    {
+                        least = Math.min(least, heights[at]);
+                        greatest = Math.max(greatest, heights[at]);
+                        difference = j == first ? difference : Math.max(difference, Math.abs(heights[at] - heights[int(at - 1)]));
+                        difference = i == firstRow ? difference : Math.max(difference, Math.abs(heights[at] - heights[int(at - columns)]));
+                    }
+                    else
+                    {
+                        at = begins[level - 1] + 3 * at;
+                        least = Math.min(least, bounds[at]);
+                        greatest = Math.max(greatest, bounds[int(at + 1)]);
+                        difference = Math.max(difference, bounds[int(at + 2)]);
+                    }
+                }
+            }
+            at = begins[level] + 3 * (row * across[level] + column);
+            bounds[at] = least;
+            bounds[int(at + 1)] = greatest;
+            bounds[int(at + 2)] = difference;
+        }
+
+        // Finds the height at the place on a surface of columns. Where columns meet, it is the highest.
         private function findTop():void
         {
             var toX:Number = (placeX - x) / cellWidth + 0.5;
@@ -201,27 +217,12 @@ package starlogo.terrain
                 height = _nothing;
                 return;
             }
-            var column:int = toX;
-            var row:int = toY;
-            var before:int = column == toX && column > 0 ? column - 1 : column;
-            var rowBefore:int = row == toY && row > 0 ? row - 1 : row;
-            column = column < columns ? column : before;
-            row = row < rows ? row : rowBefore;
-            height = heights[int(row * columns + column)];
-            if (before != column || rowBefore != row)
-            {
-                height = Math.max(height, heights[int(row * columns + before)]);
-                height = Math.max(height, heights[int(rowBefore * columns + column)]);
-                height = Math.max(height, heights[int(rowBefore * columns + before)]);
-            }
-        }
-
-        private static function clear(numbers:Vector.<Number>):void
-        {
-            for (var i:int = 0; i < numbers.length; i++)
-            {
-                numbers[i] = 0;
-            }
+            var column:int = Math.min(toX, columns - 1);
+            var row:int = Math.min(toY, rows - 1);
+            var before:int = Math.max(0, Math.ceil(toX) - 1);
+            var below:int = columns * Math.max(0, Math.ceil(toY) - 1);
+            row *= columns;
+            height = Math.max(Math.max(heights[int(row + column)], heights[int(row + before)]), Math.max(heights[int(below + column)], heights[int(below + before)]));
         }
     }
 }

@@ -33,7 +33,7 @@ package starlogo.terrain
         /** @copy #wayX */
         public var wayZ:Number = 0;
 
-        /** How much of the way counts, as a multiple of the way. It must be finite. It may be reduced during a walk. */
+        /** How much of the way counts, as a multiple of the way. It may be reduced during a walk. */
         public var limit:Number = 0;
 
         /** The part of the way that <code>cut()</code> narrows. */
@@ -57,10 +57,8 @@ package starlogo.terrain
                 to = low > 0 || high < 0 ? -1 : to;
                 return;
             }
-            var enters:Number = (way > 0 ? low : high) / way;
-            var leaves:Number = (way > 0 ? high : low) / way;
-            from = enters > from ? enters : from;
-            to = leaves < to ? leaves : to;
+            from = Math.max(from, Math.min(low / way, high / way));
+            to = Math.min(to, Math.max(low / way, high / way));
         }
     }
 }

@@ -1,7 +1,9 @@
 package starlogo.terrain
 {
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -13,41 +15,39 @@ package starlogo.terrain
      */
     public final class QuickLook
     {
-        // The cells within the agent's reach.
-        private var _first:int = 0;
-        private var _last:int = 0;
-        private var _firstRow:int = 0;
-        private var _lastRow:int = 0;
-
-        /** The middle of the agent; fields, because V8 makes an object of each Number that it passes. */
-        public var x:Number = 0;
-
-        /** @copy #x */
-        public var y:Number = 0;
-
-        /** @copy #x */
-        public var z:Number = 0;
-
-        /** Whether the agent contains its middle, and the radius of a ball about the middle that the agent contains. */
-        public var isSolid:Boolean = false;
-
-        /** @copy #isSolid */
-        public var inner:Number = 0;
-
-        /** The radius of a ball around the agent, enlarged by the gap across which the agent and the ground still touch. */
-        public var outer:Number = 0;
+        /** The largest gap across which the agent and the ground still touch; a field, because V8 makes an object of each Number that it passes. */
+        public var gap:Number = 0;
 
         /** Whether the agent is known to touch the ground. */
         public var isTouching:Boolean = false;
+
+        // The greatest height near the agent, and the greatest difference of two neighbouring heights.
+        private var _greatest:Number = 0;
+        private var _difference:Number = 0;
 
         /** Creates a test without an agent. */
         public function QuickLook()
         {
         }
 
-        /** Whether the answer is known. At the borders of a terrain it is mostly not known. */
-        public function decide(grid:HeightGrid):Boolean
+        /**
+         * Whether the answer is known. It is not known for agents whose middle is outside of the terrain.
+         *
+         * @param extents of the agent, by row
+         * @param isSphere whether the agent is the sphere in its extents
+         * @param isSolid whether the agent contains its middle
+         */
+        public function decide(grid:HeightGrid, extents:Extents, row:int, isSphere:Boolean, isSolid:Boolean):Boolean
         {
+            var x:Number = extents.x[row];
+            var y:Number = extents.y[row];
+            var z:Number = extents.z[row];
+            var halfX:Number = extents.halfX[row];
+            var halfY:Number = extents.halfY[row];
+            var halfZ:Number = extents.halfZ[row];
+            var inner:Number = isSphere ? halfX : 0;
+            var outer:Number = isSphere ? halfX : Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+            outer = outer * Tolerances.OUTER + gap;
             grid.placeX = x;
             grid.placeY = y;
             grid.findHeight();
@@ -57,35 +57,37 @@ package starlogo.terrain
             {
                 return isTouching;
             }
+            // A column extends half a cell beyond the place of its height.
             var width:Number = grid.cellWidth;
-            _first = Math.floor((x - outer - grid.x) / width);
-            _last = Math.floor((x + outer - grid.x) / width);
-            _firstRow = Math.floor((y - outer - grid.y) / width);
-            _lastRow = Math.floor((y + outer - grid.y) / width);
-            if (_first < 0 || _firstRow < 0 || _last > grid.columns - 2 || _lastRow > grid.rows - 2)
-            {
-                return false;
-            }
-            return isAbove(grid, above);
+            x -= grid.x;
+            y -= grid.y;
+            findBounds(grid, Math.max(0, (x - outer) / width), Math.max(0, (y - outer) / width), Math.min(grid.columns - 1, (x + outer) / width + 1),
+                    Math.min(grid.rows - 1, (y + outer) / width + 1));
+            // The distance from a sloped plane is the height above the plane times the cosine of its angle.
+            return z - outer > _greatest || !grid.isBlocky && above * above * width * width > (width * width + 2 * _difference * _difference) * outer * outer;
         }
 
-        // Whether the agent is higher than all of the ground within its reach, or too high for the slopes there. The distance from a sloped
-        // plane is the height above the plane times the cosine of its angle.
-        private function isAbove(grid:HeightGrid, above:Number):Boolean
+        // Finds the bounds of some cells, by the smallest squares of which at most two are in a row.
+        private function findBounds(grid:HeightGrid, first:int, firstRow:int, last:int, lastRow:int):void
         {
-            var greatest:Number = -Agent.LARGEST_COORDINATE;
-            var steepest:Number = 0;
-            // A column extends half a cell beyond the place of its height.
-            for (var row:int = _firstRow >> HeightGrid.BLOCK; row <= (_lastRow + 1) >> HeightGrid.BLOCK; row++)
+            var level:int = 1;
+            var shift:int = HeightGrid.SHIFT;
+            while ((last >> shift) - (first >> shift) > 1 || (lastRow >> shift) - (firstRow >> shift) > 1)
             {
-                for (var column:int = _first >> HeightGrid.BLOCK; column <= (_last + 1) >> HeightGrid.BLOCK; column++)
+                shift += HeightGrid.SHIFT;
+                level++;
+            }
+            _greatest = -Agent.LARGEST_COORDINATE;
+            _difference = 0;
+            for (var row:int = firstRow >> shift; row <= lastRow >> shift; row++)
+            {
+                for (var column:int = first >> shift; column <= last >> shift; column++)
                 {
-                    var block:int = row * grid.blockColumns + column;
-                    greatest = grid.greatests[block] > greatest ? grid.greatests[block] : greatest;
-                    steepest = grid.steepests[block] > steepest ? grid.steepests[block] : steepest;
+                    var at:int = grid.begins[level] + 3 * (row * grid.across[level] + column);
+                    _greatest = Math.max(_greatest, grid.bounds[int(at + 1)]);
+                    _difference = Math.max(_difference, grid.bounds[int(at + 2)]);
                 }
             }
-            return z - outer > greatest || !grid.isBlocky && above * above > (1 + steepest) * outer * outer;
         }
     }
 }

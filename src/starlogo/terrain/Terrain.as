@@ -142,10 +142,7 @@ package starlogo.terrain
          */
         public function setHeight(column:int, row:int, height:Number):void
         {
-            requireRegion(column, row, 1, 1);
-            requireCoordinate("a terrain's height", height);
-            grid.heights[row * grid.columns + column] = height;
-            grid.findBounds(column, row, column, row);
+            setHeights(column, row, 1, 1, new <Number>[height]);
         }
 
         /**
@@ -272,26 +269,11 @@ package starlogo.terrain
             }
             var normal:Vector3D = out || new Vector3D();
             normal.setTo(0, 0, 1);
-            if (isBlocky)
+            if (!isBlocky)
             {
-                return normal;
+                normal.setTo(grid.fallX, grid.fallY, grid.cellWidth);
+                normal.scaleBy(1 / normal.length);
             }
-            var toX:Number = (x - grid.x) / grid.cellWidth;
-            var toY:Number = (y - grid.y) / grid.cellWidth;
-            var column:int = Math.min(grid.columns - 2, Math.floor(toX));
-            var row:int = Math.min(grid.rows - 2, Math.floor(toY));
-            var corner:int = row * grid.columns + column;
-            var far:Number = grid.heights[corner + grid.columns + 1];
-            // the slopes along x and along y
-            if (toX - column >= toY - row)
-            {
-                normal.setTo(grid.heights[corner] - grid.heights[corner + 1], grid.heights[corner + 1] - far, grid.cellWidth);
-            }
-            else
-            {
-                normal.setTo(grid.heights[corner + grid.columns] - far, grid.heights[corner] - grid.heights[corner + grid.columns], grid.cellWidth);
-            }
-            normal.scaleBy(1 / Math.sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z));
             return normal;
         }
 

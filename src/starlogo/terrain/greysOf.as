@@ -15,16 +15,10 @@ package starlogo.terrain
         {
             for (var column:int = 0; column < picture.width; column++)
             {
-                if ("data" in picture)
-                {
-                    var at:int = 4 * (row * picture.width + column);
-                    greys.push(scale * (picture.data[at] + picture.data[at + 1] + picture.data[at + 2]));
-                }
-                else
-                {
-                    var color:uint = picture.getPixel(column, row);
-                    greys.push(scale * ((color >> 16 & 255) + (color >> 8 & 255) + (color & 255)));
-                }
+                var at:int = 4 * (row * picture.width + column);
+                var data:Object = "data" in picture ? picture.data : null;
+                var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
+                greys.push(scale * ((color >> 16 & 255) + (color >> 8 & 255) + (color & 255)));
             }
         }
         return greys;

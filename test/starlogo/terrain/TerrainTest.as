@@ -183,12 +183,13 @@ package starlogo.terrain
         }
 
         [Test]
-        public function blocksKnowTheirBounds():void
+        public function squaresKnowTheirBounds():void
         {
             var random:SeededRandom = new SeededRandom(6);
             for (var i:int = 0; i < 30; i++)
             {
-                var terrain:Terrain = new Terrain(random.integer(2, 40), random.integer(2, 40));
+                var columns:int = i % 10 == 0 ? random.integer(65, 600) : random.integer(2, 40);
+                var terrain:Terrain = new Terrain(columns, columns > 40 ? 3 : random.integer(2, 40));
                 for (var k:int = 0; k < 12; k++)
                 {
                     var column:int = random.integer(0, terrain.columns - 1);
@@ -373,28 +374,49 @@ package starlogo.terrain
             return new RegExp(text.replace(/[()]/g, "\\$&"));
         }
 
-        // The bounds of every block are those of its cells' corners.
+        // The bounds of every square are those of its heights and of the squares around its smaller squares.
         private function checkBounds(terrain:Terrain):void
         {
-            var size:int = 1 << HeightGrid.BLOCK;
-            for (var blockRow:int = 0; blockRow * size < terrain.rows; blockRow++)
+            var grid:HeightGrid = terrain.grid;
+            for (var level:int = 1; level <= grid.levels; level++)
             {
-                for (var blockColumn:int = 0; blockColumn * size < terrain.columns; blockColumn++)
+                var size:int = 1 << level * HeightGrid.SHIFT;
+                for (var row:int = 0; row * size < terrain.rows; row++)
                 {
-                    var least:Number = Infinity;
-                    var greatest:Number = -Infinity;
-                    for (var row:int = blockRow * size; row <= blockRow * size + size && row < terrain.rows; row++)
+                    for (var column:int = 0; column * size < terrain.columns; column++)
                     {
-                        for (var column:int = blockColumn * size; column <= blockColumn * size + size && column < terrain.columns; column++)
-                        {
-                            least = Math.min(least, terrain.getHeight(column, row));
-                            greatest = Math.max(greatest, terrain.getHeight(column, row));
-                        }
+                        var at:int = grid.begins[level] + 3 * (row * grid.across[level] + column);
+                        // 1 at level 1, 8 more at level 2, 64 more at level 3
+                        checkSquare(terrain, column * size, row * size, size, (size - 1) / 7, grid.bounds.slice(at, at + 3));
                     }
-                    assertEquals(least, terrain.grid.leasts[blockRow * terrain.grid.blockColumns + blockColumn]);
-                    assertEquals(greatest, terrain.grid.greatests[blockRow * terrain.grid.blockColumns + blockColumn]);
                 }
             }
+            assertEquals("the last level is one square", grid.bounds.length, at + 3);
+        }
+
+        private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, around:int, bounds:Vector.<Number>):void
+        {
+            var least:Number = Infinity;
+            var greatest:Number = -Infinity;
+            var difference:Number = 0;
+            var end:int = Math.min(terrain.columns, first + size + around);
+            var endRow:int = Math.min(terrain.rows, firstRow + size + around);
+            first = Math.max(0, first - around);
+            firstRow = Math.max(0, firstRow - around);
+            for (var row:int = firstRow; row < endRow; row++)
+            {
+                for (var column:int = first; column < end; column++)
+                {
+                    var height:Number = terrain.getHeight(column, row);
+                    least = Math.min(least, height);
+                    greatest = Math.max(greatest, height);
+                    difference = Math.max(difference, column == first ? 0 : Math.abs(height - terrain.getHeight(column - 1, row)));
+                    difference = Math.max(difference, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
+                }
+            }
+            assertEquals(least, bounds[0]);
+            assertEquals(greatest, bounds[1]);
+            assertEquals(difference, bounds[2]);
         }
     }
 }

@@ -6,7 +6,6 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
     import starlogo.search.textOf;
-    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -105,15 +104,14 @@ package starlogo.collision
          * @private Finds the pairs of a Collision's frame. A game's own system may return its own vector, and need not count its tests.
          *
          * @param takePart by index in the list: whether the agent takes part; null for all
-         * @param ground stands for the ground; null for none
-         * @param bounds the edges of the world; null for none
+         * @param fixtures the agent of the ground, or null, and the agent of the edges of the world, or null
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
-        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, bounds:WorldBounds, out:FoundPairs):void
+        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
         {
-            if (ground != null || bounds != null)
+            if (fixtures[0] != null || fixtures[1] != null)
             {
-                var what:String = ground != null ? "a terrain needs" : "bounds need";
+                var what:String = fixtures[0] != null ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             out.read(findCollisionsAmong(takePart == null ? agents : chosen(agents, takePart), interests, _found), agents);

@@ -9,7 +9,6 @@ package starlogo.collision
     import starlogo.search.FoundPairs;
     import starlogo.search.RowPairs;
     import starlogo.search.ShapeChoice;
-    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -82,7 +81,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            measure(agents, interests, null, null, null, _found, found);
+            measure(agents, interests, null, null, _found, found);
             if (found.length > 2 * _found.count)
             {
                 found.length = 2 * _found.count;
@@ -119,9 +118,9 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, bounds:WorldBounds, out:FoundPairs):void
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
         {
-            measure(agents, interests, takePart, ground, bounds, out, null);
+            measure(agents, interests, takePart, fixtures, out, null);
         }
 
         /** @private The engine's collider that works for a collision system, or null. */
@@ -130,11 +129,11 @@ package starlogo.collision
             return system is BaseCollider ? BaseCollider(system).collider : null;
         }
 
-        private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, bounds:WorldBounds, out:FoundPairs,
+        private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs,
                 outAgents:Vector.<Agent>):void
         {
             var start:Number = getTimer();
-            search.find(agents, interests, takePart, out, _statistics, outAgents, ground, bounds);
+            search.find(agents, interests, takePart, out, _statistics, outAgents, fixtures);
             _statistics.handlerCalls = _statistics.frameMs = 0;
             _statistics.findMs = getTimer() - start;
         }

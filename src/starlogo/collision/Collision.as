@@ -271,8 +271,6 @@ package starlogo.collision
                 keepList(agents);
                 _searched = system.collider;
                 _contacts.system = system;
-                _calls.fixtures[0] = terrain == null ? null : terrain.agent;
-                _calls.fixtures[1] = bounds == null ? null : bounds.agent;
                 _calls.make(_table, _lastAgents, agents, _handlerErrors);
             }
             finally
@@ -389,8 +387,9 @@ package starlogo.collision
         private function findPairs(system:BaseCollider, agents:Vector.<Agent>):void
         {
             var start:Number = getTimer();
-            var ground:Agent = terrain == null ? null : terrain.agent;
-            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, ground, bounds, _calls.pairs);
+            _calls.fixtures[0] = terrain == null ? null : terrain.agent;
+            _calls.fixtures[1] = bounds == null ? null : bounds.agent;
+            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, _calls.fixtures, _calls.pairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.count;

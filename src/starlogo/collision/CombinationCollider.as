@@ -33,7 +33,7 @@ package starlogo.collision
         /** The settings for tests of two agents that are not hierarchical. */
         public function get structureTests():StructureTests
         {
-            return pairs.structures;
+            return pairs.structures.settings;
         }
     }
 }

@@ -30,7 +30,7 @@ package starlogo.collision
         /** The settings for tests of two structures. */
         public function get structureTests():StructureTests
         {
-            return pairs.structures;
+            return pairs.structures.settings;
         }
     }
 }

@@ -9,7 +9,6 @@ package starlogo.diagnostics
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
-    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -103,14 +102,15 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, ground:Agent, bounds:WorldBounds, out:FoundPairs):void
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
         {
             var start:Number = getTimer();
-            _system.findPairs(agents, interests, takePart, ground, bounds, out);
+            _system.findPairs(agents, interests, takePart, fixtures, out);
             _findTimes.add(getTimer() - start);
             for (var i:int = 0; i < out.count; i++)
             {
-                countPair(agents[out.indices[2 * i]], agents[out.indices[2 * i + 1]]);
+                var second:int = out.indices[2 * i + 1];
+                countPair(agents[out.indices[2 * i]], second < agents.length ? agents[second] : fixtures[second - agents.length]);
             }
             endFrame(out.count);
         }

@@ -63,7 +63,7 @@ package starlogo.queries
         /** Makes the structure the first guest of a table, and returns its row. Call <code>table.endGuests()</code> afterwards. */
         public function readInto(table:AgentTable):int
         {
-            table.readFixture(0, _agent, _shapes[_kind], _extents);
+            table.readShape(0, _agent, _shapes[_kind], _extents);
             return 0;
         }
 

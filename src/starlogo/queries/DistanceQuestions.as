@@ -10,6 +10,7 @@ package starlogo.queries
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
+    import starlogo.search.ModelShape;
     import starlogo.search.RowPairs;
 
     use namespace engine;
@@ -99,9 +100,9 @@ package starlogo.queries
 
         private function measureInOrder(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
-            if (RowPairs.isOneGround(table, a, b))
+            if (table.forms[b] >= ModelShape.GROUND)
             {
-                pairs.ground.findClosest(table, a, b, pairs.areTouching(table, a, b), closest);
+                pairs.fixtureOf(table, b).findClosest(table, a, b, pairs.areTouching(table, a, b), closest);
                 return;
             }
             if (table.shapes[a].hierarchy == null)
@@ -110,7 +111,7 @@ package starlogo.queries
                 var extents:Extents = table.extents;
                 var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
                 // boxes that are tested only by their faces may touch across a gap
-                var isNear:Boolean = pairs.structures.boxFacesOnly || closest.distance <= Tolerances.APART * size;
+                var isNear:Boolean = pairs.structures.settings.boxFacesOnly || closest.distance <= Tolerances.APART * size;
                 closest.settle(isNear && pairs.areTouching(table, a, b));
                 return;
             }

@@ -2,12 +2,12 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
-    import starlogo.terrain.TerrainAgent;
 
     use namespace engine;
 
@@ -147,9 +147,9 @@ package starlogo.queries
             {
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
             }
-            if (structure == null && agent is TerrainAgent)
+            if (structure == null && agent != null && Breeds.isReserved(agent.breedNumber))
             {
-                throw new ArgumentError("the ground does not move: " + agent);
+                throw new ArgumentError(agent + " does not move: it stands for the ground or the edges of the world");
             }
             var asked:AskedStructure = structure == null ? null : takeStructure(structure);
             findNear(agent, asked, filter, isAnywhere);

@@ -89,7 +89,7 @@ package starlogo.queries
                 next = tableFor(collider);
             }
             next.check(agents);
-            next.readGround(terrain == null ? null : terrain.agent);
+            next.readFixture(RowList.GROUND, terrain == null ? null : terrain.agent);
             next.read(agents);
             if (next !== table || next.listNumber != _listNumber)
             {
@@ -175,9 +175,9 @@ package starlogo.queries
             var tree:RowTree = findExtents();
             var of:Extents = table.extents;
             search.begin(tree, of.x[row], of.y[row], of.z[row], of.halfX[row], of.halfY[row], of.halfZ[row]);
-            if (table.forms[row] == ModelShape.GROUND)
+            if (table.forms[row] >= ModelShape.GROUND)
             {
-                // the ground is near all rows
+                // the ground and the edges of the world are near all rows
                 search.widen(4 * Agent.LARGEST_COORDINATE);
             }
         }

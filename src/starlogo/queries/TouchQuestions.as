@@ -5,12 +5,9 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
-    import starlogo.search.EdgePairs;
     import starlogo.search.MovedRow;
     import starlogo.search.RowList;
-    import starlogo.search.RowPairs;
     import starlogo.terrain.WorldBounds;
 
     use namespace engine;
@@ -28,10 +25,6 @@ package starlogo.queries
         private var _structure:AskedStructure = null;
         private var _moved:MovedRow = new MovedRow();
         private var _place:Vector3D = new Vector3D();
-
-        // Tests the edges of the world with the pairs of one collision system. If the system changes, it is made again.
-        private var _edges:EdgePairs = null;
-        private var _edgesOf:RowPairs = null;
 
         /** @param seen the agents that questions are about */
         public function TouchQuestions(seen:SeenAgents)
@@ -91,21 +84,10 @@ package starlogo.queries
             {
                 throw new ArgumentError("bounds must not be null");
             }
-            if (_edgesOf !== _seen.pairs)
-            {
-                _edgesOf = _seen.pairs;
-                _edges = new EdgePairs(_edgesOf);
-            }
             var table:AgentTable = _seen.table;
             var row:int = _seen.rowOfNow(agent);
-            var touches:Boolean = false;
-            if (table.shapes[row] != null)
-            {
-                _edges.bounds = bounds;
-                _place.setTo(0, 0, 0);
-                _edges.findTime(table, row, _place);
-                touches = _edges.time != RelativeMotion.NEVER;
-            }
+            table.readGuest(1, bounds.agent);
+            var touches:Boolean = table.shapes[row] != null && _seen.pairs.areTouching(table, row, 1);
             table.endGuests();
             return touches;
         }

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -76,7 +77,12 @@ package starlogo.search
         /** See RowList.rowOf. */
         public function rowOf(agent:Agent):int
         {
-            return agents[RowList.GROUND] === agent ? RowList.GROUND : _list.rowOf(agent);
+            if (!Breeds.isReserved(agent.breedNumber))
+            {
+                return _list.rowOf(agent);
+            }
+            var row:int = RowList.GROUND + agent.breedNumber;
+            return agents[row] === agent ? row : -1;
         }
 
         /**
@@ -173,31 +179,33 @@ package starlogo.search
         }
 
         /**
-         * Reads the agent that stands for the ground into the ground's row. Pass null if there is no ground. Call this before the list is
-         * read.
+         * Reads the agent of a fixture into the fixture's row. Call this before the list is read.
+         *
+         * @param row the row of the fixture
+         * @param agent stands for it; null if there is none
          */
-        public function readGround(agent:Agent):void
+        public function readFixture(row:int, agent:Agent):void
         {
-            if (agents[RowList.GROUND] !== agent)
+            if (agents[row] !== agent)
             {
-                agents[RowList.GROUND] = agent;
-                shapes[RowList.GROUND] = null;
-                extentsRevisions[RowList.GROUND] = STALE;
+                agents[row] = agent;
+                shapes[row] = null;
+                extentsRevisions[row] = STALE;
             }
             if (agent != null)
             {
-                readRow(RowList.GROUND);
+                readRow(row);
             }
         }
 
         /**
-         * Puts a shape at a place into the row of a guest or of an edge. The place may be farther away than an agent can be.
+         * Puts a shape at a place into the row of a guest or of a box. The place may be farther away than an agent can be.
          *
-         * @param row 0 or 1 for a guest, or the row of an edge
+         * @param row 0 or 1 for a guest, or the row of a box
          * @param agent stands for the shape, and is in no list
          * @param at begins with x, y, z
          */
-        public function readFixture(row:int, agent:Agent, shape:ModelShape, at:Vector.<Number>):void
+        public function readShape(row:int, agent:Agent, shape:ModelShape, at:Vector.<Number>):void
         {
             agent.placement.x = at[0];
             agent.placement.y = at[1];

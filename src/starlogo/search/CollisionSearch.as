@@ -1,16 +1,13 @@
 package starlogo.search
 {
-    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -32,8 +29,6 @@ package starlogo.search
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
         private var _motions:Motions;
-        private var _edges:EdgePairs;
-        private var _way:Vector3D = new Vector3D();
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
 
@@ -63,16 +58,11 @@ package starlogo.search
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins);
             _motions = new Motions(pairs);
-            _edges = new EdgePairs(pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            if (isEdge(a) || isEdge(b))
-            {
-                return isAtEdge(isEdge(a) ? b : a);
-            }
             readGuests(a, b);
             var shapes:Vector.<ModelShape> = table.shapes;
             var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(table, 0, 1);
@@ -89,14 +79,17 @@ package starlogo.search
          * @param out takes the pairs. In a pair, the agent that is first in the list comes first
          * @param counts takes the counts of this search
          * @param outAgents takes the pairs as agents. The indices in out are void then. Null if indices are wanted
-         * @param ground stands for the ground; null if there is none. In a pair, its index is the number of agents
-         * @param bounds the edges of the world; null if there are none. In a pair, their index is the number of agents plus 1
+         * @param fixtures the agent of the ground, or null, and the agent of the edges of the world, or null. In a pair, their indices follow
+         *     those of the agents. Null if there are none
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
-                outAgents:Vector.<Agent> = null, ground:Agent = null, bounds:WorldBounds = null):void
+                outAgents:Vector.<Agent> = null, fixtures:Vector.<Agent> = null):void
         {
-            table.readGround(ground);
+            for (var row:int = RowList.GROUND; row < RowList.BOX; row++)
+            {
+                table.readFixture(row, fixtures == null ? null : fixtures[row - RowList.GROUND]);
+            }
             table.read(agents);
             _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
@@ -111,14 +104,9 @@ package starlogo.search
             _skippedPairs = out.count = 0;
             _pairs.resetCounts();
             _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
-            if (ground != null)
+            for (row = RowList.GROUND; row < RowList.BOX; row++)
             {
-                findFixture(interests, Breeds.TERRAIN, agents.length);
-            }
-            _edges.bounds = bounds;
-            if (bounds != null)
-            {
-                findFixture(interests, Breeds.EDGE, agents.length + 1);
+                findFixture(interests, row, agents.length + row - RowList.GROUND);
             }
             _out = null;
             if (_isSwept)
@@ -160,16 +148,6 @@ package starlogo.search
          */
         public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
         {
-            if (isEdge(b))
-            {
-                return findEdgeContact(a, out);
-            }
-            if (isEdge(a))
-            {
-                var ofOther:Number = findEdgeContact(b, out);
-                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-                return ofOther;
-            }
             var rowA:int = table.rowOf(a);
             var rowB:int = table.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
@@ -323,22 +301,18 @@ package starlogo.search
         }
 
         // Finds the members that touch the ground, or the edges of the world. It tests only members whose breeds are of interest together
-        // with the given breed.
-        private function findFixture(interests:BreedInterests, breed:String, index:int):void
+        // with the fixture's breed.
+        private function findFixture(interests:BreedInterests, fixture:int, index:int):void
         {
             var agents:Vector.<Agent> = table.agents;
-            var fixture:int = interests.indexOf(breed);
-            var isGround:Boolean = breed == Breeds.TERRAIN;
-            // writeIndices() must leave this index as it is
-            _indices.length = Math.max(_indices.length, index + 1);
-            _indices[index] = index;
-            if (fixture < 0)
+            var breed:int = agents[fixture] == null ? -1 : interests.indexOf(agents[fixture].breed);
+            if (breed < 0)
             {
                 return;
             }
             var numbers:Vector.<int> = interests.numbers;
             var areOfInterest:Vector.<Boolean> = interests.areOfInterest;
-            var first:int = fixture * interests.breedCount;
+            var first:int = breed * interests.breedCount;
             for (var i:int = 0; i < _memberCount; i++)
             {
                 var row:int = _memberRows[i];
@@ -347,7 +321,7 @@ package starlogo.search
                 {
                     continue;
                 }
-                var time:Number = isGround ? impactWithGround(row) : impactWithEdges(row);
+                var time:Number = impactWithFixture(row, fixture);
                 if (time == RelativeMotion.NEVER)
                 {
                     continue;
@@ -362,75 +336,27 @@ package starlogo.search
             }
         }
 
-        private function impactWithGround(row:int):Number
+        private function impactWithFixture(row:int, fixture:int):Number
         {
             if (!_isSwept || !_motions.isSweeping[row])
             {
-                return _pairs.areTouching(table, row, RowList.GROUND) ? 1 : RelativeMotion.NEVER;
+                return _pairs.areTouching(table, row, fixture) ? 1 : RelativeMotion.NEVER;
             }
-            _motions.findTime(table, null, row, RowList.GROUND);
+            _motions.findTime(table, null, row, fixture);
             return _motions.foundTime;
-        }
-
-        private function impactWithEdges(row:int):Number
-        {
-            findEdgeTime(row, _isSwept);
-            return _isSwept && _motions.isSweeping[row] || _edges.time == RelativeMotion.NEVER ? _edges.time : 1;
-        }
-
-        // Like EdgePairs.findTime, with the row's motion in the last search. Writes this motion to _way.
-        private function findEdgeTime(row:int, isSwept:Boolean):void
-        {
-            _way.setTo(0, 0, 0);
-            if (isSwept && _motions.isSweeping[row])
-            {
-                _way.setTo(_motions.x[row], _motions.y[row], _motions.z[row]);
-            }
-            _edges.findTime(table, row, _way);
-        }
-
-        private function isAtEdge(agent:Agent):Boolean
-        {
-            table.readGuest(0, agent);
-            var isSeen:Boolean = table.shapes[0] != null;
-            if (isSeen)
-            {
-                findEdgeTime(0, false);
-            }
-            table.endGuests();
-            return isSeen && _edges.time <= 1;
-        }
-
-        private function isEdge(agent:Agent):Boolean
-        {
-            return _edges.bounds != null && agent === _edges.bounds.agent;
-        }
-
-        // Finds how an agent touches the edges of the last search. Returns the time of the contact.
-        private function findEdgeContact(agent:Agent, out:ContactPoint):Number
-        {
-            var row:int = table.rowOf(agent);
-            var isSeen:Boolean = row >= 0 && table.shapes[row] != null;
-            if (!isSeen)
-            {
-                row = 0;
-                table.readGuest(0, agent);
-            }
-            findEdgeTime(row, _isSwept && isSeen);
-            var isMoving:Boolean = _way.x != 0 || _way.y != 0 || _way.z != 0;
-            var time:Number = isMoving && _edges.time <= 1 ? _edges.time : 1;
-            _edges.findContact(table, row, time, out);
-            _motions.approachSpeed = Math.max(0, -out.along(_way));
-            table.endGuests();
-            return time;
         }
 
         // Replaces the numbers of members by the indices of their agents in the list.
         private function writeIndices(out:FoundPairs):void
         {
+            var indices:Vector.<int> = out.indices;
             for (var i:int = 0; i < 2 * out.count; i++)
             {
-                out.indices[i] = _indices[out.indices[i]];
+                // the indices of fixtures are larger, and stay
+                if (indices[i] < _memberCount)
+                {
+                    indices[i] = _indices[indices[i]];
+                }
             }
         }
 

@@ -14,16 +14,14 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two rows of which one is the ground, in either order: whether they touch, when they touch, and how.
+     * Tests a row and the ground, which is the second row of each pair: whether they touch, when they touch, and how.
      *
      * @private
      */
-    public final class GroundPairs
+    public final class GroundPairs extends PairTests
     {
         private var _pairs:RowPairs;
-        private var _pair:TerrainPair;
         private var _placement:Placement = new Placement();
-        private var _turned:RelativeMotion = new RelativeMotion();
 
         /** @param pairs knows how deep trees are visited */
         public function GroundPairs(pairs:RowPairs)
@@ -31,75 +29,52 @@ package starlogo.search
             _pairs = pairs;
         }
 
-        /** See RowPairs.areTouching. */
-        public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        /** @inheritDoc */
+        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var isTurned:Boolean = table.forms[a] == ModelShape.GROUND;
-            var row:int = isTurned ? b : a;
-            var ground:int = isTurned ? a : b;
-            var grid:HeightGrid = TerrainAgent(table.agents[ground]).terrain.grid;
-            if (table.sizes[ground] == 1 && isSure(table, row, grid))
+            var grid:HeightGrid = TerrainAgent(table.agents[b]).terrain.grid;
+            if (table.sizes[b] == 1 && isSure(table, a, grid))
             {
                 return grid.look.isTouching;
             }
-            if (table.forms[row] <= BoundingStructure.BOX)
+            if (table.forms[a] <= BoundingStructure.BOX)
             {
-                _pair = grid.pair;
-                _pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;
-                _pair.gap = Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
-                return _pair.isOverlapping(grid, table.structureOf(row), table.extents, row);
+                var pair:TerrainPair = grid.pair;
+                pair.inset = (1 - table.sizes[b]) * grid.cellWidth / 2;
+                pair.gap = Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a]));
+                return pair.isOverlapping(grid, table.structureOf(a), table.extents, a);
             }
-            setTo(table, row, ground);
-            return _pair.areOverlapping();
+            return pairOf(table, a, b).areOverlapping();
         }
 
-        /** See RowPairs.findTime. */
-        public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        /** @inheritDoc */
+        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            var own:RelativeMotion = begin(table, a, b, motion);
-            _pair.findTime(own);
-            motion.time = own.time;
+            pairOf(table, a, b).findTime(motion);
         }
 
-        /** See RowPairs.findContact. */
-        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = begin(table, a, b, motion);
-            _pair.findContact(own, out);
-            if (own !== motion)
-            {
-                out.turn(motion);
-            }
+            pairOf(table, a, b).findContact(motion, out);
         }
 
-        /** See RowPairs.findImpact. */
-        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = begin(table, a, b, motion);
-            _pair.findImpact(own, out);
-            motion.time = own.time;
-            if (own !== motion && out != null && motion.time != RelativeMotion.NEVER)
-            {
-                out.turn(motion);
-            }
+            pairOf(table, a, b).findImpact(motion, out);
         }
 
-        /** See RowPairs.findOuterContact. */
-        public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            var own:RelativeMotion = begin(table, a, b, RelativeMotion.NONE);
-            _pair.findOuterContact(out);
-            if (own !== RelativeMotion.NONE)
-            {
-                out.turn(RelativeMotion.NONE);
-            }
+            pairOf(table, a, b).findOuterContact(out);
         }
 
-        /** See TreePairs.findClosest. One of the two rows is the ground. */
-        public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
+        /** @inheritDoc */
+        override public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
         {
-            setTo(table, a, b);
-            _pair.findClosest(areTouching, out);
+            pairOf(table, a, b).findClosest(areTouching, out);
         }
 
         private static function isSure(table:AgentTable, row:int, grid:HeightGrid):Boolean
@@ -109,29 +84,17 @@ package starlogo.search
             return grid.look.decide(grid, table.extents, row, form == BoundingStructure.SPHERE, form != ModelShape.TREE);
         }
 
-        // Sets the pair, and returns the motion of the row that is not the ground.
-        private function begin(table:AgentTable, a:int, b:int, motion:RelativeMotion):RelativeMotion
-        {
-            if (table.forms[a] != ModelShape.GROUND)
-            {
-                setTo(table, a, b);
-                return motion;
-            }
-            setTo(table, b, a);
-            _turned.turn(motion);
-            return _turned;
-        }
-
-        private function setTo(table:AgentTable, row:int, ground:int):void
+        // The test of the ground, set to a row. If the ground is made narrower, its size in the table is smaller.
+        private function pairOf(table:AgentTable, row:int, ground:int):TerrainPair
         {
             var shape:ModelShape = table.shapes[row];
             var grid:HeightGrid = TerrainAgent(table.agents[ground]).terrain.grid;
             var trees:TreePairs = _pairs.trees;
-            // if the ground is made narrower, its size in the table is smaller
-            _pair = grid.pair;
-            _pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;
-            _pair.setTo(grid, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
+            var pair:TerrainPair = grid.pair;
+            pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;
+            pair.setTo(grid, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
                     trees != null && trees.exact);
+            return pair;
         }
     }
 }

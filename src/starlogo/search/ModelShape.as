@@ -14,8 +14,11 @@ package starlogo.search
          */
         engine static const TREE:int = 4;
 
-        /** @private The form of the ground. It is a bit of its own too. */
+        /** @private The forms of the ground and of the edges of the world. They are bits of their own too, larger than those of agents. */
         engine static const GROUND:int = 8;
+
+        /** @copy #GROUND */
+        engine static const EDGES:int = 16;
 
         /** The model's name. */
         public var model:String;
@@ -29,7 +32,7 @@ package starlogo.search
         /** @private Whether the model has a newer revision, so that this shape is void. */
         internal var isVoid:Boolean = false;
 
-        /** @private BoundingStructure.SPHERE, CAPSULE or BOX, or TREE, or GROUND. */
+        /** @private BoundingStructure.SPHERE, CAPSULE or BOX, or TREE, GROUND or EDGES. */
         engine var form:int = -1;
 
         // The structure, or the structure around the hierarchy; and the hierarchy, or null.
@@ -73,12 +76,12 @@ package starlogo.search
             form = structure.kind;
         }
 
-        /** @private Makes this the shape of the ground. Its structure is one cell, which gives the scale for tolerances. */
-        engine function setGround(cell:BoundingStructure):void
+        /** @private Makes this the shape of the ground or of the edges. The structure gives the scale for tolerances. */
+        engine function setFixture(form:int, structure:BoundingStructure):void
         {
-            structure = cell;
+            this.form = form;
+            this.structure = structure;
             isUpright = true;
-            form = GROUND;
         }
 
         /** @private Uses the model's hierarchy as its shape. */

@@ -3,9 +3,9 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.Box;
     import starlogo.engine;
-    import starlogo.terrain.Terrain;
     import starlogo.terrain.TerrainAgent;
 
     use namespace engine;
@@ -43,9 +43,9 @@ package starlogo.search
          */
         public function shapeOf(agent:Agent):ModelShape
         {
-            if (agent is TerrainAgent)
+            if (Breeds.isReserved(agent.breedNumber))
             {
-                return groundOf(TerrainAgent(agent).terrain);
+                return shapeOfFixture(agent);
             }
             var kind:int = _choice.kindOf(agent);
             for (var i:int = 0; i < _shapes.length; i++)
@@ -73,11 +73,14 @@ package starlogo.search
             return shape;
         }
 
-        private static function groundOf(terrain:Terrain):ModelShape
+        // The shape of the ground, as large as one cell, or of the edges of the world.
+        private static function shapeOfFixture(agent:Agent):ModelShape
         {
-            var half:Number = terrain.cellWidth / 2;
-            var shape:ModelShape = new ModelShape(terrain.agent.shape, Agent.ANY_KIND, 0);
-            shape.setGround(new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half));
+            var ground:TerrainAgent = agent as TerrainAgent;
+            var half:Number = ground == null ? 0 : ground.terrain.cellWidth / 2;
+            var shape:ModelShape = new ModelShape(agent.shape, Agent.ANY_KIND, 0);
+            shape.setFixture(ground == null ? ModelShape.EDGES : ModelShape.GROUND,
+                    new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half));
             return shape;
         }
 

@@ -135,9 +135,9 @@ package starlogo.search
          */
         public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
         {
-            if (table.forms[a] == ModelShape.GROUND)
+            if (table.forms[a] >= ModelShape.GROUND && table.forms[b] < ModelShape.GROUND)
             {
-                // the second row is the one that moves
+                // the ground and the edges are the second row of a pair
                 var ofOther:Number = findContact(table, b, a, isSwept, out);
                 out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
                 return ofOther;
@@ -156,7 +156,10 @@ package starlogo.search
             }
             var time:Number = motion.time;
             _pairs.findContact(table, a, b, motion, out);
-            _separation.find(table, a, b, motion, out);
+            if (table.forms[b] != ModelShape.EDGES)
+            {
+                _separation.find(table, a, b, motion, out);
+            }
             approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
             if (isPassing)
             {
@@ -175,9 +178,11 @@ package starlogo.search
                 x.length = y.length = z.length = isSweeping.length = length;
                 extents.grow(length);
             }
-            // the ground does not move
-            x[RowList.GROUND] = y[RowList.GROUND] = z[RowList.GROUND] = 0;
-            isSweeping[RowList.GROUND] = false;
+            for (var fixture:int = RowList.GROUND; fixture < RowList.BOX; fixture++)
+            {
+                x[fixture] = y[fixture] = z[fixture] = 0;
+                isSweeping[fixture] = false;
+            }
         }
 
         // Whether the extents of two rows never overlap in all directions at the same time. The two rows stand where they are at the end of the

@@ -1,14 +1,10 @@
 package starlogo.search
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
-    import starlogo.intersection.PointPoint;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -19,8 +15,6 @@ package starlogo.search
      * Tests two rows of a table by their forms: whether they touch, when they touch, and how. Each collider has one such object, with its
      * settings.
      *
-     * <p>A sphere has the same width as its extents, so it needs no structure in the world.</p>
-     *
      * @private
      */
     public final class RowPairs
@@ -28,19 +22,15 @@ package starlogo.search
         /** The number of pairs that were tested along their motions since <code>resetCounts()</code>. */
         public var sweptPairs:int = 0;
 
-        /** Tests pairs of structures that are not both spheres. It counts the tests of two spheres as well. */
+        /** Tests pairs of structures that are not both spheres. */
         public var structures:StructurePairs = new StructurePairs();
 
         /** Tests pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairs = null;
 
-        /** Tests pairs of which one is the ground. */
-        public var ground:GroundPairs;
-
-        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
-        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
-        private var _points:PointPoint = new PointPoint();
-        private var _displacement:RelativeMotion = new RelativeMotion();
+        private var _spheres:SpherePairs = new SpherePairs();
+        private var _ground:GroundPairs;
+        private var _edges:EdgePairs;
 
         /**
          * Begins with the settings that a new collider has.
@@ -49,7 +39,8 @@ package starlogo.search
          */
         public function RowPairs(choice:ShapeChoice)
         {
-            ground = new GroundPairs(this);
+            _ground = new GroundPairs(this);
+            _edges = new EdgePairs(this);
             choice.prepare(this);
         }
 
@@ -73,7 +64,7 @@ package starlogo.search
             var radius:Number = radii[slot];
             var slack:Number = bins.slack;
             var kept:int = 0;
-            structures.tests[0] += count;
+            _spheres.tests += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
@@ -90,7 +81,7 @@ package starlogo.search
                     {
                         continue;
                     }
-                    if (!areSpheresTouching(table, bins.rowAt[slot], bins.rowAt[other]))
+                    if (!_spheres.areTouching(table, bins.rowAt[slot], bins.rowAt[other]))
                     {
                         continue;
                     }
@@ -126,7 +117,7 @@ package starlogo.search
             var revisions:Vector.<int> = table.revisions;
             var atZ:Number = zs[row];
             var reachZ:Number = halfZs[row] + bins.slack;
-            var box:Box = structures.boxFacesOnly ? null : boxes[row];
+            var box:Box = structures.settings.boxFacesOnly ? null : boxes[row];
             var boxTests:int = 0;
             var sphereTests:int = 0;
             var kept:int = 0;
@@ -169,7 +160,7 @@ package starlogo.search
                     var x:Number = bins.x[other] - bins.x[slot];
                     var y:Number = bins.y[other] - bins.y[slot];
                     reach = bins.radius[other] + bins.radius[slot];
-                    if (x * x + y * y + distance * distance > reach * reach && !areSpheresTouching(table, row, otherRow))
+                    if (x * x + y * y + distance * distance > reach * reach && !_spheres.areTouching(table, row, otherRow))
                     {
                         continue;
                     }
@@ -182,7 +173,7 @@ package starlogo.search
                 kept++;
             }
             structures.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
-            structures.tests[0] += sphereTests;
+            _spheres.tests += sphereTests;
             return kept;
         }
 
@@ -190,20 +181,26 @@ package starlogo.search
         public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var forms:int = table.forms[a] | table.forms[b];
-            if (forms >= ModelShape.TREE)
-            {
-                return forms >= ModelShape.GROUND ? ground.areTouching(table, a, b) : trees.areTouching(table, a, b);
-            }
             if (forms == BoundingStructure.SPHERE)
             {
-                structures.tests[0]++;
-                return areSpheresTouching(table, a, b);
+                _spheres.tests++;
+                return _spheres.areTouching(table, a, b);
             }
-            return structures.areTouching(table, a, b);
+            if (forms < ModelShape.TREE)
+            {
+                return structures.areTouching(table, a, b);
+            }
+            if (forms < ModelShape.GROUND)
+            {
+                return trees.areTouching(table, a, b);
+            }
+            var fixture:int = table.forms[b] < ModelShape.GROUND ? a : b;
+            var row:int = a + b - fixture;
+            return table.forms[row] < ModelShape.GROUND && fixtureOf(table, fixture).areTouching(table, row, fixture);
         }
 
         /**
-         * Finds the time at which two rows first touch, while the first one moves. It is the first moment at which <code>areTouching()</code>
+         * Finds the time at which two rows first touch, while the first one moves. The ground and the edges do not move. It is the first moment at which <code>areTouching()</code>
          * would be true.
          *
          * @param motion the motion of the first row relative to the second. It ends where the first row is now. It receives the time, from 0 to
@@ -211,22 +208,7 @@ package starlogo.search
          */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            if (isOneGround(table, a, b))
-            {
-                ground.findTime(table, a, b, motion);
-            }
-            else if (isOneTree(table, a, b))
-            {
-                trees.findTime(table, a, b, motion);
-            }
-            else if (areSpheres(table, a, b))
-            {
-                findTimeOfSpheres(table, a, b, motion);
-            }
-            else
-            {
-                structures.findTime(table, a, b, motion);
-            }
+            testsOf(table, a, b).findTime(table, a, b, motion);
         }
 
         /**
@@ -237,25 +219,7 @@ package starlogo.search
          */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (isOneGround(table, a, b))
-            {
-                ground.findContact(table, a, b, motion, out);
-            }
-            else if (isOneTree(table, a, b))
-            {
-                trees.findContact(table, a, b, motion, out);
-            }
-            else if (areSpheres(table, a, b))
-            {
-                readSphere(table.extents, a, _sphereA);
-                readSphere(table.extents, b, _sphereB);
-                _displacement.stopAt(motion);
-                _points.findContact(_sphereA, _sphereB, _displacement, out);
-            }
-            else
-            {
-                structures.findContact(table, a, b, motion, out);
-            }
+            testsOf(table, a, b).findContact(table, a, b, motion, out);
         }
 
         /**
@@ -266,21 +230,7 @@ package starlogo.search
          */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (isOneGround(table, a, b))
-            {
-                ground.findImpact(table, a, b, motion, out);
-                return;
-            }
-            if (isOneTree(table, a, b))
-            {
-                trees.findImpact(table, a, b, motion, out);
-                return;
-            }
-            findTime(table, a, b, motion);
-            if (out != null && motion.time != RelativeMotion.NEVER)
-            {
-                findContact(table, a, b, motion, out);
-            }
+            testsOf(table, a, b).findImpact(table, a, b, motion, out);
         }
 
         /**
@@ -290,18 +240,7 @@ package starlogo.search
          */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            if (isOneGround(table, a, b))
-            {
-                ground.findOuterContact(table, a, b, out);
-                return;
-            }
-            if (isOneTree(table, a, b))
-            {
-                trees.findOuterContact(table, a, b, out);
-                return;
-            }
-            RelativeMotion.NONE.time = 0;
-            findContact(table, a, b, RelativeMotion.NONE, out);
+            testsOf(table, a, b).findOuterContact(table, a, b, out);
         }
 
         /**
@@ -310,13 +249,13 @@ package starlogo.search
          */
         public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
-            return (table.forms[a] | table.forms[b]) < ModelShape.TREE && (areSpheres(table, a, b) || structures.hasExactContact(table, a, b));
+            return testsOf(table, a, b).hasExactContact(table, a, b);
         }
 
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            sweptPairs = 0;
+            sweptPairs = _spheres.tests = 0;
             structures.resetCounts();
             if (trees != null)
             {
@@ -329,6 +268,7 @@ package starlogo.search
         {
             out.sweptPairs = sweptPairs;
             structures.writeCounts(out);
+            out.sphereSphereTests += _spheres.tests;
             if (trees != null)
             {
                 trees.writeCounts(out);
@@ -347,9 +287,9 @@ package starlogo.search
          */
         public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
-            if (isOneGround(table, a, b))
+            if (isOneFixture(table, a, b))
             {
-                return table.forms[a] == ModelShape.GROUND;
+                return table.forms[a] >= ModelShape.GROUND;
             }
             var isTree:Boolean = table.forms[a] == ModelShape.TREE;
             if (isTree != (table.forms[b] == ModelShape.TREE))
@@ -383,59 +323,26 @@ package starlogo.search
             return distance <= reach && distance >= -reach;
         }
 
-        /** Whether at least one of two rows is a tree, and neither is the ground. */
-        public static function isOneTree(table:AgentTable, a:int, b:int):Boolean
-        {
-            return ((table.forms[a] | table.forms[b]) & (ModelShape.TREE | ModelShape.GROUND)) == ModelShape.TREE;
-        }
-
-        /** Whether one of two rows is the ground. */
-        public static function isOneGround(table:AgentTable, a:int, b:int):Boolean
+        /** Whether one of two rows is the ground or the edges of the world. */
+        public static function isOneFixture(table:AgentTable, a:int, b:int):Boolean
         {
             return (table.forms[a] | table.forms[b]) >= ModelShape.GROUND;
         }
 
-        private static function areSpheresTouching(table:AgentTable, a:int, b:int):Boolean
+        /** Tests rows together with a fixture: the ground or the edges of the world. The fixture is the second row of each pair. */
+        public function fixtureOf(table:AgentTable, fixture:int):PairTests
         {
-            var extents:Extents = table.extents;
-            var x:Number = extents.x[a] - extents.x[b];
-            var y:Number = extents.y[a] - extents.y[b];
-            var z:Number = extents.z[a] - extents.z[b];
-            var squared:Number = x * x + y * y + z * z;
-            var reach:Number = extents.halfX[a] + extents.halfX[b];
-            if (squared <= reach * reach)
-            {
-                return true;
-            }
-            reach = reach * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
-            return squared <= reach * reach;
+            return table.forms[fixture] == ModelShape.GROUND ? _ground : _edges;
         }
 
-        private function findTimeOfSpheres(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        private function testsOf(table:AgentTable, a:int, b:int):PairTests
         {
-            structures.tests[0]++;
-            var extents:Extents = table.extents;
-            _points.x = extents.x[a] - extents.x[b] + motion.startX;
-            _points.y = extents.y[a] - extents.y[b] + motion.startY;
-            _points.z = extents.z[a] - extents.z[b] + motion.startZ;
-            // the motion's own rounding errors are added too
-            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b))
-                + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _points.findEntry(motion);
-            // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && areSpheresTouching(table, a, b))
+            var forms:int = table.forms[a] | table.forms[b];
+            if (forms >= ModelShape.TREE)
             {
-                motion.time = 1;
+                return forms >= ModelShape.GROUND ? fixtureOf(table, b) : trees;
             }
-        }
-
-        private static function readSphere(extents:Extents, row:int, sphere:Sphere):void
-        {
-            var center:Vector3D = sphere.center;
-            center.x = extents.x[row];
-            center.y = extents.y[row];
-            center.z = extents.z[row];
-            sphere.radius = extents.halfX[row];
+            return forms == BoundingStructure.SPHERE ? _spheres : structures;
         }
     }
 }

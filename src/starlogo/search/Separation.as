@@ -67,9 +67,6 @@ package starlogo.search
         private var _free:Number = 0;
         private var _exit:Number = 0;
 
-        // Whether the leaves are tested instead of the triangles.
-        private var _byLeaves:Boolean = false;
-
         // How far the first row is moved along the direction. This is a field because V8 makes an object for each Number that is passed.
         private var _distance:Number = 0;
 
@@ -130,7 +127,6 @@ package starlogo.search
             _table = table;
             _a = a;
             _b = b;
-            _byLeaves = false;
             _moved.take(table, a);
             _x = table.x[a] + (motion.startX + time * motion.x);
             _y = table.y[a] + (motion.startY + time * motion.y);
@@ -224,9 +220,15 @@ package starlogo.search
 
         private function findDirectionByLeaves(out:ContactPoint):void
         {
-            _byLeaves = RowPairs.isOneTree(_table, _a, _b);
+            var trees:TreePairs = _pairs.trees;
+            if (trees == null)
+            {
+                findDirection(out);
+                return;
+            }
+            trees.byLeaves = true;
             findDirection(out);
-            _byLeaves = false;
+            trees.byLeaves = false;
         }
 
         private function findDirection(out:ContactPoint):void
@@ -304,14 +306,7 @@ package starlogo.search
             displace();
             var way:Number = _touching - _free;
             _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            if (_byLeaves)
-            {
-                _pairs.trees.findImpact(_table, _a, _b, _back, _left, true);
-            }
-            else
-            {
-                _pairs.findImpact(_table, _a, _b, _back, _left);
-            }
+            _pairs.findImpact(_table, _a, _b, _back, _left);
             var time:Number = Math.min(_back.time, 1);
             out.normalX = _alongX;
             out.normalY = _alongY;
@@ -383,7 +378,7 @@ package starlogo.search
         private function touch():Boolean
         {
             displace();
-            return _byLeaves ? _pairs.trees.areTouching(_table, _a, _b, true) : _pairs.areTouching(_table, _a, _b);
+            return _pairs.areTouching(_table, _a, _b);
         }
 
         private function displace():void

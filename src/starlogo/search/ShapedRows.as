@@ -356,8 +356,8 @@ package starlogo.search
             var placement:Placement = _upright;
             if (shape.isUpright)
             {
-                // the ground's structure is a cell, so it is not scaled
-                placement.size = shape.form == ModelShape.GROUND ? 1 : agent.placement.size;
+                // the structures of the ground and of the edges are not scaled
+                placement.size = shape.form >= ModelShape.GROUND ? 1 : agent.placement.size;
             }
             else
             {

@@ -21,8 +21,11 @@ package starlogo.search
      *
      * @private
      */
-    public final class StructurePairs extends StructureTests
+    public final class StructurePairs extends PairTests
     {
+        /** The settings of the tests. */
+        public var settings:StructureTests = new StructureTests();
+
         /**
          * The number of tests since <code>resetCounts()</code>. The index is four times the kind of the first structure, plus the kind of the
          * second.
@@ -65,8 +68,8 @@ package starlogo.search
             out.boxBoxTests = testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
         }
 
-        /** See RowPairs.areTouching. */
-        public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        /** @inheritDoc */
+        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var structureA:BoundingStructure = table.structureOf(a);
             var structureB:BoundingStructure = table.structureOf(b);
@@ -83,8 +86,8 @@ package starlogo.search
             return intersects(structureA, structureB);
         }
 
-        /** See RowPairs.findTime. */
-        public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        /** @inheritDoc */
+        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             var structureA:BoundingStructure = table.structureOf(a);
             var structureB:BoundingStructure = table.structureOf(b);
@@ -104,17 +107,17 @@ package starlogo.search
             }
         }
 
-        /** See RowPairs.findContact. */
-        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             _finder.displacement.stopAt(motion);
             _finder.find(table.structureOf(a), table.structureOf(b), out);
         }
 
-        /** See RowPairs.hasExactContact. */
-        public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        /** @inheritDoc */
+        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
-            if ((spheresFirst || capsulesFirst) && haveOuter(table, a, b))
+            if ((settings.spheresFirst || settings.capsulesFirst) && haveOuter(table, a, b))
             {
                 return false;
             }
@@ -125,7 +128,7 @@ package starlogo.search
         {
             var outerA:OuterStructures = table.outer[a];
             var outerB:OuterStructures = table.outer[b];
-            if (spheresFirst)
+            if (settings.spheresFirst)
             {
                 noteTest(outerA.sphere, outerB.sphere);
                 if (!sphereSphere(outerA.sphere, outerB.sphere))
@@ -133,7 +136,7 @@ package starlogo.search
                     return false;
                 }
             }
-            if (capsulesFirst && isOneBox(table, a, b))
+            if (settings.capsulesFirst && isOneBox(table, a, b))
             {
                 noteTest(outerA.capsule, outerB.capsule);
                 return capsuleCapsule(outerA.capsule, outerB.capsule);
@@ -165,12 +168,12 @@ package starlogo.search
             var outerA:OuterStructures = table.outer[a];
             var outerB:OuterStructures = table.outer[b];
             var areOuter:Boolean = haveOuter(table, a, b);
-            if (areOuter && spheresFirst)
+            if (areOuter && settings.spheresFirst)
             {
                 noteTest(outerA.sphere, outerB.sphere);
                 limitTimes(outerA.sphere, outerB.sphere, motion);
             }
-            if (areOuter && capsulesFirst && isOneBox(table, a, b))
+            if (areOuter && settings.capsulesFirst && isOneBox(table, a, b))
             {
                 noteTest(outerA.capsule, outerB.capsule);
                 limitTimes(outerA.capsule, outerB.capsule, motion);
@@ -202,7 +205,7 @@ package starlogo.search
         // boxes that are far from each other.
         private function isByFaces(table:AgentTable, a:int, b:int):Boolean
         {
-            return boxFacesOnly && table.forms[a] == BoundingStructure.BOX && table.forms[b] == BoundingStructure.BOX;
+            return settings.boxFacesOnly && table.forms[a] == BoundingStructure.BOX && table.forms[b] == BoundingStructure.BOX;
         }
 
         private function readExtents(table:AgentTable, a:int, b:int):void

@@ -1,10 +1,6 @@
 package starlogo.terrain
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
-    import starlogo.engine;
-
-    use namespace engine;
 
     /**
      * The edges of the world: the least and the greatest x, y and z. An agent touches them where its shape, as the collision system sees it, comes
@@ -12,8 +8,8 @@ package starlogo.terrain
      */
     public final class WorldBounds
     {
-        private var _edges:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _agent:Agent;
+        private var _agent:EdgesAgent = new EdgesAgent();
+        private var _edges:Vector.<Number> = _agent.edges;
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.
@@ -29,9 +25,6 @@ package starlogo.terrain
         public function WorldBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number)
         {
             setTo(minX, minY, minZ, maxX, maxY, maxZ);
-            _agent = new Agent("edge");
-            _agent.giveIdBack();
-            _agent.takeBreed(Breeds.EDGE);
         }
 
         /**
@@ -101,12 +94,6 @@ package starlogo.terrain
         public function get agent():Agent
         {
             return _agent;
-        }
-
-        /** @private The edges: the least and the greatest x, then y, then z. */
-        engine function get edges():Vector.<Number>
-        {
-            return _edges;
         }
 
         private static function requireOrder(axis:String, least:Number, greatest:Number):void

@@ -18,6 +18,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.queries.AgentQueries;
+    import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
     import support.Complaints;
     import support.EachCollider;
@@ -246,6 +247,36 @@ package starlogo.collision
                 collision.update(new <Agent>[cube]);
                 contact = collider.contactOf(cube, collision.bounds.agent);
                 assertTrue(name + contact.normal, contact.normal.x > 0 && contact.depth > 0);
+            }
+        }
+
+        [Test]
+        public function questionsTakeTheEdgesAsAnAgent():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var bounds:WorldBounds = new WorldBounds(-9, -9, -9, 9, 9, Infinity);
+                var inside:Agent = new Agent("cube");
+                inside.moveTo(6, 2, 0);
+                var outside:Agent = new Agent("cube");
+                outside.moveTo(0, -9, 0);
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.terrain = new Terrain(3, 3, 1, -1, -1);
+                queries.update(new <Agent>[inside, outside]);
+                assertTrue(name + ": in no frame", collider.areColliding(outside, bounds.agent) && !collider.areColliding(inside, bounds.agent));
+                assertTrue(name, queries.touchesEdge(outside, bounds) && !queries.touchesEdge(inside, bounds));
+                assertEquals(name, outside, queries.touching(bounds.agent).join());
+                assertFalse(name, queries.touchesEdge(queries.terrain.agent, bounds) || collider.areColliding(bounds.agent, queries.terrain.agent));
+                var from:Vector3D = new Vector3D();
+                var to:Vector3D = new Vector3D();
+                assertEquals(name, 0, queries.distance(outside, bounds.agent));
+                assertTrue(name, Math.abs(queries.distance(inside, bounds.agent, from, to) - 2.5) < NEAR);
+                assertTrue(name + from + to, Math.abs(from.x - 6.5) < NEAR && Math.abs(to.x - 9) < NEAR && Math.abs(from.y - 2) < 0.5 + NEAR && from.y == to.y);
+                assertTrue(name, Math.abs(queries.distance(bounds.agent, inside, from, to) - 2.5) < NEAR && Math.abs(from.x - 9) < NEAR);
+                bounds.setTo(-Infinity, -Infinity, -Infinity, Infinity, Infinity, Infinity);
+                assertEquals(name, Infinity, queries.distance(inside, bounds.agent));
+                assertThrows(ArgumentError, /does not move/, queries.moveUntilTouch, bounds.agent, 1, 0, 0);
             }
         }
 

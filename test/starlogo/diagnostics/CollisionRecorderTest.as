@@ -9,6 +9,8 @@ package starlogo.diagnostics
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
     import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import evaluation.EveryPairSystem;
     import support.assertThrows;
 
@@ -99,6 +101,21 @@ package starlogo.diagnostics
             assertEquals(1, collision.statistics.agentsSkipped);
             assertEquals(1, collision.statistics.collisions);
             assertTrue(collision.statistics.sphereSphereTests > 0);
+        }
+
+        [Test]
+        public function theGroundAndTheEdgesAreBreedsToo():void
+        {
+            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            var collision:Collision = new Collision(recorder);
+            collision.terrain = new Terrain(3, 3, 1, -1, -1);
+            collision.bounds = new WorldBounds(0, -9, -9, 9, 9, 9);
+            collision.onCollision("cats", Collision.TERRAIN, ignore);
+            collision.onCollision("cats", Collision.EDGE, ignore);
+            collision.update(new <Agent>[new Agent("sphere", "mice"), new Agent("sphere", "cats")]);
+            assertEquals(2, recorder.collisions);
+            var record:Object = recorder.toObject();
+            assertEquals("cats,*edge,cats,*terrain", [record.breeds[0].breeds, record.breeds[1].breeds].sort().join());
         }
 
         [Test]

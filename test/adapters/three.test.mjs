@@ -139,6 +139,18 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 				assert.ok(Math.abs(hit.distance - 1.75) < 1e-6, `${hit?.distance}`);
 				assert.ok(hit.face.normal.distanceTo(place(-dx, -dy, 0)) < 1e-6);
 			}
+			// at the border they go down to the lowest height
+			for (const isBlocky of [false, true]) {
+				terrain.isBlocky = isBlocky;
+				terrain.raiseMound(-3, 4, 3, 1);
+				terrain.setHeight(11, 0, -2);
+				geometry.update();
+				for (const z of [-1.9, 0.9]) {
+					const hit = firstOf([-9, 4, z], [1, 0, 0]);
+					assert.ok(Math.abs(hit.distance - (isBlocky ? 5.75 : 6)) < 1e-6, `${hit?.distance}`);
+					assert.ok(hit.face.normal.distanceTo(place(-1, 0, 0)) < 1e-6);
+				}
+			}
 		}
 		assert.throws(() => new TerrainGeometry({}), /Terrain is needed/);
 		assert.throws(() => new TerrainGeometry(new Terrain(2, 2), { up: "x" }), /up must be/);

@@ -17,7 +17,9 @@ package docs
         /** @inheritDoc */
         override protected function check(shown:Object):void
         {
-            assertTrue("the bear has come out", Math.abs(bear.z - shown.terrain.heightAt(2, 1)) < 0.1);
+            assertTrue("the bear has come out", Math.abs(bear.z - shown.terrain.heightAt(bear.x, bear.y)) < 0.1);
+            assertTrue("two for each cell, and walls", shown.triangles > 2 * 100 * 100);
+            assertTrue(shown.lines.length > 0 && shown.lines.length % 6 == 0);
             assertEquals(shown.terrain.agent, shown.hit.agent);
             assertEquals(6, shown.hit.distance);
             assertTrue("the ball was stopped: " + shown.free, shown.free > 0.4 && shown.free < 0.6);

@@ -96,6 +96,7 @@ import {
 	StructureTests,
 	Terrain,
 	TerrainBlocks,
+	TerrainSurface,
 	TightestFitCollider,
 	Tolerances,
 	TraitBlocks,
@@ -234,6 +235,8 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	groundBlocks.buildMound(agents[0], 3, 1);
 	const onMound: boolean = groundBlocks.isTouchingGround(agents[0]) && !groundBlocks.isTouchingEdge(agents[0]) && groundBlocks.terrainHeight(agents[0]) > 0;
 	log.push(`on a mound: ${onMound}, of ${Wireframes.ofTerrain(ground, -2, -2, 2, 2).length / 6} lines`);
+	const surface = new TerrainSurface(ground, -2, -2);
+	log.push(`${surface.update()}, ${surface.vertices.length / 3} vertices, ${surface.normals.length / 3} normals, ${surface.triangles.length / 3} triangles`);
 	collisions.whenTouchingStarts("bears", "paintballs", () => log.push(`${structures.lines().length / 6} lines`));
 	collisions.collision.update(agents);
 	try {

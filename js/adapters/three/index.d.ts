@@ -196,7 +196,7 @@ export interface TerrainOptions {
 
 /**
  * The surface of a terrain: slopes, or blocks with walls between them. The mesh's parent must be the land, and the mesh must not be moved in
- * it. Slopes have smooth normals, and blocks have flat ones. Nothing closes the border.
+ * it. Slopes have smooth normals, and blocks have flat ones. Where the grid ends, walls go down to its lowest height.
  */
 export class TerrainGeometry extends BufferGeometry {
     /**

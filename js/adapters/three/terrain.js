@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry } from "three";
-import { ArgumentError, Terrain } from "starlogo-collision";
+import { ArgumentError, Terrain, TerrainSurface } from "starlogo-collision";
 import { isYUp, textOf } from "./axes.js";
 import { surfaceOf } from "./model.js";
 
@@ -9,10 +9,8 @@ const ROUNDING = 1e-9;
 /** The surface of a terrain, as a geometry in the axes of the land. */
 export class TerrainGeometry extends BufferGeometry {
 	#terrain;
+	#surface;
 	#isYUp;
-	#isBlocky;
-	#revision = -1;
-	#next = 0;
 
 	/**
 	 * @param {object} terrain the ground
@@ -22,6 +20,7 @@ export class TerrainGeometry extends BufferGeometry {
 		super();
 		if (!(terrain instanceof Terrain)) throw new ArgumentError(`a Terrain is needed, not ${textOf(terrain)}`);
 		this.#terrain = terrain;
+		this.#surface = new TerrainSurface(terrain);
 		this.#isYUp = isYUp(up);
 		this.update();
 	}
@@ -30,74 +29,22 @@ export class TerrainGeometry extends BufferGeometry {
 
 	/** Takes over the heights. Returns whether the ground has changed. */
 	update() {
-		const { revision, isBlocky } = this.#terrain.$grid;
-		if (revision === this.#revision && isBlocky === this.#isBlocky) return false;
-		if (isBlocky !== this.#isBlocky) this.#makeRoom(isBlocky);
-		this.#revision = revision;
-		this.#isBlocky = isBlocky;
-		this.#next = 0;
-		if (isBlocky) this.#writeBlocks();
-		else this.#writeSlopes();
-		this.getAttribute("position").needsUpdate = true;
-		// flat for blocks, because they share no vertices
-		this.computeVertexNormals();
+		if (!this.#surface.update()) return false;
+		const { vertices, normals, triangles } = this.#surface;
+		// the number of walls may be another
+		this.dispose();
+		this.setAttribute("position", this.#attributeOf(vertices));
+		this.setAttribute("normal", this.#attributeOf(normals));
+		this.setIndex(new BufferAttribute(Uint32Array.from(triangles), 1));
 		this.computeBoundingBox();
 		this.computeBoundingSphere();
 		return true;
 	}
 
-	#makeRoom(isBlocky) {
-		const { columns, rows } = this.#terrain;
-		// each block has a top, and a wall between it and each neighbour
-		const squares = isBlocky ? 3 * columns * rows - columns - rows : (columns - 1) * (rows - 1);
-		const index = new Uint32Array(6 * squares);
-		for (let i = 0; i < squares; i++) {
-			const first = isBlocky ? 4 * i : i + Math.floor(i / (columns - 1));
-			const up = isBlocky ? 3 : columns;
-			const across = isBlocky ? 2 : columns + 1;
-			index.set([first, first + 1, first + across, first, first + across, first + up], 6 * i);
-		}
-		this.dispose();
-		this.setIndex(new BufferAttribute(index, 1));
-		this.setAttribute("position", new BufferAttribute(new Float32Array(3 * (isBlocky ? 4 * squares : columns * rows)), 3));
-		this.deleteAttribute("normal");
-	}
-
-	#writeSlopes() {
-		const { columns, rows, cellWidth, x, y } = this.#terrain;
-		for (let row = 0; row < rows; row++) for (let column = 0; column < columns; column++) {
-			this.#add(x + column * cellWidth, y + row * cellWidth, this.#terrain.getHeight(column, row));
-		}
-	}
-
-	#writeBlocks() {
-		const terrain = this.#terrain;
-		const { columns, rows, cellWidth } = terrain;
-		for (let row = 0; row < rows; row++) for (let column = 0; column < columns; column++) {
-			const height = terrain.getHeight(column, row);
-			const [left, front] = [terrain.x + (column - 0.5) * cellWidth, terrain.y + (row - 0.5) * cellWidth];
-			const [right, back] = [left + cellWidth, front + cellWidth];
-			this.#add(left, front, height);
-			this.#add(right, front, height);
-			this.#add(right, back, height);
-			this.#add(left, back, height);
-			// a wall faces the lower block, because the sign of the heights' difference turns its corners round
-			if (column + 1 < columns) this.#addWall(right, front, right, back, terrain.getHeight(column + 1, row), height);
-			if (row + 1 < rows) this.#addWall(right, back, left, back, terrain.getHeight(column, row + 1), height);
-		}
-	}
-
-	#addWall(x, y, toX, toY, from, to) {
-		this.#add(x, y, from);
-		this.#add(toX, toY, from);
-		this.#add(toX, toY, to);
-		this.#add(x, y, to);
-	}
-
-	/** Adds a vertex; z is up. */
-	#add(x, y, z) {
-		if (this.#isYUp) this.getAttribute("position").setXYZ(this.#next++, x, z, -y);
-		else this.getAttribute("position").setXYZ(this.#next++, x, y, z);
+	#attributeOf(numbers) {
+		const array = Float32Array.from(numbers);
+		for (let i = 0; this.#isYUp && i < array.length; i += 3) [array[i + 1], array[i + 2]] = [numbers[i + 2], -numbers[i + 1]];
+		return new BufferAttribute(array, 3);
 	}
 }
 

@@ -6,8 +6,10 @@ package starlogo.debug
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
+    import starlogo.geometry.PointTable;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.TerrainSurface;
 
     /**
      * Lists of lines to draw: structures, levels of hierarchies, triangles and the ground.
@@ -104,22 +106,14 @@ package starlogo.debug
             var drawn:Object = {};
             for (var i:int = 0; i < triangles.length; i++)
             {
-                var a:int = triangles[i];
-                var b:int = triangles[i % 3 == 2 ? i - 2 : i + 1];
-                var key:Number = Math.min(a, b) * (vertices.length / 3) + Math.max(a, b);
-                if (!drawn[key])
-                {
-                    drawn[key] = true;
-                    pen.drawLine(vertexAt(vertices, a), vertexAt(vertices, b));
-                }
+                drawEdge(pen, vertices, triangles[i], triangles[i % 3 == 2 ? i - 2 : i + 1], drawn);
             }
             return pen.lines;
         }
 
         /**
-         * The surface of the ground in a rectangle. If the surface is slopes, these are the edges of the triangles between the heights in
-         * the rectangle. If it is columns, these are the edges of the columns whose middles are in the rectangle: of their tops, and of the
-         * walls between them.
+         * The surface of the ground in a rectangle, as a TerrainSurface has it. Slopes have the edges of their triangles, and columns have the
+         * edges of their tops. Walls have their edges, too. An edge that several faces share appears once.
          *
          * @param terrain the ground as it is now
          * @param minX the rectangle's least x; the rectangle may reach beyond the ground
@@ -132,13 +126,37 @@ package starlogo.debug
          */
         public static function ofTerrain(terrain:Terrain, minX:Number, minY:Number, maxX:Number, maxY:Number, out:Vector.<Number> = null):Vector.<Number>
         {
-            if (terrain == null)
+            var surface:TerrainSurface = new TerrainSurface(terrain, minX, minY, maxX, maxY);
+            surface.update();
+            var vertices:Vector.<Number> = surface.vertices;
+            var points:PointTable = new PointTable(vertices.length / 3);
+            var pointOf:Vector.<int> = new Vector.<int>();
+            for (var i:int = 0; i < vertices.length; i += 3)
             {
-                throw new ArgumentError("there is no terrain to draw: null");
+                pointOf.push(points.indexOf(vertices[i], vertices[i + 1], vertices[i + 2]));
             }
             var pen:LinePen = new LinePen(out);
-            new TerrainPen(terrain, minX, minY, maxX, maxY, pen).draw();
+            var drawn:Object = {};
+            for (i = 0; i < pointOf.length; i++)
+            {
+                drawEdge(pen, points.coordinates, pointOf[i], pointOf[i % 4 == 3 ? i - 3 : i + 1], drawn);
+                if (i % 4 == 0 && !terrain.isBlocky && surface.normals[3 * i + 2] > 0)
+                {
+                    drawEdge(pen, points.coordinates, pointOf[i], pointOf[i + 2], drawn);
+                }
+            }
             return pen.lines;
+        }
+
+        // Draws the line between two vertices, if it is not among the lines that were drawn.
+        private static function drawEdge(pen:LinePen, vertices:Vector.<Number>, a:int, b:int, drawn:Object):void
+        {
+            var key:Number = Math.min(a, b) * (vertices.length / 3) + Math.max(a, b);
+            if (!drawn[key])
+            {
+                drawn[key] = true;
+                pen.drawLine(vertexAt(vertices, a), vertexAt(vertices, b));
+            }
         }
 
         private static function vertexAt(vertices:Vector.<Number>, index:int):Vector3D

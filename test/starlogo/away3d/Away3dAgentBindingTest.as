@@ -256,7 +256,7 @@ package starlogo.away3d
                 _object.scaleX = scales[0];
                 _object.scaleY = scales[1];
                 _object.scaleZ = scales[2];
-                assertThrows(ArgumentError, /agent \d+ .* the scale must be positive, finite and the same in x, y and z, not/, _binding.updateAgent);
+                assertThrows(ArgumentError, /agent \d+ .* can't take the scale of its object: it must be positive, finite and the same in x, y and z, not/, _binding.updateAgent);
                 assertUntouched();
             }
             _object.scaleX = _object.scaleY = 1;

@@ -6,6 +6,7 @@ package starlogo.away3d
     import away3d.core.base.Geometry;
     import away3d.core.base.ISubGeometry;
     import away3d.core.base.Object3D;
+    import away3d.core.base.SubGeometry;
     import away3d.entities.Entity;
     import away3d.entities.Mesh;
     import away3d.entities.SegmentSet;
@@ -30,7 +31,7 @@ package starlogo.away3d
         public static const FIXTURES:Array = ["/away3d-api/library.swf"];
 
         private static const CLASSES:Array = [AxisAlignedBoundingBox, BoundingVolumeBase, ObjectContainer3D, Geometry, ISubGeometry, Object3D, Entity, Mesh,
-                SegmentSet, MaterialBase, LineSegment, Segment];
+                SegmentSet, MaterialBase, LineSegment, Segment, SubGeometry];
 
         [Test(async, timeout="20000")]
         public function declarationsAreAsTheRealThing():void
@@ -54,7 +55,7 @@ package starlogo.away3d
                 assertFalse(name + " is in a domain of its own", declared == real);
                 members += compare(name, describeType(declared).factory[0], describeType(real).factory[0]);
             }
-            assertEquals("members that are compared", 25, members);
+            assertEquals("members that are compared", 37, members);
         }
 
         private static function compare(owner:String, declared:XML, real:XML):int
@@ -65,9 +66,10 @@ package starlogo.away3d
             for each (var accessor:XML in declared.accessor.(@declaredBy == owner))
             {
                 var found:XMLList = real.accessor.(@name == accessor.@name);
-                assertEquals(owner + "." + accessor.@name, 1, found.length());
-                assertEquals(owner + "." + accessor.@name, accessor.@type, found.@type);
-                assertTrue(owner + "." + accessor.@name + " is " + found.@access, found.@access == "readwrite" || found.@access == accessor.@access);
+                // one that a superclass has and an interface names may be listed twice
+                assertTrue(owner + "." + accessor.@name, found.length() > 0);
+                assertEquals(owner + "." + accessor.@name, accessor.@type, found[0].@type);
+                assertTrue(owner + "." + accessor.@name, found[0].@access == "readwrite" || found[0].@access == accessor.@access);
                 count++;
             }
             for each (var method:XML in declared.method.(@declaredBy == owner))

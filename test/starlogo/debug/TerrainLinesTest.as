@@ -15,98 +15,95 @@ package starlogo.debug
         private var _random:SeededRandom = new SeededRandom(41);
 
         [Test]
-        public function slopesAreTheEdgesOfTheirTriangles():void
+        public function theyAreTheEdgesOfTopsAndWalls():void
         {
-            for each (var terrain:Terrain in someTerrains(false))
-            {
-                var lines:Vector.<Number> = allLines(terrain);
-                var columns:int = terrain.columns;
-                var rows:int = terrain.rows;
-                assertEquals(6 * ((columns - 1) * rows + columns * (rows - 1) + (columns - 1) * (rows - 1)), lines.length);
-                assertNoneTwice(lines);
-                for (var i:int = 0; i < lines.length; i += 6)
-                {
-                    // between the ends too: no other cut of a cell in two has its diagonal on the surface
-                    for (var part:Number = 0; part <= 1; part += 0.25)
-                    {
-                        var x:Number = lines[i] + part * (lines[i + 3] - lines[i]);
-                        var y:Number = lines[i + 1] + part * (lines[i + 4] - lines[i + 1]);
-                        var z:Number = lines[i + 2] + part * (lines[i + 5] - lines[i + 2]);
-                        var off:Number = Math.abs(z - heightNear(terrain, x, y));
-                        assertTrue("a line is " + off + " off the surface", off < 1e-4);
-                    }
-                }
-            }
-        }
-
-        [Test]
-        public function columnsAreTheEdgesOfTheirTopsAndWalls():void
-        {
-            var uprights:int = 0;
-            for each (var terrain:Terrain in someTerrains(true))
-            {
-                var found:Object = assertNoneTwice(allLines(terrain));
-                var count:int = 0;
-                for (var row:int = 0; row <= terrain.rows; row++)
-                {
-                    for (var column:int = 0; column <= terrain.columns; column++)
-                    {
-                        var all:Array = [heightOf(terrain, column, row), heightOf(terrain, column - 1, row), heightOf(terrain, column, row - 1),
-                                heightOf(terrain, column - 1, row - 1)];
-                        count += findTop(found, terrain, column, row, 1, 0, all[0]) + findTop(found, terrain, column, row, 0, 1, all[0]);
-                        count += all[2] != all[0] ? findTop(found, terrain, column, row, 1, 0, all[2]) : 0;
-                        count += all[1] != all[0] ? findTop(found, terrain, column, row, 0, 1, all[1]) : 0;
-                        all = all.filter(function(height:Number, ...rest):Boolean
-                            {
-                                return !isNaN(height);
-                            }).sort(Array.NUMERIC);
-                        if (all[0] < all[all.length - 1])
-                        {
-                            var corner:Array = [terrain.x + (column - 0.5) * terrain.cellWidth, terrain.y + (row - 0.5) * terrain.cellWidth];
-                            assertTrue(found[keyOf(corner.concat(all[0], corner, all[all.length - 1]))]);
-                            count++;
-                            uprights++;
-                        }
-                    }
-                }
-                assertEquals("there are no others", count, sizeOf(found));
-            }
-            assertTrue(uprights > 500);
-        }
-
-        [Test]
-        public function aRectangleIsAsAGroundOfItsHeightsAlone():void
-        {
-            var some:int = 0;
+            var parts:int = 0;
             for each (var isBlocky:Boolean in [false, true])
             {
                 for each (var terrain:Terrain in someTerrains(isBlocky))
                 {
                     var first:int = _random.integer(0, terrain.columns - 2);
                     var firstRow:int = _random.integer(0, terrain.rows - 2);
-                    var columns:int = _random.integer(2, terrain.columns - first);
-                    var rows:int = _random.integer(2, terrain.rows - firstRow);
-                    var width:Number = terrain.cellWidth;
-                    var part:Terrain = new Terrain(columns, rows, width, terrain.x + first * width, terrain.y + firstRow * width);
-                    part.isBlocky = isBlocky;
-                    for (var i:int = 0; i < columns * rows; i++)
-                    {
-                        part.setHeight(i % columns, i / columns, terrain.getHeight(first + i % columns, firstRow + int(i / columns)));
-                    }
+                    var last:int = _random.integer(first + 1, terrain.columns - 1);
+                    var lastRow:int = _random.integer(firstRow + 1, terrain.rows - 1);
+                    assertLines(allLines(terrain), edgesOf(terrain, 0, 0, terrain.columns - 1, terrain.rows - 1));
                     // up to nearly the next heights
-                    var lines:Vector.<Number> = Wireframes.ofTerrain(terrain, part.x - 0.9 * width, part.y - 0.1 * width, part.x + (columns - 0.9) * width,
-                            part.y + (rows - 0.1) * width);
-                    var expected:Object = assertNoneTwice(allLines(part));
-                    var found:Object = assertNoneTwice(lines);
-                    assertEquals(sizeOf(expected), sizeOf(found));
-                    for (var key:String in expected)
-                    {
-                        assertTrue(key, found[key]);
-                    }
-                    some += columns < terrain.columns ? 1 : 0;
+                    var width:Number = terrain.cellWidth;
+                    assertLines(Wireframes.ofTerrain(terrain, terrain.x + (first - 0.9) * width, terrain.y + (firstRow - 0.1) * width,
+                                terrain.x + (last + 0.1) * width, terrain.y + (lastRow + 0.9) * width), edgesOf(terrain, first, firstRow, last, lastRow));
+                    parts += last - first < terrain.columns - 1 ? 1 : 0;
                 }
             }
-            assertTrue(some > RANDOM_TERRAINS);
+            assertTrue(parts > RANDOM_TERRAINS);
+        }
+
+        private static function assertLines(lines:Vector.<Number>, expected:Object):void
+        {
+            var found:Object = assertNoneTwice(lines);
+            for (var key:String in expected)
+            {
+                assertTrue(key, found[key]);
+            }
+            assertEquals("there are no others", sizeOf(expected), sizeOf(found));
+        }
+
+        // The lines that have to be there, as the keys of an object, in both directions.
+        private static function edgesOf(terrain:Terrain, first:int, firstRow:int, last:int, lastRow:int):Object
+        {
+            var edges:Object = {};
+            var beyond:int = terrain.isBlocky ? 0 : 1;
+            var lowest:Number = Infinity;
+            for (var i:int = 0; i < terrain.columns * terrain.rows; i++)
+            {
+                lowest = Math.min(lowest, terrain.getHeight(i % terrain.columns, i / terrain.columns));
+            }
+            for (var row:int = firstRow; row <= lastRow - beyond; row++)
+            {
+                for (var column:int = first; column <= last - beyond; column++)
+                {
+                    if (!terrain.isBlocky)
+                    {
+                        addEdge(edges, cornerOf(terrain, column, row, 0, 0), cornerOf(terrain, column, row, 1, 1));
+                    }
+                    addSide(edges, terrain, column, row, 0, 0, 1, 0, row == 0, column, row - 1, lowest);
+                    addSide(edges, terrain, column, row, 0, 1, 1, 1, row == terrain.rows - 1 - beyond, column, row + 1, lowest);
+                    addSide(edges, terrain, column, row, 0, 0, 0, 1, column == 0, column - 1, row, lowest);
+                    addSide(edges, terrain, column, row, 1, 0, 1, 1, column == terrain.columns - 1 - beyond, column + 1, row, lowest);
+                }
+            }
+            return edges;
+        }
+
+        // A side of a top, and of the wall under it.
+        private static function addSide(edges:Object, terrain:Terrain, column:int, row:int, x:int, y:int, toX:int, toY:int, isBorder:Boolean,
+                besideColumn:int, besideRow:int, lowest:Number):void
+        {
+            var from:Array = cornerOf(terrain, column, row, x, y);
+            var to:Array = cornerOf(terrain, column, row, toX, toY);
+            addEdge(edges, from, to);
+            var low:Number = isBorder ? lowest : terrain.isBlocky ? terrain.getHeight(besideColumn, besideRow) : Infinity;
+            if (low < Math.max(from[2], to[2]))
+            {
+                addEdge(edges, from, [from[0], from[1], low]);
+                addEdge(edges, to, [to[0], to[1], low]);
+                addEdge(edges, [from[0], from[1], low], [to[0], to[1], low]);
+            }
+        }
+
+        private static function addEdge(edges:Object, from:Array, to:Array):void
+        {
+            if (from.join() != to.join())
+            {
+                edges[keyOf(from.concat(to))] = edges[keyOf(to.concat(from))] = true;
+            }
+        }
+
+        // A corner of a cell of slopes or of the top of a column.
+        private static function cornerOf(terrain:Terrain, column:int, row:int, x:int, y:int):Array
+        {
+            var half:Number = terrain.isBlocky ? 0.5 : 0;
+            return [terrain.x + (column + x - half) * terrain.cellWidth, terrain.y + (row + y - half) * terrain.cellWidth,
+                    terrain.isBlocky ? terrain.getHeight(column, row) : terrain.getHeight(column + x, row + y)];
         }
 
         [Test]
@@ -144,32 +141,6 @@ package starlogo.debug
                 terrains.push(terrain);
             }
             return terrains;
-        }
-
-        // 1 if the edge of a top has to be there, and is.
-        private static function findTop(found:Object, terrain:Terrain, column:int, row:int, columns:int, rows:int, height:Number):int
-        {
-            if (isNaN(height))
-            {
-                return 0;
-            }
-            var x:Number = terrain.x + (column - 0.5) * terrain.cellWidth;
-            var y:Number = terrain.y + (row - 0.5) * terrain.cellWidth;
-            assertTrue(found[keyOf([x, y, height, x + columns * terrain.cellWidth, y + rows * terrain.cellWidth, height])]);
-            return 1;
-        }
-
-        // Rounding may have put a place at the border outside.
-        private static function heightNear(terrain:Terrain, x:Number, y:Number):Number
-        {
-            var middleX:Number = terrain.x + (terrain.columns - 1) / 2 * terrain.cellWidth;
-            var middleY:Number = terrain.y + (terrain.rows - 1) / 2 * terrain.cellWidth;
-            return terrain.heightAt(x + 1e-9 * (middleX - x), y + 1e-9 * (middleY - y));
-        }
-
-        private static function heightOf(terrain:Terrain, column:int, row:int):Number
-        {
-            return terrain.heightAt(terrain.x + column * terrain.cellWidth, terrain.y + row * terrain.cellWidth);
         }
 
         // Lines as the keys of an object, whichever way they go.

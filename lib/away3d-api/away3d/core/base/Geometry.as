@@ -12,5 +12,15 @@ package away3d.core.base
         {
             return null;
         }
+
+        /** Adds a part. */
+        public function addSubGeometry(subGeometry:ISubGeometry):void
+        {
+        }
+
+        /** Takes all parts away. */
+        public function dispose():void
+        {
+        }
     }
 }

@@ -1,0 +1,107 @@
+package starlogo.away3d
+{
+    import away3d.core.base.Geometry;
+    import away3d.core.base.SubGeometry;
+    import away3d.entities.Mesh;
+    import away3d.materials.MaterialBase;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.TerrainSurface;
+
+    /**
+     * Draws the surface of a terrain in an Away3D scene, slopes or columns. The parent must be the land, as for an Away3dAgentBinding's
+     * object, and the mesh must not be moved in it.
+     *
+     * <p>Slopes have smooth normals, and columns have flat ones. Where the grid ends, walls go down to its lowest height. A texture lies over
+     * the whole grid, seen from above: the top of the picture has the greatest y.</p>
+     *
+     * <listing version="3.0">
+     * var ground:Away3dTerrain = new Away3dTerrain(terrain, material);
+     * scene.addChild(ground);
+     * ground.update();     // every frame
+     * </listing>
+     */
+    public final class Away3dTerrain extends Mesh
+    {
+        // A SubGeometry has at most 65535 vertices, and a face has four.
+        private static const MOST_FACES:int = 16383;
+
+        private var _terrain:Terrain;
+        private var _surface:TerrainSurface;
+
+        /**
+         * Creates the mesh with the present heights.
+         *
+         * @param terrain the ground
+         * @param material as for a Mesh
+         * @throws ArgumentError if the terrain is null
+         */
+        public function Away3dTerrain(terrain:Terrain, material:MaterialBase = null)
+        {
+            super(new Geometry(), material);
+            _terrain = terrain;
+            _surface = new TerrainSurface(terrain);
+            update();
+        }
+
+        /** The ground. */
+        public function get terrain():Terrain
+        {
+            return _terrain;
+        }
+
+        /**
+         * Follows the terrain: its heights, and whether it is columns. If nothing has changed, it does nothing.
+         *
+         * @return whether something has changed
+         */
+        public function update():Boolean
+        {
+            if (!_surface.update())
+            {
+                return false;
+            }
+            geometry.dispose();
+            var faces:int = _surface.vertices.length / 12;
+            for (var first:int = 0; first < faces; first += MOST_FACES)
+            {
+                geometry.addSubGeometry(partOf(first, Math.min(faces, first + MOST_FACES)));
+            }
+            return true;
+        }
+
+        private function partOf(first:int, end:int):SubGeometry
+        {
+            var vertices:Vector.<Number> = swap(_surface.vertices.slice(12 * first, 12 * end));
+            var part:SubGeometry = new SubGeometry();
+            part.updateVertexData(vertices);
+            part.updateVertexNormalData(swap(_surface.normals.slice(12 * first, 12 * end)));
+            part.updateUVData(findUVs(vertices));
+            // All faces have the same order of vertices, so the triangles are those of the first faces. They are reversed, because swapped axes
+            // mirror them.
+            part.updateIndexData(_surface.triangles.slice(0, 6 * (end - first)).reverse());
+            return part;
+        }
+
+        private function findUVs(vertices:Vector.<Number>):Vector.<Number>
+        {
+            var uvs:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < vertices.length; i += 3)
+            {
+                uvs.push((vertices[i] - _terrain.x) / (_terrain.columns - 1) / _terrain.cellWidth,
+                        1 - (vertices[i + 2] - _terrain.y) / (_terrain.rows - 1) / _terrain.cellWidth);
+            }
+            return uvs;
+        }
+
+        private static function swap(numbers:Vector.<Number>):Vector.<Number>
+        {
+            for (var i:int = 0; i < numbers.length; i += 3)
+            {
+                var y:Number = numbers[i + 1];
+                numbers[i + 1] = numbers[i + 2];
+                numbers[i + 2] = y;
+            }
+            return numbers;
+        }
+    }
+}

@@ -255,6 +255,8 @@ test("a literal serves as options of a walk", () => {
 	assert.equal(queries.walk(walker, 1, 0, { stepHeight: 0.5, snap: 0 }).on, floor);
 	assert.equal(queries.walk(walker, 1, 0, {}).stands, true);
 	assert.ok(queries.walk(walker, 1, 0).part > 0.999);
+	walker.z = 5;
+	assert.equal(queries.walk(walker, 0, 0, { fall: Infinity }).on, floor);
 	const at = walker.x;
 	refused(() => queries.walk(walker, 1, 0, 3), "AgentQueries.walk: options must be options, not 3");
 	refused(() => queries.walk(walker, 1, 0, { steps: 3 }), "options.steps must be an option that there is, not 3");

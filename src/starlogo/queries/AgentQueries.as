@@ -444,8 +444,7 @@ package starlogo.queries
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
             AskedStructure.require(structure);
-            _moves.way.setTo(dx, dy, dz);
-            return _moves.cast(null, structure, filter, hit);
+            return _moves.cast(null, structure, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -466,8 +465,7 @@ package starlogo.queries
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
             AskedStructure.require(structure);
-            _moves.way.setTo(dx, dy, dz);
-            return _moves.castAll(null, structure, filter, out);
+            return _moves.castAll(null, structure, dx, dy, dz, filter, out);
         }
 
         /**
@@ -486,8 +484,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            _moves.way.setTo(dx, dy, dz);
-            return _moves.cast(agent, null, filter, hit);
+            return _moves.cast(agent, null, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -507,8 +504,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            _moves.way.setTo(dx, dy, dz);
-            return _moves.castAll(agent, null, filter, out);
+            return _moves.castAll(agent, null, dx, dy, dz, filter, out);
         }
 
         /**
@@ -537,8 +533,7 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            _moves.way.setTo(dx, dy, dz);
-            return _moves.move(agent, filter, contact, false);
+            return _moves.move(agent, dx, dy, dz, filter, contact, Mover.TOUCH);
         }
 
         /**
@@ -560,23 +555,21 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            _moves.way.setTo(dx, dy, dz);
-            return _moves.move(agent, filter, null, true);
+            return _moves.move(agent, dx, dy, dz, filter, null, Mover.SLIDE);
         }
 
         /**
          * Moves an agent along the ground, as a game character walks. The agent slides along walls. It climbs steps and slopes if they are
          * not too high and not too steep. It stays on the ground when it goes downhill or down steps.
          *
-         * <p>If the agent stands at the beginning, it can climb, and it stays on the ground. If it is in the air, it goes straight on. It
-         * does not fall. While it does not stand, the game has to move it down, for example with <code>moveUntilTouch()</code>. It ends a
-         * hair above the ground, as with <code>slide()</code>. A walk takes as long as two or three slides. If a wall stops the agent, it
-         * takes as long as six.</p>
+         * <p>An agent that stands can climb, and it stays on the ground. An agent that does not stand goes straight on and falls, as far as
+         * the options say. If something too steep stops its fall, it slides down there. The agent ends a hair above the ground, as with
+         * <code>slide()</code>. A walk takes as long as two or three slides. If a wall stops the agent, it takes as long as six.</p>
          *
          * @param agent the agent that walks. While its model is loading it touches nothing
          * @param dx how far along x, in patches
          * @param dy how far along y
-         * @param options how it walks; null for steps of 0.25 up and down, and slopes of 45 degrees
+         * @param options how it walks; null for new WalkOptions
          * @param out receives how it stands at the end; null for a new Footing
          * @return out
          * @throws ArgumentError as moveUntilTouch does

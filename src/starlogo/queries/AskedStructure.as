@@ -20,9 +20,8 @@ package starlogo.queries
         // The agent that stands for the structure, at its middle.
         private var _agent:Agent = new Agent("structure");
 
-        // By kind: the structure as a shape, with its middle at the origin; and the kind of the current one.
+        // By kind: the structure as a shape, with its middle at the origin.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>(3, true);
-        private var _kind:int = 0;
 
         // The middle, then half the lengths along the axes.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -35,12 +34,12 @@ package starlogo.queries
         }
 
         /**
-         * Sets the structure.
+         * Makes a structure the first guest of a table, and returns its row. Call <code>table.endGuests()</code> afterwards.
          *
          * @throws ArgumentError if it is null, or not a sphere, box or capsule
          * @throws RangeError if it is not finite
          */
-        public function setTo(structure:BoundingStructure):void
+        public function readInto(table:AgentTable, structure:BoundingStructure):int
         {
             require(structure);
             _placement.x = _placement.y = _placement.z = 0;
@@ -52,18 +51,12 @@ package starlogo.queries
                     throw new RangeError("a structure must be finite: " + structure);
                 }
             }
-            _kind = structure.kind;
             _placement.x = -_extents[0];
             _placement.y = -_extents[1];
             _placement.z = -_extents[2];
-            var shape:ModelShape = _shapes[_kind] ||= newShape();
+            var shape:ModelShape = _shapes[structure.kind] ||= newShape();
             shape.setStructure(structure.place(_placement, shape.structure));
-        }
-
-        /** Makes the structure the first guest of a table, and returns its row. Call <code>table.endGuests()</code> afterwards. */
-        public function readInto(table:AgentTable):int
-        {
-            table.readShape(0, _agent, _shapes[_kind], _extents);
+            table.readShape(0, _agent, shape, _extents);
             return 0;
         }
 

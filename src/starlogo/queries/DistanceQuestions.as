@@ -52,30 +52,15 @@ package starlogo.queries
             {
                 rowB = _seen.rowOfNow(b, 1);
             }
-            closest.distance = Infinity;
-            if (table.shapes[rowA] != null && table.shapes[rowB] != null)
-            {
-                measure(_seen.pairs, table, rowA, rowB, pointA != null || pointB != null);
-                writePoints(pointA, pointB);
-            }
-            table.endGuests();
+            answer(rowA, rowB, pointA, pointB);
         }
 
         /** Finds the distance between an agent and a point, and writes it to <code>closest</code>. See AgentQueries.distanceToPoint. */
         public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):void
         {
-            var table:AgentTable = _seen.table;
-            var row:int = _seen.rowOfNow(agent, 1);
-            closest.distance = Infinity;
-            if (table.shapes[row] != null)
-            {
-                _structure ||= new AskedStructure();
-                _point.center.setTo(point.x, point.y, point.z);
-                _structure.setTo(_point);
-                measure(_seen.pairs, table, row, _structure.readInto(table), out != null);
-                writePoints(out, null);
-            }
-            table.endGuests();
+            _structure ||= new AskedStructure();
+            _point.center.setTo(point.x, point.y, point.z);
+            answer(_seen.rowOfNow(agent, 1), _structure.readInto(_seen.table, _point), out, null);
         }
 
         /**
@@ -122,6 +107,18 @@ package starlogo.queries
                 return;
             }
             pairs.trees.findClosest(table, a, b, areTouching, closest);
+        }
+
+        private function answer(rowA:int, rowB:int, pointA:Vector3D, pointB:Vector3D):void
+        {
+            var table:AgentTable = _seen.table;
+            closest.distance = Infinity;
+            if (table.shapes[rowA] != null && table.shapes[rowB] != null)
+            {
+                measure(_seen.pairs, table, rowA, rowB, pointA != null || pointB != null);
+                writePoints(pointA, pointB);
+            }
+            table.endGuests();
         }
 
         private function writePoints(pointA:Vector3D, pointB:Vector3D):void

@@ -18,28 +18,22 @@ package starlogo.queries
      */
     public final class MoveQuestions
     {
-        /** The motion of the next question. It is a field because V8 makes an object for each Number that is passed. */
-        public var way:Vector3D = new Vector3D();
-
         /** Computes where moving rows end. */
         public var mover:Mover = null;
+
+        /** The motion of the last question. */
+        public var way:Vector3D = new Vector3D();
 
         /** The agents that count and are near the way of the last question. */
         public var agents:Vector.<Agent> = new Vector.<Agent>();
 
         private var _seen:SeenAgents;
+        private var _structure:AskedStructure = null;
         private var _single:Vector.<Agent> = new <Agent>[null];
 
-        // The rows near the way, all with the distance 0.
+        // The rows near the way, all with the distance 0. Then the rows that a cast meets, with their times.
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
-
-        // The structure that is cast, by the number of questions that are calling a filter's accepts.
-        private var _structures:Vector.<AskedStructure> = new Vector.<AskedStructure>();
-
-        // The hits in the order in which they are found; and by row, the number of its hit.
-        private var _hits:Vector.<ShapeHit> = new Vector.<ShapeHit>();
-        private var _hitOf:Vector.<int> = new Vector.<int>();
 
         /** @param seen the agents that questions are about */
         public function MoveQuestions(seen:SeenAgents)
@@ -49,36 +43,28 @@ package starlogo.queries
         }
 
         /**
-         * Moves an agent by the motion that was set. See AgentQueries.moveUntilTouch and AgentQueries.slide.
+         * Moves an agent. See AgentQueries.moveUntilTouch and AgentQueries.slide.
          *
          * @param contact receives the contact; or null
-         * @param slides whether the agent slides along what it meets
+         * @param ending Mover.TOUCH or Mover.SLIDE
          * @return the free part of the motion
          */
-        public function move(agent:Agent, filter:AgentFilter, contact:Contact, slides:Boolean):Number
+        public function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact, ending:int):Number
         {
-            var table:AgentTable = _seen.table;
-            var row:int = begin(agent, null, filter, slides);
-            var isSeen:Boolean = table.shapes[row] != null;
-            if (isSeen)
-            {
-                mover.move(table, row, agents, way, slides ? Mover.SLIDE : Mover.TOUCH);
-            }
-            table.endGuests();
-            if (contact != null && isSeen)
+            // an agent that slides may go anywhere within the length of its way
+            var reach:Number = ending == Mover.SLIDE ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 0;
+            var row:int = begin(agent, null, dx, dy, dz, filter, reach);
+            mover.move(_seen.table, row, agents, way, ending);
+            if (contact != null && _seen.table.shapes[row] != null)
             {
                 writeContact(contact);
             }
-            if (way.x == 0 && way.y == 0 && way.z == 0)
+            _seen.table.endGuests();
+            if (dx != 0 || dy != 0 || dz != 0)
             {
-                return 1;
+                put(agent);
             }
-            if (!isSeen)
-            {
-                mover.at.setTo(agent.x + way.x, agent.y + way.y, agent.z + way.z);
-            }
-            put(agent);
-            return isSeen ? mover.part : 1;
+            return mover.part;
         }
 
         /** Puts an agent where the mover has come to. */
@@ -95,54 +81,58 @@ package starlogo.queries
         }
 
         /**
-         * Casts along the motion that was set. See AgentQueries.castShape and AgentQueries.castAgent.
+         * Casts an agent or a structure. See AgentQueries.castAgent and AgentQueries.castShape.
          *
          * @param agent the agent that is cast, if there is no structure
          * @param structure the structure that is cast; null to cast the agent
          */
-        public function cast(agent:Agent, structure:BoundingStructure, filter:AgentFilter, hit:ShapeHit):ShapeHit
+        public function cast(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var row:int = begin(agent, structure, filter, false);
-            var isStopped:Boolean = isStoppedBy(row, agents);
+            var row:int = begin(agent, structure, dx, dy, dz, filter);
+            mover.move(_seen.table, row, agents, way, Mover.SHORT);
             _seen.table.endGuests();
-            if (!isStopped)
-            {
-                return null;
-            }
-            hit ||= new ShapeHit();
-            write(hit);
-            return hit;
+            return mover.hasContact ? write(hit) : null;
         }
 
-        /** See AgentQueries.castShapeAll and AgentQueries.castAgentAll. The parameters are those of <code>cast()</code>. */
-        public function castAll(agent:Agent, structure:BoundingStructure, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        /** See AgentQueries.castAgentAll and AgentQueries.castShapeAll. The parameters are those of <code>cast()</code>. */
+        public function castAll(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
+                out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            var row:int = begin(agent, structure, filter, false);
-            _hitOf.length = Math.max(_hitOf.length, _seen.ranks.length);
+            var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
+            var row:int = begin(agent, structure, dx, dy, dz, filter);
             _found.begin(FoundRows.ALL, Infinity, -1, null);
             for (var i:int = 0; i < agents.length; i++)
             {
-                _single[0] = agents[i];
-                if (isStoppedBy(row, _single))
+                moveAmong(row, agents[i]);
+                if (mover.hasContact)
                 {
-                    addHit();
+                    _found.add(mover.contactRow, mover.part);
                 }
             }
+            _found.list(agents);
+            while (hits.length > agents.length)
+            {
+                hits.pop();
+            }
+            for (i = 0; i < agents.length; i++)
+            {
+                moveAmong(row, agents[i]);
+                hits[i] = write(i < hits.length ? hits[i] : null);
+            }
             _seen.table.endGuests();
-            _found.sort();
-            return list(out || new Vector.<ShapeHit>());
+            return hits;
         }
 
         /**
-         * Finds the agents near the motion that was set, and returns the row that moves. Call endGuests() of the table afterwards.
+         * Finds the agents near a way, and returns the row that moves. Call endGuests() of the table afterwards.
          *
-         * @param isAnywhere whether the row may go that far in any direction
+         * @param reach how far the row may go in any direction. If it is 0, the row goes only along the motion
+         * @param up how much farther it may go upwards
+         * @param down how much farther it may go downwards
          */
-        public function begin(agent:Agent, structure:BoundingStructure, filter:AgentFilter, isAnywhere:Boolean):int
+        public function begin(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, reach:Number = 0,
+                up:Number = 0, down:Number = 0):int
         {
-            var dx:Number = way.x;
-            var dy:Number = way.y;
-            var dz:Number = way.z;
             if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
             {
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
@@ -151,117 +141,66 @@ package starlogo.queries
             {
                 throw new ArgumentError(agent + " does not move: it stands for the ground or the edges of the world");
             }
-            var asked:AskedStructure = structure == null ? null : takeStructure(structure);
-            findNear(agent, asked, filter, isAnywhere);
-            // the filter may have asked other questions that set the motion
+            var row:int = readRow(agent, structure);
+            _found.begin(FoundRows.ALL, Infinity, structure == null ? _seen.rowOf(agent) : -1, filter);
+            if (_seen.table.shapes[row] != null)
+            {
+                _seen.beginWay(_search, row);
+                _search.widen(reach, up, down);
+                if (reach == 0)
+                {
+                    _search.moveAlong(dx, dy, dz, 1);
+                }
+                findNear();
+            }
+            _seen.table.endGuests();
+            // the filter may ask other questions, so all that they share is set afterwards
+            _found.list(agents);
             way.setTo(dx, dy, dz);
             if (mover == null || mover.pairs !== _seen.pairs)
             {
                 mover = new Mover(_seen.pairs);
             }
-            return readRow(agent, asked);
+            return readRow(agent, structure);
         }
 
-        private function takeStructure(structure:BoundingStructure):AskedStructure
+        private function readRow(agent:Agent, structure:BoundingStructure):int
         {
-            while (_seen.asking >= _structures.length)
+            if (structure == null)
             {
-                _structures.push(new AskedStructure());
+                return _seen.rowOfNow(agent);
             }
-            var asked:AskedStructure = _structures[_seen.asking];
-            asked.setTo(structure);
-            return asked;
+            _structure ||= new AskedStructure();
+            return _structure.readInto(_seen.table, structure);
         }
 
-        private function readRow(agent:Agent, asked:AskedStructure):int
+        private function findNear():void
         {
-            return asked == null ? _seen.rowOfNow(agent) : asked.readInto(_seen.table);
-        }
-
-        // Finds the agents that count and whose extents are near the way. An agent that slides may go anywhere within the length of its way, so
-        // all agents within that distance are found.
-        private function findNear(agent:Agent, asked:AskedStructure, filter:AgentFilter, isAnywhere:Boolean):void
-        {
-            var row:int = readRow(agent, asked);
-            var table:AgentTable = _seen.table;
-            _found.begin(FoundRows.ALL, Infinity, asked == null ? _seen.rowOf(agent) : -1, filter);
-            if (table.shapes[row] != null)
+            for (var other:int = _search.next(); other >= 0; other = _search.next())
             {
-                _seen.beginWay(_search, row);
-                if (isAnywhere)
+                if (_found.wants(other))
                 {
-                    _search.widen(way.length);
-                }
-                else
-                {
-                    _search.moveAlong(way.x, way.y, way.z, 1);
-                }
-                for (var other:int = _search.next(); other >= 0; other = _search.next())
-                {
-                    if (_found.wants(other))
-                    {
-                        _found.add(other, 0);
-                    }
+                    _found.add(other, 0);
                 }
             }
-            table.endGuests();
-            _found.list(agents);
         }
 
-        // Whether other agents stop a row. While a row's model is loading, none does.
-        private function isStoppedBy(row:int, others:Vector.<Agent>):Boolean
+        private function moveAmong(row:int, other:Agent):void
         {
-            if (_seen.table.shapes[row] == null)
-            {
-                return false;
-            }
-            mover.move(_seen.table, row, others, way, Mover.SHORT);
-            return mover.hasContact;
-        }
-
-        private function addHit():void
-        {
-            var count:int = _found.count;
-            if (count == _hits.length)
-            {
-                _hits.push(new ShapeHit());
-            }
-            write(_hits[count]);
-            _hitOf[mover.contactRow] = count;
-            _found.add(mover.contactRow, mover.part);
-        }
-
-        private function list(out:Vector.<ShapeHit>):Vector.<ShapeHit>
-        {
-            var count:int = _found.count;
-            while (out.length > count)
-            {
-                out.pop();
-            }
-            for (var i:int = 0; i < count; i++)
-            {
-                var hit:ShapeHit = _hits[_hitOf[_found.rows[i]]];
-                if (i == out.length)
-                {
-                    out.push(new ShapeHit());
-                }
-                out[i].agent = hit.agent;
-                out[i].time = hit.time;
-                out[i].point.copyFrom(hit.point);
-                out[i].normal.copyFrom(hit.normal);
-                hit.agent = null;
-            }
-            return out;
+            _single[0] = other;
+            mover.move(_seen.table, row, _single, way, Mover.SHORT);
         }
 
         // Writes how the last row that moved touches the agent that stopped it.
-        private function write(hit:ShapeHit):void
+        private function write(out:ShapeHit):ShapeHit
         {
+            var hit:ShapeHit = out || new ShapeHit();
             var contact:ContactPoint = mover.contact;
             hit.agent = _seen.table.agents[mover.contactRow];
             hit.time = mover.part;
             hit.point.setTo(contact.x, contact.y, contact.z);
             hit.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+            return hit;
         }
 
         private function writeContact(out:Contact):void

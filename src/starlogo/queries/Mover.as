@@ -31,9 +31,6 @@ package starlogo.queries
         /** An ending: the row slides along what it meets. */
         public static const SLIDE:int = 2;
 
-        /** A value of <code>steepest</code>: no contact is a wall. */
-        public static const NOTHING_STEEP:Number = -2;
-
         // If an overlap is deeper than this fraction of the larger extent, the contact's plane stands for the other row.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
@@ -56,20 +53,23 @@ package starlogo.queries
         /** Tests which rows touch. */
         public var pairs:RowPairs;
 
-        /** If the z of a contact's normal is less than this, a slide treats the contact as an upright wall. */
-        public var steepest:Number = NOTHING_STEEP;
-
-        /** Whether the last slide met such a wall. */
+        /** Whether the last slide met a wall: a surface that was too steep for it. */
         public var metWall:Boolean = false;
 
         /** The part of its motion that the last row has gone. */
         public var part:Number = 1;
+
+        /** Whether the last motion began deep in another row. */
+        public var isDeep:Boolean = false;
 
         /** Whether another row stopped the last row that did not slide. */
         public var hasContact:Boolean = false;
 
         /** The other row. */
         public var contactRow:int = -1;
+
+        /** The contact with that row. The next motion overwrites it. */
+        public var contact:ContactPoint = new ContactPoint();
 
         /** The place of the row's agent at the end. */
         public var at:Vector3D = new Vector3D();
@@ -84,9 +84,7 @@ package starlogo.queries
         private var _before:Vector3D = new Vector3D();
         private var _lift:Vector3D = new Vector3D();
 
-        // The contact with the row that it meets first; and how far the rest of the motion goes along the contact's normal, which is less than
-        // 0.
-        private var _contact:ContactPoint = new ContactPoint();
+        // How far the rest of the motion goes along the contact's normal, which is less than 0.
         private var _along:Number = 0;
 
         // Whether each contact's normal is taken a little farther along the way.
@@ -131,12 +129,16 @@ package starlogo.queries
             _sweep.end();
         }
 
-        /** Computes where the row ends if it starts at <code>at</code>. The parameters are those of <code>move()</code>. */
-        public function go(motion:Vector3D, ending:int):void
+        /**
+         * Computes where the row ends if it starts at <code>at</code>. The parameters are those of <code>move()</code>.
+         *
+         * @param steepest a slide treats a contact as an upright wall if the z of its normal is less than this. With -2 it does so with none
+         */
+        public function go(motion:Vector3D, ending:int, steepest:Number = -2):void
         {
             _rest.begin(motion);
-            hasContact = metWall = _isCareful = false;
-            _contact.setNormal(0, 0, 0);
+            hasContact = metWall = isDeep = _isCareful = false;
+            contact.setNormal(0, 0, 0);
             part = 1;
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
@@ -146,22 +148,17 @@ package starlogo.queries
             _count = _all;
             _before.copyFrom(at);
             liftOut();
+            isDeep = _rest.count > 0;
             _rest.beginCorner();
             if (ending == SLIDE)
             {
-                slide();
+                slide(steepest);
                 leaveTouches();
             }
             else
             {
                 goUntilTouch(ending);
             }
-        }
-
-        /** The contact of the row with the other row that stopped it. The next move overwrites it. */
-        public function get contact():ContactPoint
-        {
-            return _contact;
         }
 
         private function readOthers(table:AgentTable, others:Vector.<Agent>):void
@@ -212,25 +209,25 @@ package starlogo.queries
             var crossed:ContactPoint = _rest.findCrossed();
             if (crossed != null)
             {
-                _contact.copyFrom(crossed);
+                contact.copyFrom(crossed);
                 contactRow = _rest.crossedRow;
                 hasContact = true;
                 part = 0;
             }
             else if (findFirst())
             {
-                var time:Number = _sweep.timeOfTouch(_along, _contact);
+                var time:Number = _sweep.timeOfTouch(_along, contact);
                 // without the lift the row would have touched earlier
                 _lift.copyFrom(at);
                 _lift.decrementBy(_before);
-                time += _contact.along(_lift) / _along;
+                time += contact.along(_lift) / _along;
                 part = time > 0 ? (time < 1 ? time : 1) : 0;
                 if (-part * _along < _sweep.hair && _sweep.touchesAt(contactRow, _before))
                 {
                     part = 0;
                 }
                 hasContact = true;
-                _contact.depth = 0;
+                contact.depth = 0;
             }
             at.copyFrom(_before);
             _rest.advance(at, part);
@@ -242,7 +239,7 @@ package starlogo.queries
                 }
                 else
                 {
-                    _contact.push(at, _sweep.hair / 2);
+                    contact.push(at, _sweep.hair / 2);
                 }
             }
         }
@@ -254,12 +251,12 @@ package starlogo.queries
         {
             if (!stepIntoTouch())
             {
-                _lift.setTo(-_sweep.hair * _contact.normalX, -_sweep.hair * _contact.normalY, -_sweep.hair * _contact.normalZ);
-                _contact.push(at, _sweep.hair / 2);
+                _lift.setTo(-_sweep.hair * contact.normalX, -_sweep.hair * contact.normalY, -_sweep.hair * contact.normalZ);
+                contact.push(at, _sweep.hair / 2);
                 _before.copyFrom(at);
                 _sweep.aim(at, _lift);
                 _sweep.findWhole(contactRow);
-                _contact.push(at, -_sweep.wholeTime * _sweep.hair);
+                contact.push(at, -_sweep.wholeTime * _sweep.hair);
                 if (_sweep.wholeTime > 1 || !stepIntoTouch())
                 {
                     at.copyFrom(_before);
@@ -272,19 +269,19 @@ package starlogo.queries
         private function stepIntoTouch():Boolean
         {
             var gap:Number = _sweep.gapAt(at);
-            _contact.push(at, gap);
+            contact.push(at, gap);
             for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
             {
                 if (_sweep.touchesAt(contactRow, at))
                 {
                     return true;
                 }
-                _contact.push(at, -gap);
+                contact.push(at, -gap);
             }
             return _sweep.touchesAt(contactRow, at);
         }
 
-        private function slide():void
+        private function slide(steepest:Number):void
         {
             var whole:Number = _rest.length;
             var gone:Number = 0;
@@ -301,12 +298,12 @@ package starlogo.queries
                     _isCareful = false;
                 }
                 // The row stops half a hair away. With a whole hair it could not enter a place as wide as itself
-                gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, _contact) + _sweep.hair / 2 / _along, 0));
-                if (_contact.normalZ < steepest)
+                gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, contact) + _sweep.hair / 2 / _along, 0));
+                if (contact.normalZ < steepest)
                 {
                     standUp();
                 }
-                _rest.add(_contact, contactRow);
+                _rest.add(contact, contactRow);
                 dropNeedless();
             }
             part = gone < whole ? gone / whole : 1;
@@ -317,10 +314,10 @@ package starlogo.queries
         private function standUp():void
         {
             metWall = true;
-            if (_contact.normalX != 0 || _contact.normalY != 0)
+            if (contact.normalX != 0 || contact.normalY != 0)
             {
-                _contact.setNormal(_contact.normalX, _contact.normalY, 0);
-                _contact.normalise();
+                contact.setNormal(contact.normalX, contact.normalY, 0);
+                contact.normalise();
                 _rest.level();
             }
         }
@@ -370,7 +367,7 @@ package starlogo.queries
                     var by:Number = _standing.depth + _sweep.hair / 2;
                     if (by > MOST_HAIRS * _sweep.hair)
                     {
-                        _standing.copyFrom(_contact);
+                        _standing.copyFrom(contact);
                         by = 2 * _sweep.hair;
                     }
                     _standing.push(at, by);
@@ -403,9 +400,9 @@ package starlogo.queries
             {
                 return false;
             }
-            _contact.copyFrom(_sweep.contact);
+            contact.copyFrom(_sweep.contact);
             _sweep.measure(contactRow);
-            _along = _contact.along(motion);
+            _along = contact.along(motion);
             if (isAlong() || _isCareful)
             {
                 turnAgainst(_sweep.time + NEXT * _sweep.extent / _rest.length);
@@ -430,14 +427,14 @@ package starlogo.queries
                 _sweep.findContact(contactRow, _lift, _standing);
                 if (_standing.along(motion) < -SlidePlanes.LEVEL * _rest.length)
                 {
-                    _contact.copyFrom(_standing);
-                    _along = _contact.along(motion);
+                    contact.copyFrom(_standing);
+                    _along = contact.along(motion);
                 }
             }
             if (isAlong())
             {
-                _contact.setNormal(-motion.x, -motion.y, -motion.z);
-                _contact.normalise();
+                contact.setNormal(-motion.x, -motion.y, -motion.z);
+                contact.normalise();
                 _along = -_rest.length;
             }
         }

@@ -2,7 +2,6 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.geometry.Placement;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
@@ -36,44 +35,30 @@ package starlogo.queries
         /** See AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            findTouching(agent, filter, FoundRows.ALL);
+            findTouching(agent, null, filter, FoundRows.ALL);
             return _found.list(out);
         }
 
         /** See AgentQueries.touchesAny. */
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
-            findTouching(agent, filter, mostFor(filter));
-            return isAnyAccepted(filter);
+            return isAnyTouched(agent, null, filter);
         }
 
         /** See AgentQueries.overlapsAgent. */
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
-            var table:AgentTable = _seen.table;
-            var row:int = beginRow(agent, filter, mostFor(filter));
-            if (table.shapes[row] != null)
-            {
-                _moved.take(table, row);
-                _place.setTo(x, y, z);
-                _moved.put(_place, 0);
-                collectNear(row, x, y, z);
-                _moved.giveBack();
-            }
-            table.endGuests();
-            return isAnyAccepted(filter);
+            _place.setTo(x, y, z);
+            return isAnyTouched(agent, _place, filter);
         }
 
         /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            var table:AgentTable = _seen.table;
             _structure ||= new AskedStructure();
-            _structure.setTo(structure);
             _found.begin(FoundRows.ALL, Infinity, -1, filter);
-            var row:int = _structure.readInto(table);
-            collectNear(row, table.x[row], table.y[row], table.z[row]);
-            table.endGuests();
+            collectNear(_structure.readInto(_seen.table, structure));
+            _seen.table.endGuests();
             return _found.list(out);
         }
 
@@ -92,42 +77,43 @@ package starlogo.queries
             return touches;
         }
 
-        private function findTouching(agent:Agent, filter:AgentFilter, most:int):void
+        // Finds the rows that touch an agent, or would touch it at a place if there is one.
+        private function findTouching(agent:Agent, place:Vector3D, filter:AgentFilter, most:int):void
         {
-            var row:int = beginRow(agent, filter, most);
-            if (_seen.table.shapes[row] != null)
-            {
-                var at:Placement = agent.placement;
-                collectNear(row, at.x, at.y, at.z);
-            }
-            _seen.table.endGuests();
-        }
-
-        private function beginRow(agent:Agent, filter:AgentFilter, most:int):int
-        {
+            var table:AgentTable = _seen.table;
             var row:int = _seen.rowOfNow(agent);
-            _found.begin(most, Infinity, row < RowList.GUESTS ? _seen.rowOf(agent) : row, filter);
-            return row;
+            _found.begin(most, Infinity, _seen.rowOf(agent), filter);
+            if (table.shapes[row] != null)
+            {
+                if (place != null)
+                {
+                    _moved.take(table, row);
+                    _moved.put(place, 0);
+                }
+                collectNear(row);
+                if (place != null)
+                {
+                    _moved.giveBack();
+                }
+            }
+            table.endGuests();
         }
 
-        // How many rows must be found to know whether there is one. If accepts has to be called, all must be found.
-        private static function mostFor(filter:AgentFilter):int
-        {
-            return filter == null || filter.accepts == null ? 1 : FoundRows.ALL;
-        }
-
-        private function isAnyAccepted(filter:AgentFilter):Boolean
+        // The search ends at the first row. But if accepts has to be called, all rows must be found.
+        private function isAnyTouched(agent:Agent, place:Vector3D, filter:AgentFilter):Boolean
         {
             if (filter == null || filter.accepts == null)
             {
+                findTouching(agent, place, filter, 1);
                 return _found.count > 0;
             }
+            findTouching(agent, place, filter, FoundRows.ALL);
             _found.sort();
             return _found.keepAccepted(0, 1).length > 0;
         }
 
-        // Collects the rows that count and touch a row. Each gets its distance from a place.
-        private function collectNear(row:int, x:Number, y:Number, z:Number):void
+        // Collects the rows that count and touch a row. Each gets its distance from the row's place.
+        private function collectNear(row:int):void
         {
             var table:AgentTable = _seen.table;
             var found:FoundRows = _found;
@@ -136,9 +122,9 @@ package starlogo.queries
             {
                 if (table.shapes[other] != null && found.wants(other) && _seen.pairs.areTouching(table, row, other))
                 {
-                    var toX:Number = table.x[other] - x;
-                    var toY:Number = table.y[other] - y;
-                    var toZ:Number = table.z[other] - z;
+                    var toX:Number = table.x[other] - table.x[row];
+                    var toY:Number = table.y[other] - table.y[row];
+                    var toZ:Number = table.z[other] - table.z[row];
                     // the ground has no place, so it comes last
                     found.add(other, other == RowList.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }

@@ -6,6 +6,7 @@ package starlogo.queries
         private var _stepHeight:Number = 0.25;
         private var _slopeDegrees:Number = 45;
         private var _snap:Number = 0.25;
+        private var _fall:Number = 0.5;
 
         /** The agents that can be in its way, and that it can stand on; null for all. */
         public var filter:AgentFilter = null;
@@ -48,7 +49,7 @@ package starlogo.queries
 
         /**
          * The greatest depth of the ground below it, in patches, at which it stays on the ground. So it can go downhill and down steps. If
-         * the ground is deeper, it walks into the air. With 0 it stays only on ground that it touches.
+         * the ground is deeper, it falls. With 0 it stays only on ground that it touches.
          *
          * @throws RangeError if it is negative or not finite
          */
@@ -60,6 +61,22 @@ package starlogo.queries
         public function set snap(value:Number):void
         {
             _snap = checked("snap", value);
+        }
+
+        /**
+         * How far the agent falls in one walk if it does not stand on anything, in patches. With Infinity it lands at once. With 0 it does
+         * not fall, so that a game can have gravity of its own.
+         *
+         * @throws RangeError if it is negative or not a number
+         */
+        public function get fall():Number
+        {
+            return _fall;
+        }
+
+        public function set fall(value:Number):void
+        {
+            _fall = value == Infinity ? value : checked("fall", value);
         }
 
         private static function checked(name:String, value:Number):Number

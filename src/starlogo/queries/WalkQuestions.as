@@ -11,7 +11,7 @@ package starlogo.queries
 
     /**
      * Moves an agent as a game character walks. First it slides along the ground. For this slide, surfaces that are too steep are walls. If
-     * a wall stops the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground.
+     * a wall stops the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls.
      *
      * @private
      */
@@ -25,28 +25,24 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _moves:MoveQuestions;
         private var _mover:Mover;
-        private var _defaults:WalkOptions = new WalkOptions();
         private var _rays:RowRays = new RowRays();
+        private var _defaults:WalkOptions = new WalkOptions();
 
-        // The options of the walk under way. The cosine and the tangent belong to the steepest slope.
-        private var _step:Number = 0;
-        private var _snap:Number = 0;
+        // The walk: its options, and the cosine of the steepest slope; the way, and the place where it begins; the size of the agent; the
+        // depth of ground that is close; and the greatest height of an edge that the agent can stand on.
+        private var _options:WalkOptions;
         private var _cosine:Number = 0;
-        private var _tangent:Number = 0;
-
-        // The greatest height of an edge that it can stand on.
-        private var _highest:Number = 0;
-
-        // The walk; the place where it begins; the place that it reaches without a step; and the size of the agent.
         private var _dx:Number = 0;
         private var _dy:Number = 0;
         private var _start:Vector3D = new Vector3D();
-        private var _plain:Vector3D = new Vector3D();
         private var _extent:Number = 0;
+        private var _close:Number = 0;
+        private var _highest:Number = 0;
 
-        // A part of the walk, and the place where this part begins.
+        // The place that is reached without a step, the place before the way down, and a part of the walk.
+        private var _plain:Vector3D = new Vector3D();
+        private var _above:Vector3D = new Vector3D();
         private var _way:Vector3D = new Vector3D();
-        private var _from:Vector3D = new Vector3D();
 
         // The normal of the ground that was found.
         private var _normal:Vector3D = new Vector3D();
@@ -67,111 +63,132 @@ package starlogo.queries
         /** See AgentQueries.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
-            if (!isFinite(dx) || !isFinite(dy))
-            {
-                throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ")");
-            }
-            options ||= _defaults;
-            var footing:Footing = out || new Footing();
-            var step:Number = options.stepHeight;
-            var snap:Number = options.snap;
-            var slope:Number = options.slopeDegrees;
-            _moves.way.setTo(Math.abs(dx) + Math.abs(dy), 0, 2 * step + snap);
-            var row:int = _moves.begin(agent, null, options.filter, true);
+            var asked:WalkOptions = options || _defaults;
+            var cosine:Number = Trigonometry.cosine(asked.slopeDegrees);
+            // on the steepest slope the way is this long
+            var reach:Number = Math.sqrt(dx * dx + dy * dy) / cosine;
+            var row:int = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, asked.stepHeight, asked.snap + asked.fall);
+            var table:AgentTable = _seen.table;
             // the filter may have asked for other walks, which set these fields
-            _step = step;
-            _snap = snap;
-            _cosine = Trigonometry.cosine(slope);
-            _tangent = Trigonometry.sine(slope) / _cosine;
+            _options = asked;
+            _cosine = cosine;
             _dx = dx;
             _dy = dy;
-            var table:AgentTable = _seen.table;
+            _extent = 2 * table.extents.largestHalf(row);
+            _close = CLOSE * _extent;
+            _highest = table.extents.z[row] - table.extents.halfZ[row] + asked.stepHeight + _close;
             _mover = _moves.mover;
-            if (table.shapes[row] == null)
-            {
-                _start.setTo(agent.x, agent.y, agent.z);
-                _mover.at.setTo(agent.x + dx, agent.y + dy, agent.z);
-                setFooting(footing, false);
-            }
-            else
-            {
-                _extent = 2 * table.extents.largestHalf(row);
-                _highest = table.extents.z[row] - table.extents.halfZ[row] + step + CLOSE * _extent;
-                _mover.begin(table, row, _moves.agents, _moves.way);
-                var stands:Boolean = goOnGround();
-                _mover.leaveTouches();
-                setFooting(footing, stands);
-                _mover.end();
-            }
+            _mover.begin(table, row, _moves.agents, _moves.way);
+            _start.copyFrom(_mover.at);
+            var stands:Boolean = goOnGround() || table.shapes[row] != null && fall();
+            _mover.leaveTouches();
+            _mover.end();
             table.endGuests();
             _moves.put(agent);
-            return footing;
+            return write(stands, out || new Footing());
         }
 
-        // Walks among the agents near the way. Returns whether the agent stands at the end.
+        // Goes the way, and down to the ground. Returns whether the agent stands at the end.
         private function goOnGround():Boolean
         {
-            var close:Number = CLOSE * _extent;
-            _start.copyFrom(_mover.at);
-            var stood:Boolean = findGround(close);
-            _mover.at.copyFrom(_start);
-            var rise:Number = 0;
-            if (stood)
+            if (!findStart())
             {
-                rise = -(_normal.x * _dx + _normal.y * _dy) / _normal.z;
+                slide(0);
+                return findGround(_close);
             }
-            slide(rise);
-            if (stood && _mover.metWall && _step > 0)
+            slide(-(_normal.x * _dx + _normal.y * _dy) / _normal.z);
+            if (_mover.metWall)
             {
                 _plain.copyFrom(_mover.at);
-                if (!climb(close))
+                if (climb())
                 {
-                    _mover.at.copyFrom(_plain);
+                    return true;
                 }
+                _mover.at.copyFrom(_plain);
             }
-            return findGround(stood ? Math.max(_snap, close) : close);
+            return findGround(Math.max(_options.snap, _close));
+        }
+
+        // Finds the ground at the beginning of the walk. If the ground has risen into the agent, the agent comes up to it, by a step at most.
+        private function findStart():Boolean
+        {
+            var stands:Boolean = findGround(_close);
+            if (_mover.isDeep)
+            {
+                goDown(-_options.stepHeight);
+                stands = findGround(_options.stepHeight);
+                if (stands)
+                {
+                    _start.z = _mover.at.z;
+                }
+                _mover.at.z = _start.z;
+            }
+            return stands;
         }
 
         private function slide(rise:Number):void
         {
             _way.setTo(_dx, _dy, rise);
-            _mover.steepest = _cosine;
-            _mover.go(_way, Mover.SLIDE);
-            _mover.steepest = Mover.NOTHING_STEEP;
+            _mover.go(_way, Mover.SLIDE, _cosine);
+        }
+
+        private function goDown(depth:Number, ending:int = Mover.SHORT):void
+        {
+            _way.setTo(0, 0, -depth);
+            _mover.go(_way, ending);
         }
 
         // Tries the same way a step higher, and goes down again. Returns whether the agent came farther than without the step, and stands.
-        private function climb(close:Number):Boolean
+        private function climb():Boolean
         {
             _mover.at.copyFrom(_start);
-            _way.setTo(0, 0, _step);
-            _mover.go(_way, Mover.SHORT);
+            goDown(-_options.stepHeight);
             var height:Number = _mover.at.z - _start.z;
-            if (height <= close)
+            if (height <= _close)
             {
                 return false;
             }
             slide(0);
-            return progressOf(_mover.at) > progressOf(_plain) + close && findGround(height + Math.max(_snap, close));
-        }
-
-        private function progressOf(place:Vector3D):Number
-        {
-            return ((place.x - _start.x) * _dx + (place.y - _start.y) * _dy) / Math.sqrt(_dx * _dx + _dy * _dy);
+            var farther:Number = (_mover.at.x - _plain.x) * _dx + (_mover.at.y - _plain.y) * _dy;
+            return farther > _close * Math.sqrt(_dx * _dx + _dy * _dy) && findGround(height + Math.max(_options.snap, _close));
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. Returns whether there is such ground.
         private function findGround(depth:Number):Boolean
         {
-            _from.copyFrom(_mover.at);
-            _way.setTo(0, 0, -depth);
-            _mover.go(_way, Mover.SHORT);
+            _above.copyFrom(_mover.at);
+            goDown(depth);
             if (_mover.hasContact && isLevel(_mover.contact))
             {
                 return true;
             }
-            _mover.at.copyFrom(_from);
+            _mover.at.copyFrom(_above);
             return false;
+        }
+
+        // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
+        // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began. Returns whether the agent stands.
+        private function fall():Boolean
+        {
+            var left:Number = _options.fall;
+            _above.copyFrom(_mover.at);
+            _mover.hasContact = false;
+            for (var piece:Number = 1; left > 0 && !_mover.hasContact; piece *= 2)
+            {
+                if (piece > Agent.LARGEST_COORDINATE)
+                {
+                    _mover.at.copyFrom(_above);
+                    return false;
+                }
+                goDown(Math.min(left, piece));
+                left -= _mover.part * Math.min(left, piece);
+            }
+            if (!_mover.hasContact || isLevel(_mover.contact))
+            {
+                return _mover.hasContact;
+            }
+            goDown(Math.min(left, _extent), Mover.SLIDE);
+            return findGround(_close);
         }
 
         // Whether the surface that stopped the way down is not too steep. At an edge, for example of a step, the face behind the edge
@@ -190,32 +207,33 @@ package starlogo.queries
             var across:Number = Math.sqrt(_normal.x * _normal.x + _normal.y * _normal.y);
             var behind:Number = BEHIND_EDGE * _extent;
             // the ray begins outside of all faces that are not too steep
-            var above:Number = 1.01 * behind * (_tangent + 1);
+            var above:Number = 2 * behind / _cosine;
             _origin.setTo(contact.x - behind * _normal.x / across, contact.y - behind * _normal.y / across, contact.z + above);
             _rays.ray.aim(_origin, _down);
             _rays.limit = 2 * above;
             _rays.begin(_seen.table, _seen.pairs.trees);
-            if (!_rays.meets(_mover.contactRow) || _rays.distance == 0 || _rays.normalZ < _cosine)
+            if (!_rays.meets(_mover.contactRow) || _rays.distance == 0)
             {
                 return false;
             }
             _normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
-            return true;
+            return _normal.z >= _cosine;
         }
 
-        private function setFooting(footing:Footing, stands:Boolean):void
+        private function write(stands:Boolean, out:Footing):Footing
         {
-            var whole:Number = Math.sqrt(_dx * _dx + _dy * _dy);
             var x:Number = _mover.at.x - _start.x;
             var y:Number = _mover.at.y - _start.y;
-            footing.stands = stands;
-            footing.on = stands ? _seen.table.agents[_mover.contactRow] : null;
-            footing.normal.setTo(0, 0, 1);
-            if (stands)
+            var whole:Number = Math.sqrt(_dx * _dx + _dy * _dy);
+            out.stands = stands;
+            out.on = stands ? _seen.table.agents[_mover.contactRow] : null;
+            if (!stands)
             {
-                footing.normal.copyFrom(_normal);
+                _normal.setTo(0, 0, 1);
             }
-            footing.part = whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / whole) : 1;
+            out.normal.copyFrom(_normal);
+            out.part = whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / whole) : 1;
+            return out;
         }
     }
 }

@@ -78,15 +78,21 @@ package starlogo.queries
             _waiting = tree.count > 0 ? 1 : 0;
         }
 
-        /** Makes the box larger on all sides. The box must stand still. */
-        public function widen(by:Number):void
+        /**
+         * Makes the box larger. The box must stand still.
+         *
+         * @param by how far on all sides
+         * @param up how much farther upwards
+         * @param down how much farther downwards
+         */
+        public function widen(by:Number, up:Number = 0, down:Number = 0):void
         {
             _minX -= by;
             _minY -= by;
-            _minZ -= by;
+            _minZ -= by + down;
             _maxX += by;
             _maxY += by;
-            _maxZ += by;
+            _maxZ += by + up;
         }
 
         /**

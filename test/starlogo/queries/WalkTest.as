@@ -181,8 +181,9 @@ package starlogo.queries
         }
 
         [Test]
-        public function overACliffAndInTheAir():void
+        public function withoutFallsItGoesOverACliff():void
         {
+            _options.fall = 0;
             for each (var name:String in NAMES)
             {
                 var walker:Agent = walkerAt("cube", 0, 0, 0);
@@ -208,12 +209,114 @@ package starlogo.queries
         }
 
         [Test]
+        public function itFallsOffACliffOfCubes():void
+        {
+            for each (var name:String in NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
+                    var agents:Vector.<Agent> = new <Agent>[walker];
+                    addTiles(agents, -2, 1, flat);
+                    addTiles(agents, 2, 6, deep);
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    var falls:int = fallOff(queries, walker, 4, -2.2, name + ", " + shape);
+                    assertTrue(name + ", " + shape + ": " + falls, falls >= 4 && falls <= 6);
+                    assertEquals("tiles", _footing.on.breed);
+                    // in the air, and all the way at once
+                    walker.moveTo(4, 0, 700);
+                    queries.moved(walker);
+                    assertFalse(name, queries.walk(walker, 0, 0, _options, _footing).stands);
+                    assertTrue(name + ": " + walker.z, Math.abs(walker.z - 699.5) < NEAR);
+                    _options.fall = Infinity;
+                    assertTrue(name, queries.walk(walker, 0.1, 0, _options, _footing).stands);
+                    assertTrue(name + ": " + [walker.x, walker.z], Math.abs(walker.z + 2.2) < NEAR && Math.abs(walker.x - 4.1) < NEAR);
+                    assertFalse(name, queries.touchesAny(walker));
+                    // below everything it has nothing to land on
+                    walker.moveTo(4, 0, -10);
+                    queries.moved(walker);
+                    assertFalse(name, queries.walk(walker, 0, 0, _options, _footing).stands);
+                    assertEquals(name, -10, walker.z);
+                    _options.fall = 0.5;
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function itFallsOffACliffOfTheGround():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    for each (var isBlocky:Boolean in [false, true])
+                    {
+                        var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
+                        terrain.isBlocky = isBlocky;
+                        terrain.setHeights(0, 0, 11, 21, plateau(11 * 21, 4));
+                        var walker:Agent = walkerAt(shape, -1, 0.1, 4.01);
+                        var queries:AgentQueries = queriesOf(name, new <Agent>[walker]);
+                        queries.terrain = terrain;
+                        queries.update(new <Agent>[walker]);
+                        var message:String = name + ", " + shape + ", " + isBlocky;
+                        var falls:int = fallOff(queries, walker, 3, 0, message);
+                        assertTrue(message + ": " + falls, falls >= 6 && falls <= 20);
+                        assertStrictlyEquals(terrain.agent, _footing.on);
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function whatRisesBelowItLiftsIt():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var walker:Agent = walkerAt(shape, 0, 0.1, 0.01);
+                    var lift:Agent = cubeAt(20, 0, -1);
+                    var agents:Vector.<Agent> = new <Agent>[walker, lift];
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
+                    queries.terrain = terrain;
+                    queries.update(agents);
+                    for each (var rise:Number in [0.01, 0.2, 0.7])
+                    {
+                        terrain.raiseMound(0, 0, 12, rise);
+                        for (var i:int = 0; i < 1 + rise / 0.25; i++)
+                        {
+                            queries.walk(walker, 0.01, 0, _options, _footing);
+                        }
+                        var over:Number = walker.z - terrain.heightAt(walker.x, walker.y);
+                        assertTrue(name + ", " + shape + ", " + rise + ": " + over, _footing.stands && Math.abs(over) < 0.1 && !queries.touchesAny(walker));
+                    }
+                    if (name == "bins")
+                    {
+                        continue;
+                    }
+                    walker.moveTo(20, 0, 0);
+                    queries.moved(walker);
+                    for (i = 0; i < 10; i++)
+                    {
+                        lift.z += 0.1;
+                        queries.moved(lift);
+                        queries.walk(walker, 0, 0, _options, _footing);
+                        assertTrue(name + ", " + shape + ": " + [lift.z, walker.z], Math.abs(walker.z - lift.z - 1) < NEAR && _footing.on === lift);
+                    }
+                }
+            }
+        }
+
+        [Test]
         public function hillsAreWalked():void
         {
             var frames:int = 0;
             for each (var name:String in EachCollider.ALL_NAMES)
             {
-                for (var world:int = 0; world < Effort.choose(4, 60); world++)
+                for (var world:int = 0; world < Effort.choose(4, 200); world++)
                 {
                     var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
                     var terrain:Terrain = new Terrain(24, 24, 1, -12, -12);
@@ -221,6 +324,8 @@ package starlogo.queries
                     {
                         terrain.raiseMound(_random.between(-10, 10), _random.between(-10, 10), _random.between(4, 9), _random.between(0.2, 0.8));
                     }
+                    terrain.isBlocky = world % 4 >= 2;
+                    _options.stepHeight = _options.snap = terrain.isBlocky ? 1 : 0.25;
                     queries.terrain = terrain;
                     var walker:Agent = walkerAt(world % 2 == 0 ? "sphere" : "cube", 0, 0, 20);
                     queries.update(new <Agent>[walker]);
@@ -268,9 +373,11 @@ package starlogo.queries
         {
             assertThrows(RangeError, /stepHeight.*-1/, setOption, "stepHeight", -1);
             assertThrows(RangeError, /snap.*NaN/, setOption, "snap", NaN);
+            assertThrows(RangeError, /fall.*NaN/, setOption, "fall", NaN);
+            assertThrows(RangeError, /fall.*-1/, setOption, "fall", -1);
             assertThrows(RangeError, /slopeDegrees.*90/, setOption, "slopeDegrees", 90);
             assertThrows(RangeError, /slopeDegrees.*-5/, setOption, "slopeDegrees", -5);
-            assertEquals("0.25 45 0.25", _options.stepHeight + " " + _options.slopeDegrees + " " + _options.snap);
+            assertEquals("0.25 45 0.25 0.5", [_options.stepHeight, _options.slopeDegrees, _options.snap, _options.fall].join(" "));
             var queries:AgentQueries = queriesOf("triangles", new <Agent>[cubeAt(0, 0, -1)]);
             var walker:Agent = walkerAt("cube", 0, 0, 0);
             assertThrows(RangeError, /NaN/, queries.walk, walker, NaN, 0);
@@ -327,12 +434,41 @@ package starlogo.queries
                 }
                 var share:Number = Math.min(1, step / far);
                 queries.walk(walker, share * toX, share * toY, _options, _footing);
+                if (queries.touchesAny(walker))
+                {
+                    _wrong.add(name + ": ends in a touch", frames + " at " + [walker.x, walker.y, walker.z]);
+                }
                 if (name != "" && !_footing.stands)
                 {
                     _wrong.add(name + ": does not stand", frames + " at " + [walker.x, walker.y, walker.z, _footing.part]);
                 }
             }
             return frames;
+        }
+
+        // Walks along x and falls. Returns the number of walks after which it did not stand.
+        private function fallOff(queries:AgentQueries, walker:Agent, x:Number, bottom:Number, message:String):int
+        {
+            var falls:int = 0;
+            for (var i:int = 0; i < 90 && (walker.x < x || !_footing.stands); i++)
+            {
+                var z:Number = walker.z;
+                queries.walk(walker, Math.min(0.1, x - walker.x), 0, _options, _footing);
+                falls += _footing.stands ? 0 : 1;
+                if (walker.z < z - 0.51 - 0.25 || walker.z > z + NEAR || walker.z < bottom - NEAR)
+                {
+                    _wrong.add(message + ": falls too far", i + ": " + [walker.x, walker.z, z]);
+                }
+                if (queries.touchesAny(walker))
+                {
+                    _wrong.add(message + ": ends in a touch", i + ": " + [walker.x, walker.z, _footing.stands]);
+                }
+            }
+            if (!_footing.stands || Math.abs(walker.z - bottom) > 1e-3 || !(walker.x > x - NEAR))
+            {
+                _wrong.add(message + ": does not land", [walker.x, walker.z, _footing.stands].join());
+            }
+            return falls;
         }
 
         private function queriesOf(name:String, agents:Vector.<Agent>):AgentQueries
@@ -349,6 +485,21 @@ package starlogo.queries
         private static function flat(x:int):Number
         {
             return 0;
+        }
+
+        private static function deep(x:int):Number
+        {
+            return -2.2;
+        }
+
+        private static function plateau(count:int, height:Number):Vector.<Number>
+        {
+            var heights:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < count; i++)
+            {
+                heights.push(height);
+            }
+            return heights;
         }
 
         private static function stairs(x:int):Number

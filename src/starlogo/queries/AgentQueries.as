@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.search.AskedStructure;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 

@@ -10,6 +10,7 @@ package starlogo.queries
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
+    import starlogo.search.AskedStructure;
     import starlogo.search.ModelShape;
     import starlogo.search.RowPairs;
 
@@ -85,12 +86,7 @@ package starlogo.queries
 
         private function measureInOrder(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
-            if (table.forms[b] >= ModelShape.GROUND)
-            {
-                pairs.fixtureOf(table, b).findClosest(table, a, b, pairs.areTouching(table, a, b), closest);
-                return;
-            }
-            if (table.shapes[a].hierarchy == null)
+            if (table.shapes[a].hierarchy == null && table.forms[b] < ModelShape.GROUND)
             {
                 findClosest(table.structureOf(a), table.structureOf(b), closest);
                 var extents:Extents = table.extents;
@@ -106,7 +102,7 @@ package starlogo.queries
                 closest.distance = 0;
                 return;
             }
-            pairs.trees.findClosest(table, a, b, areTouching, closest);
+            pairs.testsOf(table, a, b).findClosest(table, a, b, areTouching, closest);
         }
 
         private function answer(rowA:int, rowB:int, pointA:Vector3D, pointB:Vector3D):void

@@ -8,6 +8,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
+    import starlogo.search.AskedStructure;
 
     use namespace engine;
 

@@ -135,7 +135,7 @@ package starlogo.queries
             measure(other);
             _moving.put(at, 0);
             RelativeMotion.NONE.time = 0;
-            _pairs.findContact(_table, _row, other, RelativeMotion.NONE, out);
+            _pairs.testsOf(_table, _row, other).findContact(_table, _row, other, RelativeMotion.NONE, out);
             _separation.find(_table, _row, other, RelativeMotion.NONE, out);
         }
 
@@ -156,7 +156,7 @@ package starlogo.queries
             wholeTime = RelativeMotion.NEVER;
             if (isNear(other, _motion))
             {
-                _pairs.findImpact(_table, _row, other, _motion, null);
+                _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, null);
                 wholeTime = _motion.time;
             }
         }
@@ -179,7 +179,7 @@ package starlogo.queries
                 return false;
             }
             narrowOther(other);
-            _pairs.findImpact(_table, _row, other, _motion, _triedOther);
+            _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, _triedOther);
             _standing.giveBack();
             var second:Number = _motion.time;
             if (!(second < time))
@@ -188,7 +188,7 @@ package starlogo.queries
             }
             var share:Number = shareOf(_moving);
             _moving.put(_end, share);
-            _pairs.findImpact(_table, _row, other, _motion, _tried);
+            _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, _tried);
             var first:Number = _motion.time;
             if (!(first < time))
             {

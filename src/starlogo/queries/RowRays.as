@@ -10,7 +10,7 @@ package starlogo.queries
     import starlogo.search.TreePairs;
     import starlogo.solid.SolidRay;
     import starlogo.terrain.HeightGrid;
-    import starlogo.terrain.TerrainAgent;
+    import starlogo.terrain.FixtureAgent;
 
     use namespace engine;
 
@@ -91,7 +91,7 @@ package starlogo.queries
             }
             if (shape.form == ModelShape.GROUND)
             {
-                return meetsGround(TerrainAgent(_table.agents[row]).terrain.grid);
+                return meetsGround(FixtureAgent(_table.agents[row]).terrain.grid);
             }
             var placement:Placement = _table.placementOf(row, _placement);
             var line:Ray = _line;

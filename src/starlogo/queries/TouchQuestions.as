@@ -5,6 +5,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
+    import starlogo.search.AskedStructure;
     import starlogo.search.MovedRow;
     import starlogo.search.RowList;
     import starlogo.terrain.WorldBounds;

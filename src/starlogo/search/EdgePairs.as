@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
@@ -9,7 +8,7 @@ package starlogo.search
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.EdgesAgent;
+    import starlogo.terrain.FixtureAgent;
 
     use namespace engine;
 
@@ -30,25 +29,22 @@ package starlogo.search
     {
         private var _pairs:RowPairs;
 
-        // By axis: the middle of the row's extents, half of their lengths, the row's motion, the way back of a contact, and the contact's point.
-        // _largest is the largest half, and _margin the largest gap between the row and an edge that still counts as a touch.
-        private var _middle:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _half:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _way:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _back:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _point:Vector.<Number> = new Vector.<Number>(3, true);
+        // By edge: the direction out of the world, the edge's place, how far the row is beyond it (less than 0 if the row is before it), and how
+        // far the row's motion goes towards it. _nearest is the edge that the row of the last contact is furthest beyond.
+        private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
+                new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
+        private var _edges:Vector.<Number>;
+        private var _beyond:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _come:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _nearest:int = 0;
+
+        // Half of the row's largest extent, and the largest gap between the row and an edge that still counts as a touch.
         private var _largest:Number = 0;
         private var _margin:Number = 0;
 
-        // By edge: its place, and how far the row is beyond it, less than 0 if the row is before it. _nearest is the edge of the last contact.
-        private var _edges:Vector.<Number>;
-        private var _beyond:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _nearest:int = 0;
-
-        // The box that rows are moved against, and how they touch it.
-        private var _agent:Agent = new Agent("box");
+        // The box that rows are moved against, this motion, and the row's farthest point.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
-        private var _shape:ModelShape = new ModelShape("box", Agent.ANY_KIND, 0);
+        private var _asked:AskedStructure = new AskedStructure();
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _touch:ContactPoint = new ContactPoint();
 
@@ -56,23 +52,13 @@ package starlogo.search
         public function EdgePairs(pairs:RowPairs)
         {
             _pairs = pairs;
-            _agent.giveIdBack();
-            _shape.setStructure(_box);
-            _shape.isUpright = _shape.meetsTriangles = true;
         }
 
         /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            read(table, a, b, RelativeMotion.NONE);
-            for (var edge:int = 0; edge < 6; edge++)
-            {
-                if (_beyond[edge] >= -_margin)
-                {
-                    return true;
-                }
-            }
-            return false;
+            findTime(table, a, b, RelativeMotion.NONE);
+            return RelativeMotion.NONE.time == 0;
         }
 
         /** @inheritDoc */
@@ -83,7 +69,7 @@ package starlogo.search
             for (var edge:int = 0; edge < 6; edge++)
             {
                 var end:Number = _beyond[edge] + _margin;
-                var start:Number = end - signOf(edge) * _way[edge >> 1];
+                var start:Number = end - _come[edge];
                 if (start >= 0)
                 {
                     motion.time = 0;
@@ -107,40 +93,32 @@ package starlogo.search
             _nearest = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                _beyond[edge] -= left * signOf(edge) * _way[edge >> 1];
+                _beyond[edge] -= left * _come[edge];
                 _nearest = _beyond[edge] > _beyond[_nearest] ? edge : _nearest;
             }
             findFarthest(table, a, _nearest);
-            var touched:int = 0;
-            for (var axis:int = 0; axis < 3; axis++)
+            out.x = _touch.x - left * motion.x;
+            out.y = _touch.y - left * motion.y;
+            out.z = _touch.z - left * motion.z;
+            out.setNormal(0, 0, 0);
+            for (edge = 0; edge < 6; edge += 2)
             {
                 // of two opposite edges, the one with the larger value counts
-                edge = _beyond[2 * axis] >= _beyond[2 * axis + 1] ? 2 * axis : 2 * axis + 1;
-                var isTouched:Boolean = _beyond[edge] >= -_margin;
-                if (isTouched)
+                var one:int = _beyond[edge] >= _beyond[edge + 1] ? edge : edge + 1;
+                if (_beyond[one] >= -_margin || one == _nearest)
                 {
-                    touched++;
-                }
-                _point[axis] -= left * _way[axis];
-                _back[axis] = 0;
-                if (isTouched || edge == _nearest)
-                {
-                    leadBack(edge);
+                    leadBack(one, out);
                 }
             }
-            out.setNormal(_back[0], _back[1], _back[2]);
             out.normalise();
-            out.depth = touched > 1 ? out.length : Math.max(0, _beyond[_nearest]);
-            out.x = _point[0];
-            out.y = _point[1];
-            out.z = _point[2];
+            out.depth = _beyond[_nearest] > 0 ? out.length : 0;
         }
 
         /** @inheritDoc */
         override public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
         {
             findOuterContact(table, a, b, _touch);
-            var gap:Number = areTouching ? 0 : -_beyond[_nearest];
+            var gap:Number = -_beyond[_nearest];
             out.aX = _touch.x + gap / 2 * _touch.normalX;
             out.aY = _touch.y + gap / 2 * _touch.normalY;
             out.aZ = _touch.z + gap / 2 * _touch.normalZ;
@@ -154,78 +132,80 @@ package starlogo.search
         private function read(table:AgentTable, row:int, edges:int, motion:RelativeMotion):void
         {
             var extents:Extents = table.extents;
-            _edges = EdgesAgent(table.agents[edges]).edges;
-            _middle[0] = extents.x[row];
-            _middle[1] = extents.y[row];
-            _middle[2] = extents.z[row];
-            _half[0] = extents.halfX[row];
-            _half[1] = extents.halfY[row];
-            _half[2] = extents.halfZ[row];
-            _way[0] = motion.x;
-            _way[1] = motion.y;
-            _way[2] = motion.z;
-            _largest = Math.max(_half[0], Math.max(_half[1], _half[2]));
+            _edges = FixtureAgent(table.agents[edges]).edges;
+            _largest = extents.largestHalf(row);
             _margin = table.marginOf(row) + Tolerances.ROUNDING * _largest;
-            var isTree:Boolean = table.forms[row] == ModelShape.TREE;
+            _beyond[0] = extents.halfX[row] + (_edges[0] - extents.x[row]);
+            _beyond[1] = extents.halfX[row] + (extents.x[row] - _edges[1]);
+            _beyond[2] = extents.halfY[row] + (_edges[2] - extents.y[row]);
+            _beyond[3] = extents.halfY[row] + (extents.y[row] - _edges[3]);
+            _beyond[4] = extents.halfZ[row] + (_edges[4] - extents.z[row]);
+            _beyond[5] = extents.halfZ[row] + (extents.z[row] - _edges[5]);
             for (var edge:int = 0; edge < 6; edge++)
             {
-                var axis:int = edge >> 1;
-                var beyond:Number = _half[axis] + signOf(edge) * (_middle[axis] - _edges[edge]);
-                _beyond[edge] = beyond;
-                if (isTree && (beyond >= -_margin || beyond - signOf(edge) * _way[axis] >= -_margin))
+                var outwards:Vector3D = _outwards[edge];
+                _come[edge] = motion.x * outwards.x + motion.y * outwards.y + motion.z * outwards.z;
+                if (table.forms[row] == ModelShape.TREE && (_beyond[edge] >= -_margin || _beyond[edge] - _come[edge] >= -_margin))
                 {
                     findFarthest(table, row, edge);
-                    _beyond[edge] = beyond - 2 * _half[axis] * _motion.time;
+                    _beyond[edge] -= _motion.time * along(edge, _motion.x, _motion.y, _motion.z);
                 }
             }
         }
 
-        // The direction of an edge along its axis.
-        private static function signOf(edge:int):int
+        // The length of a vector in the direction out of the world.
+        private function along(edge:int, x:Number, y:Number, z:Number):Number
         {
-            return edge % 2 == 0 ? -1 : 1;
+            return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
         }
 
         // Finds the row's farthest point in the direction of an edge, or the middle of several such points. It moves the row against a box that
         // stands where the row's extents end. The time of this motion tells how much less far the row reaches.
         private function findFarthest(table:AgentTable, row:int, edge:int):void
         {
-            var axis:int = edge >> 1;
+            var extents:Extents = table.extents;
+            var outwards:Vector3D = _outwards[edge];
+            var reach:Number = Math.abs(along(edge, extents.halfX[row], extents.halfY[row], extents.halfZ[row]));
             var size:Number = 2 * _largest;
             _box.halfX = _box.halfY = _box.halfZ = size;
-            _point[0] = _middle[0];
-            _point[1] = _middle[1];
-            _point[2] = _middle[2];
-            _point[axis] += signOf(edge) * (_half[axis] + size);
-            table.readShape(RowList.BOX, _agent, _shape, _point);
-            _point[0] = _point[1] = _point[2] = 0;
-            _point[axis] = signOf(edge) * 2 * _half[axis];
-            _motion.x = _point[0];
-            _motion.y = _point[1];
-            _motion.z = _point[2];
-            _pairs.findImpact(table, row, RowList.BOX, _motion, _touch);
+            _box.center.x = extents.x[row] + (reach + size) * outwards.x;
+            _box.center.y = extents.y[row] + (reach + size) * outwards.y;
+            _box.center.z = extents.z[row] + (reach + size) * outwards.z;
+            _asked.readInto(table, _box, RowList.BOX);
+            _motion.x = 2 * reach * outwards.x;
+            _motion.y = 2 * reach * outwards.y;
+            _motion.z = 2 * reach * outwards.z;
+            var tests:PairTests = _pairs.testsOf(table, row, RowList.BOX);
+            tests.findImpact(table, row, RowList.BOX, _motion, _touch);
             if (_motion.time == RelativeMotion.NEVER)
             {
                 _motion.time = 0;
-                _pairs.findContact(table, row, RowList.BOX, _motion, _touch);
+                tests.findContact(table, row, RowList.BOX, _motion, _touch);
             }
-            _point[0] = _touch.x - _motion.time * _motion.x;
-            _point[1] = _touch.y - _motion.time * _motion.y;
-            _point[2] = _touch.z - _motion.time * _motion.z;
+            _touch.x -= _motion.time * _motion.x;
+            _touch.y -= _motion.time * _motion.y;
+            _touch.z -= _motion.time * _motion.z;
         }
 
-        // Sets the way back from an edge, and moves the point into the middle of the overlap. In a corner the way is longer by a tenth of the
-        // tolerance of a contact's depth, so that it leads away from each of the edges.
-        private function leadBack(edge:int):void
+        // Adds the way back from an edge to the normal, and moves the point into the middle of the overlap. For edges other than the nearest, the
+        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges.
+        private function leadBack(edge:int, out:ContactPoint):void
         {
-            var axis:int = edge >> 1;
-            var beyond:Number = _beyond[edge];
-            if (isFinite(beyond))
+            var outwards:Vector3D = _outwards[edge];
+            var by:Number = Math.max(0, _beyond[edge]);
+            if (edge != _nearest || by == 0)
             {
-                _point[axis] = _edges[edge] + signOf(edge) * beyond / 2;
+                // the extents of a tree are larger than its shape
+                by += Tolerances.SEPARATION / 5 * _largest;
             }
-            // the extents of a tree are larger than its shape
-            _back[axis] = -signOf(edge) * (Tolerances.SEPARATION / 5 * _largest + Math.max(0, beyond));
+            out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);
+            var place:Number = along(edge, _edges[edge], _edges[edge], _edges[edge]) + _beyond[edge] / 2 - along(edge, out.x, out.y, out.z);
+            if (isFinite(place))
+            {
+                out.x += place * outwards.x;
+                out.y += place * outwards.y;
+                out.z += place * outwards.z;
+            }
         }
     }
 }

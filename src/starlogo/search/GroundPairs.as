@@ -8,7 +8,7 @@ package starlogo.search
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.terrain.HeightGrid;
-    import starlogo.terrain.TerrainAgent;
+    import starlogo.terrain.FixtureAgent;
     import starlogo.terrain.TerrainPair;
 
     use namespace engine;
@@ -32,7 +32,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var grid:HeightGrid = TerrainAgent(table.agents[b]).terrain.grid;
+            var grid:HeightGrid = FixtureAgent(table.agents[b]).terrain.grid;
             if (table.sizes[b] == 1 && isSure(table, a, grid))
             {
                 return grid.look.isTouching;
@@ -88,7 +88,7 @@ package starlogo.search
         private function pairOf(table:AgentTable, row:int, ground:int):TerrainPair
         {
             var shape:ModelShape = table.shapes[row];
-            var grid:HeightGrid = TerrainAgent(table.agents[ground]).terrain.grid;
+            var grid:HeightGrid = FixtureAgent(table.agents[ground]).terrain.grid;
             var trees:TreePairs = _pairs.trees;
             var pair:TerrainPair = grid.pair;
             pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;

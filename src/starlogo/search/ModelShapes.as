@@ -6,7 +6,8 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.bounding.Box;
     import starlogo.engine;
-    import starlogo.terrain.TerrainAgent;
+    import starlogo.terrain.FixtureAgent;
+    import starlogo.terrain.Terrain;
 
     use namespace engine;
 
@@ -76,8 +77,8 @@ package starlogo.search
         // The shape of the ground, as large as one cell, or of the edges of the world.
         private static function shapeOfFixture(agent:Agent):ModelShape
         {
-            var ground:TerrainAgent = agent as TerrainAgent;
-            var half:Number = ground == null ? 0 : ground.terrain.cellWidth / 2;
+            var ground:Terrain = FixtureAgent(agent).terrain;
+            var half:Number = ground == null ? 0 : ground.cellWidth / 2;
             var shape:ModelShape = new ModelShape(agent.shape, Agent.ANY_KIND, 0);
             shape.setFixture(ground == null ? ModelShape.EDGES : ModelShape.GROUND,
                     new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half));

@@ -15,11 +15,12 @@ package starlogo.search
      */
     internal final class Motions
     {
-        // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion.
-        internal var x:Vector.<Number> = new Vector.<Number>();
-        internal var y:Vector.<Number> = new Vector.<Number>();
-        internal var z:Vector.<Number> = new Vector.<Number>();
-        internal var isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
+        // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
+        // ground and the edges of the world do not move.
+        internal var x:Vector.<Number> = new <Number>[0, 0, 0, 0, 0];
+        internal var y:Vector.<Number> = new <Number>[0, 0, 0, 0, 0];
+        internal var z:Vector.<Number> = new <Number>[0, 0, 0, 0, 0];
+        internal var isSweeping:Vector.<Boolean> = new <Boolean>[false, false, false, false, false];
         internal var extents:Extents = new Extents();
 
         // How far the first row moved against the normal, in the last pair whose contact was found.
@@ -108,7 +109,7 @@ package starlogo.search
             _pairs.sweptPairs++;
             if (!isStill)
             {
-                _pairs.findTime(table, a, b, motion);
+                _pairs.testsOf(table, a, b).findTime(table, a, b, motion);
             }
             else if (_pairs.areTouching(table, a, b))
             {
@@ -155,7 +156,7 @@ package starlogo.search
                 motion.time = 1;
             }
             var time:Number = motion.time;
-            _pairs.findContact(table, a, b, motion, out);
+            _pairs.testsOf(table, a, b).findContact(table, a, b, motion, out);
             if (table.forms[b] != ModelShape.EDGES)
             {
                 _separation.find(table, a, b, motion, out);
@@ -177,11 +178,6 @@ package starlogo.search
             {
                 x.length = y.length = z.length = isSweeping.length = length;
                 extents.grow(length);
-            }
-            for (var fixture:int = RowList.GROUND; fixture < RowList.BOX; fixture++)
-            {
-                x[fixture] = y[fixture] = z[fixture] = 0;
-                isSweeping[fixture] = false;
             }
         }
 

@@ -9,6 +9,7 @@ package starlogo.search
 
     /**
      * Tests two rows of a table: whether they touch, when they touch, and how. RowPairs has an object of a subclass for each kind of pairs.
+     * The ground or the edges of the world are always the second of two rows.
      *
      * @private
      */
@@ -19,23 +20,39 @@ package starlogo.search
         {
         }
 
-        /** See RowPairs.areTouching. */
+        /** Whether two rows touch. */
         public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             return false;
         }
 
-        /** See RowPairs.findTime. */
+        /**
+         * Finds the time at which two rows first touch, while the first one moves. It is the first moment at which <code>areTouching()</code>
+         * would be true.
+         *
+         * @param motion the motion of the first row relative to the second. It ends where the first row is now. It receives the time, from 0 to
+         *     1, or RelativeMotion.NEVER
+         */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
         }
 
-        /** See RowPairs.findContact. */
+        /**
+         * Finds the contact of two rows.
+         *
+         * @param motion as in findTime, with the time of the first touch
+         * @param out receives the contact. Its normal points from b to a, and b is where it is now
+         */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
         }
 
-        /** See RowPairs.findImpact. */
+        /**
+         * Finds the time and the contact of the first touch of two rows. They must not touch at the beginning of the motion.
+         *
+         * @param motion as in findTime. But a touch that rounding errors hide at its end may be missing
+         * @param out receives the contact, as in findContact; null if only the time is needed
+         */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             findTime(table, a, b, motion);
@@ -45,7 +62,11 @@ package starlogo.search
             }
         }
 
-        /** See RowPairs.findOuterContact. */
+        /**
+         * Finds the contact of the structures around two rows, where they are.
+         *
+         * @param out receives the contact. Its normal points from b to a
+         */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
             RelativeMotion.NONE.time = 0;
@@ -62,7 +83,10 @@ package starlogo.search
         {
         }
 
-        /** See RowPairs.hasExactContact. */
+        /**
+         * Whether the contact of two rows is exact: if the first row moves by its depth, the two just touch. Other contacts belong to parts of
+         * the two rows, and other parts may still overlap.
+         */
         public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
             return false;

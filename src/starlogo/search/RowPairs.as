@@ -6,8 +6,6 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -199,59 +197,6 @@ package starlogo.search
             return table.forms[row] < ModelShape.GROUND && fixtureOf(table, fixture).areTouching(table, row, fixture);
         }
 
-        /**
-         * Finds the time at which two rows first touch, while the first one moves. The ground and the edges do not move. It is the first moment at which <code>areTouching()</code>
-         * would be true.
-         *
-         * @param motion the motion of the first row relative to the second. It ends where the first row is now. It receives the time, from 0 to
-         *     1, or RelativeMotion.NEVER
-         */
-        public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
-        {
-            testsOf(table, a, b).findTime(table, a, b, motion);
-        }
-
-        /**
-         * Finds the contact of two rows.
-         *
-         * @param motion as in findTime, with the time of the first touch
-         * @param out receives the contact. Its normal points from b to a, and b is where it is now
-         */
-        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
-        {
-            testsOf(table, a, b).findContact(table, a, b, motion, out);
-        }
-
-        /**
-         * Finds the time and the contact of the first touch of two rows. They must not touch at the beginning of the motion.
-         *
-         * @param motion as in findTime. But a touch that rounding errors hide at its end may be missing
-         * @param out receives the contact, as in findContact; null if only the time is needed
-         */
-        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
-        {
-            testsOf(table, a, b).findImpact(table, a, b, motion, out);
-        }
-
-        /**
-         * Finds the contact of the structures around two rows, where they are.
-         *
-         * @param out receives the contact. Its normal points from b to a
-         */
-        public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
-        {
-            testsOf(table, a, b).findOuterContact(table, a, b, out);
-        }
-
-        /**
-         * Whether the contact of two rows is exact: if the first row moves by its depth, the two just touch. Other contacts belong to parts of
-         * the two rows, and other parts may still overlap.
-         */
-        public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
-        {
-            return testsOf(table, a, b).hasExactContact(table, a, b);
-        }
-
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
@@ -329,13 +274,13 @@ package starlogo.search
             return (table.forms[a] | table.forms[b]) >= ModelShape.GROUND;
         }
 
-        /** Tests rows together with a fixture: the ground or the edges of the world. The fixture is the second row of each pair. */
-        public function fixtureOf(table:AgentTable, fixture:int):PairTests
+        private function fixtureOf(table:AgentTable, fixture:int):PairTests
         {
             return table.forms[fixture] == ModelShape.GROUND ? _ground : _edges;
         }
 
-        private function testsOf(table:AgentTable, a:int, b:int):PairTests
+        /** The tests for two rows, by their forms. The ground or the edges of the world are the second of the two. */
+        public function testsOf(table:AgentTable, a:int, b:int):PairTests
         {
             var forms:int = table.forms[a] | table.forms[b];
             if (forms >= ModelShape.TREE)

@@ -48,8 +48,9 @@ package starlogo.search
         private var _pairs:RowPairs;
         private var _moved:MovedRow = new MovedRow();
 
-        // The pair under way, the place of its first row when they touch, and the larger extent of the two.
+        // The pair under way, its tests, the place of its first row when they touch, and the larger extent of the two.
         private var _table:AgentTable;
+        private var _tests:PairTests;
         private var _a:int;
         private var _b:int;
         private var _x:Number = 0;
@@ -93,7 +94,8 @@ package starlogo.search
          */
         public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (_pairs.hasExactContact(table, a, b))
+            _tests = _pairs.testsOf(table, a, b);
+            if (_tests.hasExactContact(table, a, b))
             {
                 OverlapMiddle.setAlong(table, a, b, out);
                 return;
@@ -203,7 +205,7 @@ package starlogo.search
         private function findCorner(contact:ContactPoint):Boolean
         {
             RelativeMotion.NONE.time = 0;
-            _pairs.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
+            _tests.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
             _left.setNormal(_left.normalX + contact.normalX, _left.normalY + contact.normalY, _left.normalZ + contact.normalZ);
             _left.normalise();
             return _left.length > NEARLY_OPPOSITE;
@@ -236,7 +238,7 @@ package starlogo.search
             _start.copyFrom(out);
             _distance = 0;
             displace();
-            _pairs.findOuterContact(_table, _a, _b, _left);
+            _tests.findOuterContact(_table, _a, _b, _left);
             point(_left);
             _free = _left.depth;
             goOut();
@@ -306,7 +308,7 @@ package starlogo.search
             displace();
             var way:Number = _touching - _free;
             _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            _pairs.findImpact(_table, _a, _b, _back, _left);
+            _tests.findImpact(_table, _a, _b, _back, _left);
             var time:Number = Math.min(_back.time, 1);
             out.normalX = _alongX;
             out.normalY = _alongY;
@@ -378,7 +380,7 @@ package starlogo.search
         private function touch():Boolean
         {
             displace();
-            return _pairs.areTouching(_table, _a, _b);
+            return _tests.areTouching(_table, _a, _b);
         }
 
         private function displace():void

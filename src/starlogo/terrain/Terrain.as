@@ -2,6 +2,7 @@ package starlogo.terrain
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
 
     use namespace engine;
@@ -24,7 +25,7 @@ package starlogo.terrain
         /** @private The heights. */
         engine var grid:HeightGrid;
 
-        private var _agent:TerrainAgent;
+        private var _agent:FixtureAgent;
 
         /**
          * Flat ground of height 0.
@@ -51,7 +52,9 @@ package starlogo.terrain
             requireCoordinate("the end of a terrain", x + columns * cellWidth);
             requireCoordinate("the end of a terrain", y + rows * cellWidth);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
-            _agent = new TerrainAgent(this);
+            _agent = new FixtureAgent(Breeds.TERRAIN);
+            _agent.terrain = this;
+            _agent.moveTo(x, y, 0);
         }
 
         /**

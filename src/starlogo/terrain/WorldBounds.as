@@ -1,6 +1,10 @@
 package starlogo.terrain
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * The edges of the world: the least and the greatest x, y and z. An agent touches them where its shape, as the collision system sees it, comes
@@ -8,8 +12,7 @@ package starlogo.terrain
      */
     public final class WorldBounds
     {
-        private var _agent:EdgesAgent = new EdgesAgent();
-        private var _edges:Vector.<Number> = _agent.edges;
+        private var _agent:FixtureAgent = new FixtureAgent(Breeds.EDGE);
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.
@@ -24,6 +27,7 @@ package starlogo.terrain
          */
         public function WorldBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number)
         {
+            _agent.giveIdBack();
             setTo(minX, minY, minZ, maxX, maxY, maxZ);
         }
 
@@ -40,51 +44,52 @@ package starlogo.terrain
          */
         public function setTo(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number):void
         {
-            requireOrder("x", minX, maxX);
-            requireOrder("y", minY, maxY);
-            requireOrder("z", minZ, maxZ);
-            _edges[0] = minX;
-            _edges[1] = maxX;
-            _edges[2] = minY;
-            _edges[3] = maxY;
-            _edges[4] = minZ;
-            _edges[5] = maxZ;
+            var edges:Vector.<Number> = new <Number>[minX, maxX, minY, maxY, minZ, maxZ];
+            for (var i:int = 0; i < 6; i += 2)
+            {
+                if (!(edges[i] <= edges[i + 1]))
+                {
+                    throw new RangeError("the least " + "xyz".charAt(i / 2) + " of the world must not be greater than the greatest: " + edges[i] + ", "
+                            + edges[i + 1]);
+                }
+            }
+            _agent.edges = edges;
         }
 
         /** The least x. */
         public function get minX():Number
         {
-            return _edges[0];
+            return _agent.edges[0];
         }
 
         /** The greatest x. */
         public function get maxX():Number
         {
-            return _edges[1];
+            return _agent.edges[1];
         }
 
         /** The least y. */
         public function get minY():Number
         {
-            return _edges[2];
+            return _agent.edges[2];
         }
 
         /** The greatest y. */
         public function get maxY():Number
         {
-            return _edges[3];
+            return _agent.edges[3];
         }
 
         /** The least z. */
         public function get minZ():Number
         {
-            return _edges[4];
+            return _agent.edges[4];
         }
 
         /** The greatest z. */
         public function get maxZ():Number
         {
-            return _edges[5];
+            return _agent.edges[5];
         }
 
         /**
@@ -94,14 +99,6 @@ package starlogo.terrain
         public function get agent():Agent
         {
             return _agent;
-        }
-
-        private static function requireOrder(axis:String, least:Number, greatest:Number):void
-        {
-            if (!(least <= greatest))
-            {
-                throw new RangeError("the least " + axis + " of the world must not be greater than the greatest: " + least + ", " + greatest);
-            }
         }
     }
 }

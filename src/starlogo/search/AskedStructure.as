@@ -1,17 +1,15 @@
-package starlogo.queries
+package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.search.AgentTable;
-    import starlogo.search.ModelShape;
 
     use namespace engine;
 
     /**
-     * A sphere, box or capsule in the world that a question is about. It is a guest of a table, so rows touch it as they touch an agent's
-     * structure, and in exact mode their triangles decide.
+     * A sphere, box or capsule in the world that a question is about. It has a row of a table for a while, so other rows touch it as they
+     * touch an agent's structure, and in exact mode their triangles decide.
      *
      * @private
      */
@@ -34,12 +32,14 @@ package starlogo.queries
         }
 
         /**
-         * Makes a structure the first guest of a table, and returns its row. Call <code>table.endGuests()</code> afterwards.
+         * Puts a structure into a row of a table.
          *
+         * @param row 0 for the first guest, or RowList.BOX
+         * @return the row
          * @throws ArgumentError if it is null, or not a sphere, box or capsule
          * @throws RangeError if it is not finite
          */
-        public function readInto(table:AgentTable, structure:BoundingStructure):int
+        public function readInto(table:AgentTable, structure:BoundingStructure, row:int = 0):int
         {
             require(structure);
             _placement.x = _placement.y = _placement.z = 0;
@@ -56,8 +56,8 @@ package starlogo.queries
             _placement.z = -_extents[2];
             var shape:ModelShape = _shapes[structure.kind] ||= newShape();
             shape.setStructure(structure.place(_placement, shape.structure));
-            table.readShape(0, _agent, shape, _extents);
-            return 0;
+            table.readShape(row, _agent, shape, _extents);
+            return row;
         }
 
         /** Throws an ArgumentError if a structure is null, or not a sphere, box or capsule. */

@@ -115,7 +115,7 @@ package starlogo.queries
             var stands:Boolean = findGround(_close);
             if (_mover.isDeep)
             {
-                goDown(-_options.stepHeight);
+                goDown(-_options.stepHeight, Mover.SHORT);
                 stands = findGround(_options.stepHeight);
                 if (stands)
                 {
@@ -132,7 +132,7 @@ package starlogo.queries
             _mover.go(_way, Mover.SLIDE, _cosine);
         }
 
-        private function goDown(depth:Number, ending:int = Mover.SHORT):void
+        private function goDown(depth:Number, ending:int):void
         {
             _way.setTo(0, 0, -depth);
             _mover.go(_way, ending);
@@ -142,7 +142,7 @@ package starlogo.queries
         private function climb():Boolean
         {
             _mover.at.copyFrom(_start);
-            goDown(-_options.stepHeight);
+            goDown(-_options.stepHeight, Mover.SHORT);
             var height:Number = _mover.at.z - _start.z;
             if (height <= _close)
             {
@@ -157,7 +157,7 @@ package starlogo.queries
         private function findGround(depth:Number):Boolean
         {
             _above.copyFrom(_mover.at);
-            goDown(depth);
+            goDown(depth, Mover.SHORT);
             if (_mover.hasContact && isLevel(_mover.contact))
             {
                 return true;
@@ -180,7 +180,7 @@ package starlogo.queries
                     _mover.at.copyFrom(_above);
                     return false;
                 }
-                goDown(Math.min(left, piece));
+                goDown(Math.min(left, piece), Mover.SHORT);
                 left -= _mover.part * Math.min(left, piece);
             }
             if (!_mover.hasContact || isLevel(_mover.contact))

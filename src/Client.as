@@ -2,6 +2,7 @@ package
 {
     import client.Cast;
     import client.Game;
+    import client.Hills;
     import client.Land;
     import client.Parade;
     import client.Show;
@@ -20,7 +21,7 @@ package
     /**
      * A small client: a game on Away3D that uses only the engine's public names.
      *
-     * <p>Parameters: <code>scene</code> is "game" or "models". <code>keys</code> are key codes, separated by commas, that are held down
+     * <p>Parameters: <code>scene</code> is "game", "models" or "hills". <code>keys</code> are key codes, separated by commas, that are held down
      * from the start. With <code>frames</code> it ends after that many frames and traces their times.</p>
      */
     public class Client extends Sprite
@@ -83,7 +84,7 @@ package
 
         private function start():void
         {
-            _show = loaderInfo.parameters["scene"] == "models" ? new Parade(_land, _cast) : new Game(_land, _cast);
+            _show = newShow(loaderInfo.parameters["scene"]);
             _monitor = new CollisionMonitor(_show.collision);
             addChild(_monitor);
             layOut();
@@ -94,6 +95,15 @@ package
             {
                 _show.press(uint(key));
             }
+        }
+
+        private function newShow(scene:String):Show
+        {
+            if (scene == "models")
+            {
+                return new Parade(_land, _cast);
+            }
+            return scene == "hills" ? new Hills(_land, _cast) : new Game(_land, _cast);
         }
 
         private function onKeyDown(event:KeyboardEvent):void

@@ -8,6 +8,7 @@ package client
     import starlogo.away3d.Away3dWireframe;
     import starlogo.bounding.BoundingStructure;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.terrain.Terrain;
 
     /** An agent with its Away3D object. */
     public final class Character
@@ -29,6 +30,7 @@ package client
         public var climb:Number = 0;
 
         private var _land:Land;
+        private var _terrain:Terrain;
         private var _object:Mesh;
         private var _shadow:Mesh;
         private var _binding:Away3dAgentBinding;
@@ -38,11 +40,13 @@ package client
          * @param land shows it
          * @param cast has its shape
          * @param agent the agent
+         * @param terrain the ground that its shadow falls on; null for flat ground
          */
-        public function Character(land:Land, cast:Cast, agent:Agent)
+        public function Character(land:Land, cast:Cast, agent:Agent, terrain:Terrain = null)
         {
             this.agent = agent;
             _land = land;
+            _terrain = terrain;
             _object = cast.draw(agent.shape);
             _binding = new Away3dAgentBinding(agent, _object, cast.model(agent.shape));
             _shadow = land.newShadow();
@@ -67,7 +71,8 @@ package client
         public function update():void
         {
             _binding.updateObject();
-            _shadow.moveTo(agent.x, SHADOW_HEIGHT, agent.y);
+            var ground:Number = _terrain == null ? 0 : _terrain.heightAt(agent.x, agent.y);
+            _shadow.moveTo(agent.x, ground + SHADOW_HEIGHT, agent.y);
             if (_wireframe != null)
             {
                 _wireframe.update();

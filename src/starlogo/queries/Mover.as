@@ -34,8 +34,10 @@ package starlogo.queries
         // If an overlap is deeper than this fraction of the larger extent, the contact's plane stands for the other row.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
-        // The number of places that are tried in order to find one at which the two touch.
+        // The number of places that are tried in order to find one at which the two touch: first, and after the last hair was swept again. That
+        // sweep may end some 30 gaps before a triangle of the ground.
         private static const STEPS_INTO_TOUCH:int = 6;
+        private static const LAST_STEPS_INTO_TOUCH:int = 64;
 
         // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. If a contact at an
         // edge does not show what stops the motion, the contact this distance farther along the way is used.
@@ -249,7 +251,7 @@ package starlogo.queries
         // finds no touch, the row ends just before it.
         private function endTouching():void
         {
-            if (!stepIntoTouch())
+            if (!stepIntoTouch(STEPS_INTO_TOUCH))
             {
                 _lift.setTo(-_sweep.hair * contact.normalX, -_sweep.hair * contact.normalY, -_sweep.hair * contact.normalZ);
                 contact.push(at, _sweep.hair / 2);
@@ -257,7 +259,7 @@ package starlogo.queries
                 _sweep.aim(at, _lift);
                 _sweep.findWhole(contactRow);
                 contact.push(at, -_sweep.wholeTime * _sweep.hair);
-                if (_sweep.wholeTime > 1 || !stepIntoTouch())
+                if (_sweep.wholeTime > 1 || !stepIntoTouch(LAST_STEPS_INTO_TOUCH))
                 {
                     at.copyFrom(_before);
                 }
@@ -266,11 +268,11 @@ package starlogo.queries
 
         // Tries several places, from half a gap before the contact on. The gap is the distance across which the two still touch. Returns whether
         // they touch at one of the places.
-        private function stepIntoTouch():Boolean
+        private function stepIntoTouch(steps:int):Boolean
         {
             var gap:Number = _sweep.gapAt(at);
             contact.push(at, gap);
-            for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
+            for (var i:int = 1; i < steps; i++)
             {
                 if (_sweep.touchesAt(contactRow, at))
                 {

@@ -222,8 +222,10 @@ package starlogo.terrain
                 out.y += corners[1];
                 out.z += corners[2];
             }
+            // where a moving piece first touches a sharp edge, the normal may point behind one of the edge's faces
+            var isFirstTouch:Boolean = time > 0 && out.normalX * _motion.x + out.normalY * _motion.y + out.normalZ * _motion.z < 0;
             GroundFaces.findOutside(corners, _outside);
-            if (out.normalX * _outside.normalX + out.normalY * _outside.normalY + out.normalZ * _outside.normalZ < 0)
+            if (!isFirstTouch && out.normalX * _outside.normalX + out.normalY * _outside.normalY + out.normalZ * _outside.normalZ < 0)
             {
                 out.setNormal(_outside.normalX, _outside.normalY, _outside.normalZ);
             }

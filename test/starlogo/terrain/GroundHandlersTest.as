@@ -177,6 +177,40 @@ package starlogo.terrain
         }
 
         [Test]
+        public function aSphereThatMeetsASharpEdgeHasTheNormalOfTheEdge():void
+        {
+            // the border's wall is behind the edge, as seen from the sphere
+            _terrain = new Terrain(2, 2);
+            _collision = new Collision(new BinCollider());
+            _collision.terrain = _terrain;
+            var normal:Vector3D;
+            _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                    normal = contact.normal.clone();
+                });
+            var sphere:Agent = cubeAt(0, 0, 0);
+            sphere.sweeps = true;
+            var agents:Vector.<Agent> = new <Agent>[sphere];
+            for (var i:int = 0; i < 80; i++)
+            {
+                var isAlongX:Boolean = i % 4 < 2;
+                var isFirst:Boolean = i % 2 == 0;
+                var at:Number = 0.1 + i / 100;
+                var from:Number = isFirst ? 0.3 : 0.7;
+                var low:Number = -2 - i / 40;
+                _terrain.setHeights(0, 0, 2, 2, isFirst ? new <Number>[1, isAlongX ? low : 1, isAlongX ? 1 : low, low]
+                        : new <Number>[low, isAlongX ? 1 : low, isAlongX ? low : 1, 1]);
+                sphere.jumpTo(isAlongX ? from : at, isAlongX ? at : from, 3);
+                _collision.update(agents);
+                sphere.z = -1;
+                _collision.update(agents);
+                var across:Number = isFirst ? 0.6 : -0.6;
+                var expected:Vector3D = new Vector3D(isAlongX ? across : 0, isAlongX ? 0 : across, 0.8);
+                assertTrue(i + ": " + normal, Vector3D.distance(expected, normal) < 1e-9);
+            }
+        }
+
+        [Test]
         public function pairsOfAFrameThatSweepsAreInTheOrderOfTheirTimes():void
         {
             var late:Agent = cubeAt(-2, 0, 4);

@@ -3,6 +3,7 @@ import {
 	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, InstancedMesh, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, Points, PointsMaterial, RepeatWrapping,
 	RingGeometry, SphereGeometry, BackSide, BufferAttribute, BufferGeometry, SRGBColorSpace,
 } from "three";
+import { TerrainSurface } from "starlogo-collision";
 
 const FAR = 360;
 
@@ -43,7 +44,9 @@ export class Land {
 		const surroundings = new RingGeometry(half * Math.SQRT2, FAR * Math.SQRT2, 4, 1, Math.PI / 4);
 		const squares = Math.round(this.width / this.cell);
 		this.field = this.#ground(new PlaneGeometry(this.width, this.width, squares, squares), field, -0.006, 1);
-		this.group.add(dome, this.#ground(surroundings, around, -0.03, 2), this.field, frame);
+		this.walls = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ color: field[1], vertexColors: true }));
+		this.walls.visible = false;
+		this.group.add(dome, this.#ground(surroundings, around, -0.03, 2), this.field, this.walls, frame);
 		this.scene.add(this.group);
 		this.terrain = null;
 	}
@@ -63,8 +66,26 @@ export class Land {
 			position.setZ(i, height);
 		}
 		this.terrain = terrain;
-		if (isChanged) shade(geometry);
+		if (isChanged) {
+			shade(geometry);
+			this.#closeBorder();
+		}
 		return isChanged;
+	}
+
+	/** Draws upright walls where the terrain ends. */
+	#closeBorder() {
+		this.walls.geometry.dispose();
+		this.walls.geometry = new BufferGeometry();
+		this.walls.visible = Boolean(this.terrain);
+		if (!this.terrain) return;
+		const surface = new TerrainSurface(this.terrain);
+		surface.update();
+		const { vertices, normals, triangles } = surface;
+		const ofVertices = (numbers) => new BufferAttribute(Float32Array.from(numbers), 3);
+		this.walls.geometry.setAttribute("position", ofVertices(vertices)).setAttribute("normal", ofVertices(normals));
+		this.walls.geometry.setIndex(triangles.filter((vertex) => normals[3 * vertex + 2] === 0));
+		light(this.walls.geometry);
 	}
 
 	#ground(geometry, colours, height, renderOrder) {
@@ -153,13 +174,18 @@ export class Land {
 /** Darkens slopes that do not face the light. What is flat keeps its colour. */
 function shade(geometry) {
 	geometry.computeVertexNormals();
+	light(geometry);
+	geometry.getAttribute("position").needsUpdate = true;
+}
+
+/** Gives a geometry with normals the brightness of its vertices. */
+function light(geometry) {
 	const normal = geometry.getAttribute("normal");
-	const light = Float32Array.from({ length: 3 * normal.count }, (_, i) => {
+	const brightness = Float32Array.from({ length: 3 * normal.count }, (_, i) => {
 		const at = Math.floor(i / 3);
 		return Math.min(1.15, Math.max(0.4, normal.getZ(at) - 0.35 * normal.getX(at) - 0.2 * normal.getY(at)));
 	});
-	geometry.setAttribute("color", new BufferAttribute(light, 3));
-	geometry.getAttribute("position").needsUpdate = true;
+	geometry.setAttribute("color", new BufferAttribute(brightness, 3));
 }
 
 /** Stars all over the sky, placed by the golden angle. */

@@ -31,6 +31,7 @@ package soak
         private var _collision:Collision;
         private var _other:Collision;
         private var _touches:Vector.<SoakTouches>;
+        private var _ground:SoakGround;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
         private var _handlers:Vector.<SoakHandler> = new Vector.<SoakHandler>();
         private var _frame:int = 0;
@@ -57,6 +58,7 @@ package soak
             _witness = new SoakWitness(_collision, _models);
             _touches = new <SoakTouches>[new SoakTouches(_collision, _counts, _witness, "bears", "balls"),
                     new SoakTouches(_collision, _counts, _witness, "walls", "walls")];
+            _ground = new SoakGround(_collision, _random, _counts, _witness);
             while (_agents.length < FEWEST)
             {
                 addAgent();
@@ -180,6 +182,7 @@ package soak
                 return;
             }
             changeHandlers();
+            _ground.change();
             if (_random.chance(0.03))
             {
                 exchangeSystem();
@@ -475,7 +478,7 @@ package soak
             {
                 names.push(pairsOf(system));
             }
-            return names;
+            return names.concat(SoakGround.COUNTED);
         }
 
         private static function pairsOf(system:String):String

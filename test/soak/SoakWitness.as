@@ -11,7 +11,9 @@ package soak
     import starlogo.collision.SnapshotAgents;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import starlogo.queries.Footing;
     import starlogo.queries.RayHit;
+    import starlogo.queries.WalkOptions;
     import support.RunningHash;
 
     /**
@@ -23,6 +25,9 @@ package soak
         // in each of the first some of which all pairs have a handler
         private static const PERIOD:int = 40;
         private static const ALL_PAIRS:int = 8;
+
+        // a walk takes as long as many other questions
+        private static const WALK_EVERY:int = 5;
 
         private var _collision:Collision;
         private var _models:SoakModels;
@@ -37,6 +42,8 @@ package soak
         private var _pointA:Vector3D = new Vector3D();
         private var _pointB:Vector3D = new Vector3D();
         private var _contact:Contact = new Contact();
+        private var _options:WalkOptions = new WalkOptions();
+        private var _footing:Footing = new Footing();
 
         /**
          * @param collision is asked
@@ -133,10 +140,39 @@ package soak
             _hash.addNumber(_queries.moveUntilTouch(agent, direction.x, direction.y, direction.z, filter, _contact));
             seeTouch(_contact);
             _hash.addNumber(_queries.slide(agent, direction.y, -direction.x, 0.1, filter));
+            seePlace(agent);
+            agent.moveTo(x, y, z);
+            if (_frame % WALK_EVERY == 0)
+            {
+                askOfTheGround(agent, direction);
+                agent.moveTo(x, y, z);
+            }
+        }
+
+        private function askOfTheGround(agent:Agent, direction:Vector3D):void
+        {
+            seeFooting(_queries.walk(agent, direction.x, direction.y, _options, _footing));
+            seePlace(agent);
+            _hash.addNumber(_queries.distance(agent, _collision.terrain.agent, _pointA, _pointB));
+            seeVector(_pointA);
+            seeVector(_pointB);
+            _hash.addShort(_queries.touchesEdge(agent, _collision.bounds) ? 1 : 0);
+            _hash.addNumber(_collision.terrain.heightAt(agent.x, agent.y));
+        }
+
+        private function seePlace(agent:Agent):void
+        {
             _hash.addNumber(agent.x);
             _hash.addNumber(agent.y);
             _hash.addNumber(agent.z);
-            agent.moveTo(x, y, z);
+        }
+
+        private function seeFooting(footing:Footing):void
+        {
+            _hash.addShort(footing.stands ? 1 : 0);
+            seeAgent(footing.on);
+            seeVector(footing.normal);
+            _hash.addNumber(footing.part);
         }
 
         private function seeSnapshot():void
@@ -174,7 +210,8 @@ package soak
 
         private function seeAgent(agent:Agent):void
         {
-            _hash.addShort(agent == null ? 0 : agent.id - _firstId);
+            // the edges' agent has the id 0, whenever it was made
+            _hash.addShort(agent == null ? 0 : agent.breed == Collision.EDGE ? -1 : agent.id - _firstId);
         }
 
         private function seeHit(hit:RayHit):void

@@ -161,7 +161,7 @@ package starlogo.search
          * Reads an agent as it is now into the row of a guest. The agent's own row, if it has one, does not change. Call
          * <code>endGuests()</code> afterwards.
          *
-         * @param guest the row, 0 or 1. Its shape is null while the agent's model is loading
+         * @param guest the row: 0 or 1, or RowList.BOX. Its shape is null while the agent's model is loading
          * @param shape the shape; null for the shape of the agent's model
          * @throws ArgumentError as readRow does
          */
@@ -196,22 +196,6 @@ package starlogo.search
             {
                 readRow(row);
             }
-        }
-
-        /**
-         * Puts a shape at a place into the row of a guest or of a box. The place may be farther away than an agent can be.
-         *
-         * @param row 0 or 1 for a guest, or the row of a box
-         * @param agent stands for the shape, and is in no list
-         * @param at begins with x, y, z
-         */
-        public function readShape(row:int, agent:Agent, shape:ModelShape, at:Vector.<Number>):void
-        {
-            agent.placement.x = at[0];
-            agent.placement.y = at[1];
-            agent.placement.z = at[2];
-            agent.revision++;
-            readGuest(row, agent, shape);
         }
 
         /** Lets go of the guests. */

@@ -56,7 +56,12 @@ package starlogo.search
             _placement.z = -_extents[2];
             var shape:ModelShape = _shapes[structure.kind] ||= newShape();
             shape.setStructure(structure.place(_placement, shape.structure));
-            table.readShape(row, _agent, shape, _extents);
+            // the place may be farther away than an agent can be
+            _agent.placement.x = _extents[0];
+            _agent.placement.y = _extents[1];
+            _agent.placement.z = _extents[2];
+            _agent.revision++;
+            table.readGuest(row, _agent, shape);
             return row;
         }
 

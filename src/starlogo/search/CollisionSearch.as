@@ -278,7 +278,7 @@ package starlogo.search
                 var otherRow:int = _bins.rowAt[other];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = member < _bins.memberAt[other];
-                var time:Number = isFirst ? impactTime(row, otherRow) : impactTime(otherRow, row);
+                var time:Number = isFirst ? impactTime(row, otherRow, _bins) : impactTime(otherRow, row, _bins);
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
@@ -289,14 +289,15 @@ package starlogo.search
             return kept;
         }
 
-        private function impactTime(a:int, b:int):Number
+        // The bins know how far apart the extents of touching rows may be. They are null if the second row is a fixture.
+        private function impactTime(a:int, b:int, bins:Bins):Number
         {
-            if (_motions.isSweeping[a] || _motions.isSweeping[b])
+            if (_isSwept && (_motions.isSweeping[a] || _motions.isSweeping[b]))
             {
-                _motions.findTime(table, _bins, a, b);
+                _motions.findTime(table, bins, a, b);
                 return _motions.foundTime;
             }
-            var areTouching:Boolean = RowPairs.areNear(table.extents, _bins, a, b) && _pairs.areTouching(table, a, b);
+            var areTouching:Boolean = (bins == null || RowPairs.areNear(table.extents, bins, a, b)) && _pairs.areTouching(table, a, b);
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
@@ -321,7 +322,7 @@ package starlogo.search
                 {
                     continue;
                 }
-                var time:Number = impactWithFixture(row, fixture);
+                var time:Number = impactTime(row, fixture, null);
                 if (time == RelativeMotion.NEVER)
                 {
                     continue;
@@ -334,16 +335,6 @@ package starlogo.search
                 _out.indices[2 * _out.count + 1] = index;
                 _out.count++;
             }
-        }
-
-        private function impactWithFixture(row:int, fixture:int):Number
-        {
-            if (!_isSwept || !_motions.isSweeping[row])
-            {
-                return _pairs.areTouching(table, row, fixture) ? 1 : RelativeMotion.NEVER;
-            }
-            _motions.findTime(table, null, row, fixture);
-            return _motions.foundTime;
         }
 
         // Replaces the numbers of members by the indices of their agents in the list.

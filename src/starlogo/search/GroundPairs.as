@@ -33,16 +33,18 @@ package starlogo.search
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var grid:HeightGrid = FixtureAgent(table.agents[b]).terrain.grid;
-            if (table.sizes[b] == 1 && isSure(table, a, grid))
+            var form:int = table.forms[a];
+            var gap:Number = Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a]));
+            grid.look.gap = 4 * gap;
+            if (table.sizes[b] == 1 && grid.look.decide(grid, table.extents, a, form == BoundingStructure.SPHERE, form != ModelShape.TREE))
             {
                 return grid.look.isTouching;
             }
-            if (table.forms[a] <= BoundingStructure.BOX)
+            if (form <= BoundingStructure.BOX)
             {
-                var pair:TerrainPair = grid.pair;
-                pair.inset = (1 - table.sizes[b]) * grid.cellWidth / 2;
-                pair.gap = Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a]));
-                return pair.isOverlapping(grid, table.structureOf(a), table.extents, a);
+                grid.pair.inset = (1 - table.sizes[b]) * grid.cellWidth / 2;
+                grid.pair.gap = gap;
+                return grid.pair.isOverlapping(grid, table.structureOf(a), table.extents, a);
             }
             return pairOf(table, a, b).areOverlapping();
         }
@@ -75,13 +77,6 @@ package starlogo.search
         override public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
         {
             pairOf(table, a, b).findClosest(areTouching, out);
-        }
-
-        private static function isSure(table:AgentTable, row:int, grid:HeightGrid):Boolean
-        {
-            var form:int = table.forms[row];
-            grid.look.gap = 4 * Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
-            return grid.look.decide(grid, table.extents, row, form == BoundingStructure.SPHERE, form != ModelShape.TREE);
         }
 
         // The test of the ground, set to a row. If the ground is made narrower, its size in the table is smaller.

@@ -318,6 +318,28 @@ test('a mound lifts who stands on the ground; set back by frames, the ground is 
 	assert.equal(world.terrain, null, 'a program without hills has none');
 });
 
+test('a script begins when an agent comes to the ground, and another one when it leaves it', () => {
+	const say = (TEXT) => ({ type: 'starlogo_say', inputs: { TEXT: value('text', { TEXT }) } });
+	const up = (steps) => ({ type: 'starlogo_up', inputs: { STEPS: number(steps) } });
+	const event = (type, ...blocks) => ({ type, fields: { BREED: 'bears', OTHER: '*terrain' }, inputs: inside(...blocks) });
+	const falling = program(
+		start(create(1, 'bears', 'bear', go(0, 0, 0.25)), create(1, 'walls', 'wall', go(5, 5, 0))),
+		{ type: 'starlogo_each', fields: { BREED: 'bears' }, inputs: inside(up(-0.1)) },
+		event('starlogo_touch_start', say('ground')), event('starlogo_collision', up(0.3)), event('starlogo_touch_end', say('air')),
+	);
+	const world = played(falling, 2);
+	const [bear] = world.agents;
+	const said = [];
+	for (let i = 0; i < 3; i++) {
+		world.step();
+		said.push(bear.said.text);
+	}
+	assert.deepEqual(said, ['ground', 'air', 'air']);
+	assert.ok(Math.abs(bear.z - 0.05) < 1e-9, String(bear.z));
+	assert.match(parts.javascriptOf(falling, 'falling', made), /whenColliding\("bears", Collision\.TERRAIN, function\* \(me\) \{/);
+	assert.match(parts.javascriptOf(falling, 'falling', made), /new Terrain\(25, 25, 1, -12, -12\)/);
+});
+
 test('a program has a terrain as JavaScript if a block is about it, and only then', () => {
 	const written = (condition) => parts.javascriptOf(program(each('bears', { type: 'controls_if', inputs: { IF0: condition, DO0: { block: { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'anyone' }, inputs: { STEPS: number(1) } } } } })), 'my terrain', made);
 	assert.match(written(value('starlogo_on_ground')), /new Terrain\(25, 25, 1, -12, -12\)/);
@@ -732,6 +754,7 @@ const everything = () => {
 			create(1, 'climbers', 'bear', go(-3, -3, 0), { type: 'starlogo_flat' }, { type: 'starlogo_mound', inputs: { HEIGHT: number(2), WIDTH: number(6) } }, { type: 'starlogo_wall', inputs: { HEIGHT: number(0.5) } }, grow(value('starlogo_ground_height'))),
 			{ type: 'starlogo_goal', fields: { TEXT: 'A "goal"' } }, { type: 'starlogo_ground', fields: { GROUND: 'sea' } }, set('a', number(3)), set('b', op('POWER', number(-2), number(2))),
 		),
+		{ type: 'starlogo_touch_start', fields: { BREED: 'climbers', OTHER: '*terrain' }, inputs: inside(paint('me', any)) },
 		each('climbers', forward(0.02), { type: 'controls_if', inputs: { IF0: value('starlogo_on_ground'), DO0: { block: paint('me', any) } } }, { type: 'starlogo_stand' }),
 		each('balls', forward(0.1), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: op('MINUS', get('a'), number(-1)) } }, {
 			type: 'controls_if', extraState: { elseIfCount: 1, hasElse: true }, inputs: {

@@ -225,7 +225,8 @@ export const texts = {
 		figures: "Zahlen",
 		panel: { fps: "Bilder je Sekunde", ms: "ms Kollisionserkennung", agents: "Agenten", pairs: "nahe Paare", tests: "Tests", collisions: "berühren sich", meetings: "Treffen bisher" },
 		inspector: "Der angeklickte Agent",
-		inspected: { shape: (shape) => `Form: ${shape}`, as: (system) => `gesehen von: ${system}`, touching: (names) => `berührt ${names}`, alone: "berührt niemanden", close: "Schließen" },
+		inspected: { shape: (shape) => `Form: ${shape}`, as: (system) => `gesehen von: ${system}`, touching: (names) => `berührt ${names}`, alone: "berührt niemanden", close: "Schließen",
+			ground: { hit: "berührt den Boden", wrong: "berührt den Boden, fälschlich: das Modell berührt ihn nicht", missed: "verfehlt den Boden: das Modell berührt ihn", none: (distance) => `${distance} vom Boden entfernt` } },
 		score: (score) => `Punkte: ${score}`,
 		won: "Du hast gewonnen!", lost: "Das Spiel ist aus.",
 		took: (seconds) => `Es hat ${seconds} Sekunden gedauert.`,
@@ -263,7 +264,7 @@ export const texts = {
 	},
 	colours: { red: "Rot", orange: "Orange", yellow: "Gelb", green: "Grün", blue: "Blau", purple: "Lila", brown: "Braun", grey: "Grau", white: "Weiß", own: "die eigenen Farben" },
 	blocks: {
-		anyBreed: "beliebige",
+		anyBreed: "beliebige", theGround: "der Boden",
 		newBreed: "neue Art …", askBreed: "Wie heißt die neue Art?",
 		me: "mich", collidee: "Getroffenen",
 		hello: "Hallo!", someGoal: "Triff sie alle", someEnd: "Gut gemacht!",

@@ -230,7 +230,8 @@ export const texts = {
 		figures: "Numbers",
 		panel: { fps: "frames a second", ms: "ms of collision detection", agents: "agents", pairs: "pairs near", tests: "tests", collisions: "touching", meetings: "meetings so far" },
 		inspector: "The agent that was clicked",
-		inspected: { shape: (shape) => `a ${lower(shape)}`, as: (system) => `seen by ${lower(system)}`, touching: (names) => `touches ${names}`, alone: "touches nobody", close: "Close" },
+		inspected: { shape: (shape) => `a ${lower(shape)}`, as: (system) => `seen by ${lower(system)}`, touching: (names) => `touches ${names}`, alone: "touches nobody", close: "Close",
+			ground: { hit: "touches the ground", wrong: "touches the ground, falsely: the model does not touch it", missed: "misses the ground: the model touches it", none: (distance) => `${distance} from the ground` } },
 		score: (score) => `Score ${score}`,
 		won: "You have won!", lost: "The game is over.",
 		took: (seconds) => `It took ${seconds} seconds.`,
@@ -268,7 +269,7 @@ export const texts = {
 	},
 	colours: { red: "red", orange: "orange", yellow: "yellow", green: "green", blue: "blue", purple: "purple", brown: "brown", grey: "grey", white: "white", own: "its own colours" },
 	blocks: {
-		anyBreed: "anyone",
+		anyBreed: "anyone", theGround: "the ground",
 		newBreed: "new breed…", askBreed: "What is the new breed called?",
 		me: "me", collidee: "collidee",
 		hello: "Hello!", someGoal: "Hit them all", someEnd: "Well done!",

@@ -1,4 +1,5 @@
 /** The playground's blocks and its toolbox, for Blockly. */
+import { Collision } from "starlogo-collision";
 import { texts } from "../shared/language.js";
 import { SHAPES } from "../shared/names.js";
 
@@ -23,7 +24,8 @@ const breedOptions = () => breeds.map((name) => [nameOf(texts.breeds, name), nam
 const newBreed = [words.newBreed, NEW_BREED];
 export const MENUS = {
 	BREED: () => [...breedOptions(), newBreed],
-	OTHER: () => [...breedOptions(), [words.anyBreed, "anyone"], newBreed],
+	ANYONE: () => [...breedOptions(), [words.anyBreed, "anyone"], newBreed],
+	OTHER: () => [...breedOptions(), [words.anyBreed, "anyone"], [words.theGround, Collision.TERRAIN], newBreed],
 	WHO: () => [[words.me, "me"], [words.collidee, "collidee"], ...breedOptions().map(([text, value]) => [words.allOf(text), value])],
 	SHAPE: () => shapes.map((name) => [texts.inSentence(nameOf(texts.shapes, name)), name]),
 };
@@ -36,7 +38,8 @@ export const MENUS = {
  */
 export function meet(field, value) {
 	const list = field === "SHAPE" ? shapes : breeds;
-	if (field in MENUS && typeof value === "string" && value !== NEW_BREED && !MENUS[field]().some(([, each]) => each === value)) list.push(value);
+	const isThere = (kind) => MENUS[kind]().some(([, each]) => each === value);
+	if (field in MENUS && typeof value === "string" && value !== NEW_BREED && !isThere(field) && !isThere("OTHER")) list.push(value);
 }
 
 /** A menu whose options may grow. `menu` gives its options when it opens. */
@@ -49,7 +52,7 @@ const ON = dropdown("ON", options(words.onOff));
 const AS = dropdown("AS", options(words.structures));
 const KEY = dropdown("KEY", options(words.keys));
 const breed = (name, kind = name) => menu(name, kind);
-const anyone = menu("BREED", "OTHER");
+const anyone = menu("BREED", "ANYONE");
 const text = (value) => ({ type: "field_input", name: "TEXT", text: value });
 const AGENT = { type: "input_value", name: "AGENT", check: "Agent" };
 const COLOUR = { type: "input_value", name: "COLOUR", check: ["Colour", "Number"] };

@@ -32,7 +32,7 @@ Blockly.dialog.setPrompt(async (message, value, callback) => {
 Blockly.common.defineBlocksWithJsonArray(DEFINITIONS.map((definition) => ({
 	...definition,
 	args0: definition.args0.map((part) => (part.menu ? { ...part, ...(part.menu === "SHAPE" ? { type: "field_shape", options: picturedShapes } : { options: MENUS[part.menu] }) } : part)),
-	...(definition.args0.some(({ menu }) => menu === "BREED" || menu === "OTHER") && { extensions: ["new_breed"] }),
+	...(definition.args0.some(({ menu }) => ["BREED", "OTHER", "ANYONE"].includes(menu)) && { extensions: ["new_breed"] }),
 })));
 Blockly.Extensions.register("new_breed", function askForBreeds() {
 	for (const name of ["BREED", "OTHER"]) {

@@ -2,7 +2,7 @@
  * Writes a program of blocks as a JavaScript module for the npm package. It plays the same game: in every frame the same agents are at the
  * same places.
  */
-import { CollisionBlocks } from "starlogo-collision";
+import { Collision, CollisionBlocks } from "starlogo-collision";
 import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
 import { COLOURS } from "./colours.js";
 import { BEING, ENGINE, HELPERS, hex } from "./javascriptparts.js";
@@ -15,7 +15,8 @@ const NAME = /^[a-z_$][\w$]*$/i;
 /** The classes that a module may import from the package. */
 const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "ModelLoader", "Terrain", "TraitBlocks"];
 
-const breedOf = (field) => (field === "anyone" ? "Collision.ANY_BREED" : text(field));
+const RESERVED = { anyone: "Collision.ANY_BREED", [Collision.TERRAIN]: "Collision.TERRAIN" };
+const breedOf = (field) => RESERVED[field] ?? text(field);
 const systemOf = (program) => (CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
 
 /** The content of an input: the block put there, or else the shadow. */
@@ -247,7 +248,7 @@ export function javascriptOf(program, title, models) {
 	const writer = new Writer(program);
 	const scripts = (program.blocks?.blocks ?? []).filter(({ type }) => type in EVENTS).map((block) => {
 		const isAlone = block.type === "starlogo_start";
-		const isPair = block.type in { starlogo_collision: 1, starlogo_touch_start: 1, starlogo_touch_end: 1 };
+		const isPair = block.type in { starlogo_collision: 1, starlogo_touch_start: 1, starlogo_touch_end: 1 } && block.fields.OTHER !== Collision.TERRAIN;
 		const place = new Place(isAlone ? "null" : "me", isPair ? "collidee" : "null");
 		const seconds = block.inputs?.SECONDS ? writer.value(block, "SECONDS", new Place("null", "null")) : "";
 		return `${EVENTS[block.type](block, seconds)}function* (${isAlone ? "" : isPair ? "me, collidee" : "me"}) {\n${writer.body(block, "DO", place).join("\n")}\n});`;
@@ -276,7 +277,7 @@ export function javascriptOf(program, title, models) {
 	const blocks = [
 		"const collisions = new CollisionBlocks(greatLand, agents);",
 		...(system === CollisionBlocks.TIGHTEST_FITS ? [] : [`collisions.useCollisionSystem(${text(system)});`]),
-		...(has("terrain\\.") || has("isTouching\\(\\w+, Collision\\.TERRAIN") ? [`const terrain = new Terrain(${2 * HALF_WIDTH + 1}, ${2 * HALF_WIDTH + 1}, 1, ${-HALF_WIDTH}, ${-HALF_WIDTH});`, "collisions.collision.terrain = terrain;"] : []),
+		...(has("terrain\\.") || has("(isTouching|when\\w+)\\([^,]+, Collision\\.TERRAIN") ? [`const terrain = new Terrain(${2 * HALF_WIDTH + 1}, ${2 * HALF_WIDTH + 1}, 1, ${-HALF_WIDTH}, ${-HALF_WIDTH});`, "collisions.collision.terrain = terrain;"] : []),
 		...(has("traits") ? ["const traits = new TraitBlocks(agents);"] : []),
 		...(has("detection") ? ["const detection = new DetectionBlocks(collisions);", "let areSensesOld = true;"] : []),
 		...(has("systemsOfNow") ? ["const systemsOfNow = new CollisionBlocks(greatLand, []);"] : []),

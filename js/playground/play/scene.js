@@ -1,8 +1,8 @@
 /** Draws a game: its agents, their words, their meetings, the shapes that the engine tests, goal, score and end. */
-import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
+import { AgentQueries, CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { pairsOf } from "../compare/game.js";
 import { LINES, VERDICTS } from "../shared/colours.js";
-import { button, h } from "../shared/dom.js";
+import { button, h, short } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
 import { Being } from "./being.js";
 import { Hiding } from "./hiding.js";
@@ -200,9 +200,7 @@ export class Scene {
 		const { world } = this;
 		const { agents, collisions } = world;
 		const truth = pairsOf(collisions.systemNamed(CollisionBlocks.EXACT), agents);
-		// A separate system, because motions begin where the game's own system has last seen the agents.
-		this.blocks ??= new CollisionBlocks(world.greatLand, agents);
-		const found = pairsOf(this.blocks.systemNamed(collisions.systemName), agents);
+		const found = pairsOf(this.#blocks.systemNamed(collisions.systemName), agents);
 		const verdicts = new Map();
 		const mark = (pairs, verdict) => {
 			for (const pair of pairs) for (const agent of pair) verdicts.set(agent, verdict);
@@ -211,6 +209,27 @@ export class Scene {
 		mark([...found].filter(([key]) => !truth.has(key)).map(([, pair]) => pair), "wrong");
 		mark([...truth].filter(([key]) => !found.has(key)).map(([, pair]) => pair), "missed");
 		return verdicts;
+	}
+
+	/** Separate systems, because motions begin where the game's own systems have last seen the agents. */
+	get #blocks() {
+		this.blocks ??= new CollisionBlocks(this.world.greatLand, this.world.agents);
+		return this.blocks;
+	}
+
+	/** Says whether an agent touches the ground in the game's collision system, and whether its model does. */
+	#groundOf(agent) {
+		const { collisions, terrain } = this.world;
+		const distanceIn = (name) => {
+			const queries = new AgentQueries(this.#blocks.systemNamed(name));
+			queries.terrain = terrain;
+			return queries.distance(agent, terrain.agent);
+		};
+		const distance = distanceIn(collisions.systemName);
+		const isTrue = distanceIn(CollisionBlocks.EXACT) === 0;
+		const says = words.inspected.ground;
+		if (distance > 0) return isTrue ? says.missed : says.none(short(distance));
+		return isTrue ? says.hit : says.wrong;
 	}
 
 	/**
@@ -264,6 +283,7 @@ export class Scene {
 			h("span", {}, `${words.inspected.shape(texts.shapes[chosen.shape] ?? chosen.shape)}, ${words.inspected.as(texts.systems[world.collisions.systemName])}`),
 			h("span", {}, Object.entries(values).map(([name, value]) => `${texts.blocks.traits[name]} ${plain(value)}`).join("  ")),
 			h("span", {}, touched.length > 0 ? words.inspected.touching(touched.join(", ")) : words.inspected.alone),
+			...(world.terrain ? [h("span", {}, this.#groundOf(chosen))] : []),
 			button(words.inspected.close, () => {
 				this.chosen = null;
 				this.facts.hidden = true;

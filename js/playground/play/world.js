@@ -85,7 +85,9 @@ export class World {
 	#listen(event, fields, code) {
 		const add = { collision: "onCollision", touchStart: "whenTouchingStarts", touchEnd: "whenTouchingEnds" }[event];
 		if (!add) return;
-		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#start(code, collider, collidee));
+		if (fields.OTHER === Collision.TERRAIN) this.needTerrain();
+		// the ground is no agent for blocks
+		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#start(code, collider, collidee instanceof Being ? collidee : null));
 	}
 
 	/** Begins a script, unless it is still running for the same agents. */

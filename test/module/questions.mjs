@@ -9,7 +9,7 @@
 import { garbageOf } from "./bytes.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, engine, makeGreatLand, scatter } from "./games.mjs";
 
-const { Agent, AgentFilter, AgentQueries, Contact, RayHit, Sphere, Vector3D } = engine;
+const { Agent, AgentFilter, AgentQueries, Contact, Footing, RayHit, ShapeHit, Sphere, Terrain, Vector3D, WalkOptions } = engine;
 
 const COUNT = 500;
 const GUESTS = 50;
@@ -34,11 +34,22 @@ for (let i = 0; i < GUESTS; i++) {
 	askers.push(guest);
 }
 
+// hills, for walks alone
+const onHills = new AgentQueries(collider);
+const terrain = new Terrain(41, 41, 1, -20, -20);
+for (let i = 0; i < GUESTS; i++) terrain.raiseMound(agents[i].x, agents[i].y, 6, 0.3);
+onHills.terrain = terrain;
+onHills.update(agents.slice(0, GUESTS));
+
 const filter = AgentFilter.ofBreeds("turtles", "wolves");
 const out = [];
 const hits = [];
 const hit = new RayHit();
 const contact = new Contact();
+const shapeHit = new ShapeHit();
+const shapeHits = [];
+const options = new WalkOptions();
+const footing = new Footing();
 const structure = new Sphere(new Vector3D(), 2);
 const [point, ahead, onA, onB] = Array.from({ length: 4 }, () => new Vector3D(1, 0, 0));
 
@@ -101,6 +112,18 @@ const questions = {
 	},
 	slide: (agent, other, i) => {
 		answer[0] = queries.slide(agent, steps[i], 0.1, 0);
+		found += answer[0] > 0 ? 1 : 0;
+	},
+	walk: (agent, other, i) => { found += onHills.walk(agent, steps[i], 0.1, options, footing).stands ? 1 : 0; },
+	castAgent: (agent) => { found += queries.castAgent(agent, 9, 0, 0, null, shapeHit) === null ? 0 : 1; },
+	castAgentAll: (agent) => { found += queries.castAgentAll(agent, 9, 0, 0, null, shapeHits).length; },
+	castShape: (agent) => {
+		put(structure.center, agent, 0);
+		found += queries.castShape(structure, 9, 0, 0, null, shapeHit) === null ? 0 : 1;
+	},
+	overlapsAgent: (agent, other) => { found += queries.overlapsAgent(agent, other.x, other.y, 0) ? 1 : 0; },
+	distanceToPoint: (agent) => {
+		answer[0] = queries.distanceToPoint(agent, point, onA);
 		found += answer[0] > 0 ? 1 : 0;
 	},
 };

@@ -30,6 +30,9 @@ package starlogo.queries
 
         private var _seen:SeenAgents;
         private var _structure:AskedStructure = null;
+
+        // Hits that no list needs at present.
+        private var _spare:Vector.<ShapeHit> = new Vector.<ShapeHit>();
         private var _single:Vector.<Agent> = new <Agent>[null];
 
         // The rows near the way, all with the distance 0. Then the rows that a cast meets, with their times.
@@ -92,7 +95,7 @@ package starlogo.queries
             var row:int = begin(agent, structure, dx, dy, dz, filter);
             mover.move(_seen.table, row, agents, way, Mover.SHORT);
             _seen.table.endGuests();
-            return mover.hasContact ? write(hit) : null;
+            return mover.hasContact ? write(hit || new ShapeHit()) : null;
         }
 
         /** See AgentQueries.castAgentAll and AgentQueries.castShapeAll. The parameters are those of <code>cast()</code>. */
@@ -113,12 +116,16 @@ package starlogo.queries
             _found.list(agents);
             while (hits.length > agents.length)
             {
-                hits.pop();
+                _spare.push(hits.pop());
             }
             for (i = 0; i < agents.length; i++)
             {
+                if (i == hits.length || hits[i] == null)
+                {
+                    hits[i] = takeSpare();
+                }
                 moveAmong(row, agents[i]);
-                hits[i] = write(i < hits.length ? hits[i] : null);
+                write(hits[i]);
             }
             _seen.table.endGuests();
             return hits;
@@ -192,10 +199,15 @@ package starlogo.queries
             mover.move(_seen.table, row, _single, way, Mover.SHORT);
         }
 
-        // Writes how the last row that moved touches the agent that stopped it.
-        private function write(out:ShapeHit):ShapeHit
+        private function takeSpare():ShapeHit
         {
-            var hit:ShapeHit = out || new ShapeHit();
+            var spare:ShapeHit = _spare.length > 0 ? _spare.pop() : null;
+            return spare || new ShapeHit();
+        }
+
+        // Writes how the last row that moved touches the agent that stopped it.
+        private function write(hit:ShapeHit):ShapeHit
+        {
             var contact:ContactPoint = mover.contact;
             hit.agent = _seen.table.agents[mover.contactRow];
             hit.time = mover.part;

@@ -114,6 +114,10 @@ package starlogo.queries
         {
             begin(table, row, others, motion);
             go(motion, ending);
+            if (ending == SLIDE)
+            {
+                leaveTouches();
+            }
             end();
         }
 
@@ -142,6 +146,7 @@ package starlogo.queries
             hasContact = metWall = isDeep = _isCareful = false;
             contact.setNormal(0, 0, 0);
             part = 1;
+            _sweep.forgetTouched();
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
                 _rest.advance(at, 1);
@@ -155,7 +160,6 @@ package starlogo.queries
             if (ending == SLIDE)
             {
                 slide(steepest);
-                leaveTouches();
             }
             else
             {
@@ -361,11 +365,12 @@ package starlogo.queries
         public function leaveTouches():void
         {
             _before.copyFrom(at);
-            for (var i:int = 0; i < _count; i++)
+            for (var i:int = 0; i < _sweep.touchedCount; i++)
             {
-                if (_sweep.touchesAt(_others[i], at))
+                var other:int = _sweep.touched[i];
+                if (_sweep.touchesAt(other, at))
                 {
-                    _sweep.findContact(_others[i], at, _standing);
+                    _sweep.findContact(other, at, _standing);
                     var by:Number = _standing.depth + _sweep.hair / 2;
                     if (by > MOST_HAIRS * _sweep.hair)
                     {

@@ -57,6 +57,18 @@ package starlogo.queries
         /** When the row in its whole size touches the last row that was tested. */
         public var wholeTime:Number = 0;
 
+        /**
+         * The rows that it touched at the beginning, or on the last part of its way, whether it met them or not. The list may be longer than
+         * <code>touchedCount</code>.
+         */
+        public var touched:Vector.<int> = new Vector.<int>();
+
+        /** The number of rows that it has touched. */
+        public var touchedCount:int = 0;
+
+        // The number of rows that it touched at the beginning.
+        private var _firstCount:int = 0;
+
         private var _pairs:RowPairs;
         private var _separation:Separation;
         private var _table:AgentTable;
@@ -115,7 +127,7 @@ package starlogo.queries
             return isNear(other, RelativeMotion.NONE) && _pairs.areTouching(_table, _row, other);
         }
 
-        /** Whether the row goes into another when it stands at a place. */
+        /** Whether the row goes into another at the beginning of its way. If it only touches the other, this is remembered. */
         public function meetsAt(other:int, at:Vector3D):Boolean
         {
             if (!touchesAt(other, at))
@@ -126,7 +138,13 @@ package starlogo.queries
             var isMeeting:Boolean = _pairs.areTouching(_table, _row, other);
             _standing.giveBack();
             _moving.put(at, shareOf(_moving));
-            return isMeeting && _pairs.areTouching(_table, _row, other);
+            isMeeting &&= _pairs.areTouching(_table, _row, other);
+            if (!isMeeting)
+            {
+                addTouched(other);
+                _firstCount = touchedCount;
+            }
+            return isMeeting;
         }
 
         /** Finds the contact of the row at a place with another row that it touches there. */
@@ -139,13 +157,20 @@ package starlogo.queries
             _separation.find(_table, _row, other, RelativeMotion.NONE, out);
         }
 
-        /** Sets the motion for the next tests. It forgets what was found before. */
+        /** Forgets all rows that it has touched. */
+        public function forgetTouched():void
+        {
+            touchedCount = _firstCount = 0;
+        }
+
+        /** Sets the motion for the next tests. It forgets what was found on the way before. */
         public function aim(at:Vector3D, motion:Vector3D):void
         {
             _end.copyFrom(at);
             _end.incrementBy(motion);
             _motion.endAfter(motion.x, motion.y, motion.z);
             time = AFTER;
+            touchedCount = _firstCount;
         }
 
         /** Finds when the row in its whole size first touches another, and writes it to <code>wholeTime</code>. */
@@ -178,6 +203,7 @@ package starlogo.queries
             {
                 return false;
             }
+            addTouched(other);
             narrowOther(other);
             _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, _triedOther);
             _standing.giveBack();
@@ -261,6 +287,20 @@ package starlogo.queries
             return Math.abs(extents.x[_row] - x - extents.x[other]) <= extents.halfX[_row] + extents.halfX[other] + Math.abs(x) + hair
                 && Math.abs(extents.y[_row] - y - extents.y[other]) <= extents.halfY[_row] + extents.halfY[other] + Math.abs(y) + hair
                 && Math.abs(extents.z[_row] - z - extents.z[other]) <= extents.halfZ[_row] + extents.halfZ[other] + Math.abs(z) + hair;
+        }
+
+        private function addTouched(other:int):void
+        {
+            var i:int = 0;
+            while (i < touchedCount && touched[i] != other)
+            {
+                i++;
+            }
+            if (i == touchedCount)
+            {
+                touched[i] = other;
+                touchedCount++;
+            }
         }
 
         private function narrowOther(other:int):void

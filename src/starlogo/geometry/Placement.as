@@ -271,6 +271,44 @@ package starlogo.geometry
             out[14] = z;
         }
 
+        /**
+         * Transforms points.
+         *
+         * @param from x, y, z of each
+         * @param first index of the first coordinate
+         * @param end index after the last coordinate
+         * @param out overwritten from its beginning; stays longer if it had more points
+         * @return out
+         */
+        engine function movePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>):Vector.<Number>
+        {
+            var scale:Number = size;
+            var moveX:Number = x;
+            var moveY:Number = y;
+            var moveZ:Number = z;
+            var m00:Number = r00 * scale;
+            var m01:Number = r01 * scale;
+            var m02:Number = r02 * scale;
+            var m10:Number = r10 * scale;
+            var m11:Number = r11 * scale;
+            var m12:Number = r12 * scale;
+            var m20:Number = r20 * scale;
+            var m21:Number = r21 * scale;
+            var m22:Number = r22 * scale;
+            var to:int = 0;
+            for (var i:int = first; i < end; i += 3)
+            {
+                var fromX:Number = from[i];
+                var fromY:Number = from[int(i + 1)];
+                var fromZ:Number = from[int(i + 2)];
+                out[to] = m00 * fromX + m01 * fromY + m02 * fromZ + moveX;
+                out[int(to + 1)] = m10 * fromX + m11 * fromY + m12 * fromZ + moveY;
+                out[int(to + 2)] = m20 * fromX + m21 * fromY + m22 * fromZ + moveZ;
+                to += 3;
+            }
+            return out;
+        }
+
         /** Writes the rotation row by row, from an index on. */
         engine function writeRotation(out:Vector.<Number>, at:int):void
         {

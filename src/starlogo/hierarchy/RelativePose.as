@@ -147,44 +147,5 @@ package starlogo.hierarchy
         {
             structure.widen(gap);
         }
-
-        /**
-         * Transforms points of the second model into the first model's space.
-         *
-         * @param from x, y, z of each
-         * @param first index of the first coordinate
-         * @param end index after the last coordinate
-         * @param out overwritten from its beginning; stays longer if it had more points
-         * @return out
-         */
-        public function movePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>):Vector.<Number>
-        {
-            var relative:Placement = placement;
-            var scale:Number = relative.size;
-            var moveX:Number = relative.x;
-            var moveY:Number = relative.y;
-            var moveZ:Number = relative.z;
-            var m00:Number = relative.r00 * scale;
-            var m01:Number = relative.r01 * scale;
-            var m02:Number = relative.r02 * scale;
-            var m10:Number = relative.r10 * scale;
-            var m11:Number = relative.r11 * scale;
-            var m12:Number = relative.r12 * scale;
-            var m20:Number = relative.r20 * scale;
-            var m21:Number = relative.r21 * scale;
-            var m22:Number = relative.r22 * scale;
-            var to:int = 0;
-            for (var i:int = first; i < end; i += 3)
-            {
-                var x:Number = from[i];
-                var y:Number = from[int(i + 1)];
-                var z:Number = from[int(i + 2)];
-                out[to] = m00 * x + m01 * y + m02 * z + moveX;
-                out[int(to + 1)] = m10 * x + m11 * y + m12 * z + moveY;
-                out[int(to + 2)] = m20 * x + m21 * y + m22 * z + moveZ;
-                to += 3;
-            }
-            return out;
-        }
     }
 }

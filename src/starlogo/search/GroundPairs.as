@@ -34,17 +34,10 @@ package starlogo.search
         {
             var grid:HeightGrid = FixtureAgent(table.agents[b]).terrain.grid;
             var form:int = table.forms[a];
-            var gap:Number = Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a]));
-            grid.look.gap = 4 * gap;
+            grid.look.gap = 4 * Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a]));
             if (table.sizes[b] == 1 && grid.look.decide(grid, table.extents, a, form == BoundingStructure.SPHERE, form != ModelShape.TREE))
             {
                 return grid.look.isTouching;
-            }
-            if (form <= BoundingStructure.BOX)
-            {
-                grid.pair.inset = (1 - table.sizes[b]) * grid.cellWidth / 2;
-                grid.pair.gap = gap;
-                return grid.pair.isOverlapping(grid, table.structureOf(a), table.extents, a);
             }
             return pairOf(table, a, b).areOverlapping();
         }

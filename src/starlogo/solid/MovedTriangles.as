@@ -44,7 +44,7 @@ package starlogo.solid
                 return;
             }
             _first = leaf.first;
-            _pose.movePoints(_points, 9 * leaf.first, 9 * leaf.end, corners);
+            _pose.placement.movePoints(_points, 9 * leaf.first, 9 * leaf.end, corners);
             var count:int = leaf.end - leaf.first;
             if (extents.length < 6 * count)
             {

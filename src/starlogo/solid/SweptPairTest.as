@@ -91,15 +91,10 @@ package starlogo.solid
         /** @inheritDoc */
         override public function findContact(out:ContactPoint):void
         {
-            pose.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
-            var corners:Vector.<Number> = solidA.corners;
-            _overlap.relate(corners, _firstA, _corners, 0);
+            pose.placement.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
+            _overlap.relate(solidA.corners, _firstA, _corners, 0);
             _overlap.tolerance = touching;
             _overlap.findContact(pose.motion, out);
-            // relative to the first triangle's first corner
-            out.x += corners[_firstA];
-            out.y += corners[int(_firstA + 1)];
-            out.z += corners[int(_firstA + 2)];
         }
     }
 }

@@ -73,7 +73,6 @@ package starlogo.solid
         private var _sweptBoxes:SweptBoxTraversal;
         private var _sweptStructures:StructureTraversal;
         private var _sweptPairs:SweptPairTest;
-        private var _sweptTriangles:SweptStructureTriangles = new SweptStructureTriangles();
         private var _first:NodePairTraversal;
         private var _decider:LeafTest;
 
@@ -359,7 +358,7 @@ package starlogo.solid
         {
             if (b == null)
             {
-                _triangles.begin(a, moveToFirst(structureB), _pose.gap);
+                _triangles.begin(a, structureB, _pose, RelativeMotion.NONE);
                 return _triangles;
             }
             _trianglePairs.begin(a, b);
@@ -383,8 +382,8 @@ package starlogo.solid
             _first = _areBoxes && _b != null ? _sweptBoxes : _sweptStructures;
             if (_isExact && _b == null)
             {
-                _sweptTriangles.beginMotion(_a, moveToFirst(_leaf.structure), _pose.gap, _pose.motion);
-                _decider = _sweptTriangles;
+                _triangles.begin(_a, _leaf.structure, _pose, _pose.motion);
+                _decider = _triangles;
             }
             else if (_isExact)
             {

@@ -1,10 +1,13 @@
 package starlogo.terrain
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.Extents;
+    import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.ConvexTriangle;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -25,13 +28,49 @@ package starlogo.terrain
      *
      * @private
      */
-    public final class TerrainPair extends GroundSearch
+    public final class TerrainPair
     {
+        // The goals of a search: whether a piece overlaps the ground; when a piece first touches the surface; the deepest contact; the closest
+        // points.
+        private static const OVERLAP:int = 0;
+        private static const TIME:int = 1;
+        private static const CONTACT:int = 2;
+        private static const CLOSEST:int = 3;
+
+        /** How far the surface of the ground is moved inwards. */
+        public var inset:Number = 0;
+
+        private var _grid:HeightGrid;
+        private var _tree:SolidHierarchy;
+        private var _structure:BoundingStructure;
+        private var _depth:int;
+        private var _isExact:Boolean;
         private var _placement:Placement;
+
+        // The model's placement at the current time, and the margin by which the model is enlarged.
+        private var _placed:Placement = new Placement();
+        private var _margin:Number = 0;
+
+        private var _goal:int = 0;
+        private var _motion:RelativeMotion;
+
+        // The result: whether anything was found; the time, the distance or the negative depth. The current piece, the best piece and its
+        // triangle.
+        private var _isFound:Boolean = false;
+        private var _best:Number = 0;
+        private var _piece:ConvexTriangle = new ConvexTriangle();
+        private var _bestPiece:ConvexTriangle = new ConvexTriangle();
+        private var _bestFace:Vector.<Number> = new Vector.<Number>(9, true);
+
+        private var _faces:GroundFaces = new GroundFaces();
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _tried:ContactPoint = new ContactPoint();
 
         /** Creates a test without a model. */
         public function TerrainPair()
         {
+            _piece.isOneSided = _bestPiece.isOneSided = true;
         }
 
         /**
@@ -46,45 +85,28 @@ package starlogo.terrain
          */
         public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            this.grid = grid;
-            this.tree = tree;
-            this.structure = structure;
+            _grid = grid;
+            _tree = tree;
+            _structure = structure;
             _placement = placement;
-            isExact = tree != null && exact && tree.hasTriangles;
-            this.depth = isExact ? int.MAX_VALUE : depth;
-            corners = isExact ? tree.corners : null;
+            _placed.copyFrom(placement);
+            _isExact = tree != null && exact && tree.hasTriangles;
+            _depth = _isExact ? int.MAX_VALUE : depth;
             // The margin is as large as if another agent stood at the place of the touch.
-            margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
-            gap = 0;
-            faces.inset = nodeFaces.inset = inset;
-        }
-
-        /**
-         * Whether a structure in the world overlaps the ground, or touches it across a gap.
-         *
-         * @param extents of the structure, by row
-         */
-        public function isOverlapping(grid:HeightGrid, structure:BoundingStructure, extents:Extents, row:int):Boolean
-        {
-            var box:PassingBox = faces.box;
-            this.grid = grid;
-            faces.inset = inset;
-            goal = OVERLAP;
-            box.x = extents.x[row];
-            box.y = extents.y[row];
-            box.z = extents.z[row];
-            box.halfX = extents.halfX[row] + gap;
-            box.halfY = extents.halfY[row] + gap;
-            box.halfZ = extents.halfZ[row] + gap;
-            piece.setPlaced(structure);
-            meet();
-            return isFound;
+            _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+            if (_isExact)
+            {
+                _margin += Tolerances.SURFACES / 2 * tree.root.radius * placement.size;
+            }
+            _piece.margin = _bestPiece.margin = _margin;
+            _faces.inset = inset;
         }
 
         /** Whether the two overlap or touch where the model stands. */
         public function areOverlapping():Boolean
         {
-            return overlapsAt(RelativeMotion.NONE, 0);
+            search(OVERLAP, RelativeMotion.NONE, 0, 0);
+            return _isFound;
         }
 
         /**
@@ -93,16 +115,18 @@ package starlogo.terrain
          */
         public function findTime(motion:RelativeMotion):void
         {
-            if (overlapsAt(motion, 0))
+            search(OVERLAP, motion, 0, 0);
+            if (_isFound)
             {
                 motion.time = 0;
                 return;
             }
             findImpact(motion, null);
-            // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && overlapsAt(motion, 1))
+            if (motion.time == RelativeMotion.NEVER)
             {
-                motion.time = 1;
+                // rounding can miss a touch at the end of the motion
+                search(OVERLAP, motion, 1, 0);
+                motion.time = _isFound ? 1 : RelativeMotion.NEVER;
             }
         }
 
@@ -114,13 +138,11 @@ package starlogo.terrain
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            moveTo(motion, 0);
-            best = 1;
-            run(TIME, motion);
-            motion.time = isFound ? best : RelativeMotion.NEVER;
-            if (isFound && out != null)
+            search(TIME, motion, 0, 1);
+            motion.time = _isFound ? _best : RelativeMotion.NEVER;
+            if (_isFound && out != null)
             {
-                findContactOfBest(out);
+                findContactOfBest(_best, out);
             }
         }
 
@@ -144,18 +166,24 @@ package starlogo.terrain
                     return;
                 }
             }
-            moveTo(motion, time);
-            if (!findDeepest(out))
-            {
-                findWayUp(out);
-            }
+            findDeepest(motion, time, out);
         }
 
-        /** Finds the contact that lifts the standing model above the ground at its middle. */
+        /**
+         * Finds the contact that lifts the model from its lowest place up to the ground at the model's middle. There may be higher ground
+         * beside it.
+         */
         public function findOuterContact(out:ContactPoint):void
         {
-            moveTo(RelativeMotion.NONE, 0);
-            findWayUp(out);
+            var box:PassingBox = boxOf(_structure);
+            var low:Number = box.z - box.halfZ;
+            var height:Number = heightAt(box.x, box.y);
+            out.setNormal(0, 0, 1);
+            // The height may be NaN.
+            out.depth = height > low ? height - low : 0;
+            out.x = box.x;
+            out.y = box.y;
+            out.z = low + out.depth / 2;
         }
 
         /**
@@ -165,81 +193,253 @@ package starlogo.terrain
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
-            moveTo(RelativeMotion.NONE, 0);
             if (areTouching)
             {
-                if (!findDeepest(tried))
-                {
-                    findWayUp(tried);
-                }
-                out.aX = out.bX = tried.x;
-                out.aY = out.bY = tried.y;
-                out.aZ = out.bZ = tried.z;
+                findDeepest(RelativeMotion.NONE, 0, _tried);
+                out.aX = out.bX = _tried.x;
+                out.aY = out.bY = _tried.y;
+                out.aZ = out.bZ = _tried.z;
             }
             else
             {
-                best = findBound();
-                run(CLOSEST, RelativeMotion.NONE);
-                bestPiece.writeClosest(out);
+                search(CLOSEST, RelativeMotion.NONE, 0, findBound());
+                _bestPiece.writeClosest(out);
             }
             out.settle(areTouching);
         }
 
-        private function moveTo(motion:RelativeMotion, time:Number):void
+        private function findDeepest(motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            placed.copyFrom(_placement);
-            placed.x += motion.startX + time * motion.x;
-            placed.y += motion.startY + time * motion.y;
-            placed.z += motion.startZ + time * motion.z;
-        }
-
-        private function overlapsAt(motion:RelativeMotion, time:Number):Boolean
-        {
-            moveTo(motion, time);
-            run(OVERLAP, RelativeMotion.NONE);
-            return isFound;
-        }
-
-        private function findDeepest(out:ContactPoint):Boolean
-        {
-            best = Infinity;
-            run(CONTACT, RelativeMotion.NONE);
-            if (isFound)
+            search(CONTACT, motion, time, Infinity);
+            if (_isFound)
             {
-                findContactOfBest(out);
+                findContactOfBest(0, out);
             }
-            return isFound;
+            else
+            {
+                findOuterContact(out);
+            }
         }
 
-        // Finds the way from the model's lowest place up to the ground at the model's middle. There may be higher ground beside it.
-        private function findWayUp(out:ContactPoint):void
+        private function findContactOfBest(time:Number, out:ContactPoint):void
         {
-            var box:PassingBox = nodeFaces.box;
-            writeBox(structure, box);
-            grid.placeX = box.x;
-            grid.placeY = box.y;
-            grid.findHeight();
-            out.setNormal(0, 0, 1);
-            // If the height is NaN, the depth is 0.
-            out.depth = grid.height > box.z - box.halfZ ? grid.height - box.z + box.halfZ : 0;
-            out.x = box.x;
-            out.y = box.y;
-            out.z = box.z - box.halfZ + out.depth / 2;
+            _bestPiece.setTriangle(_bestFace, 0);
+            _bestPiece.time = time;
+            _bestPiece.findContact(out);
         }
 
         // An upper bound of the distance of the two: the distance from the model's middle to the nearest height, plus how far the model
         // extends.
         private function findBound():Number
         {
-            var box:PassingBox = nodeFaces.box;
-            writeBox(structure, box);
-            var width:Number = grid.cellWidth;
-            var column:int = Math.max(0, Math.min(grid.columns - 1, Math.round((box.x - grid.x) / width)));
-            var row:int = Math.max(0, Math.min(grid.rows - 1, Math.round((box.y - grid.y) / width)));
-            var toX:Number = grid.x + column * width - box.x;
-            var toY:Number = grid.y + row * width - box.y;
-            var toZ:Number = grid.heights[row * grid.columns + column] - box.z;
+            var box:PassingBox = boxOf(_structure);
+            var width:Number = _grid.cellWidth;
+            var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((box.x - _grid.x) / width)));
+            var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((box.y - _grid.y) / width)));
+            var toX:Number = _grid.x + column * width - box.x;
+            var toY:Number = _grid.y + row * width - box.y;
+            var toZ:Number = _grid.heights[row * _grid.columns + column] - box.z;
             return Tolerances.OUTER * (Math.sqrt(toX * toX + toY * toY + toZ * toZ) + box.halfX + box.halfY + box.halfZ);
+        }
+
+        // Looks for something that is better than a bound, or as good. The model is where the motion has brought it at a time.
+        private function search(goal:int, motion:RelativeMotion, time:Number, bound:Number):void
+        {
+            _placed.x = _placement.x + motion.startX + time * motion.x;
+            _placed.y = _placement.y + motion.startY + time * motion.y;
+            _placed.z = _placement.z + motion.startZ + time * motion.z;
+            _goal = goal;
+            _motion = goal == TIME ? motion : RelativeMotion.NONE;
+            _best = bound;
+            _isFound = false;
+            if (_tree == null)
+            {
+                meetStructure(_structure);
+            }
+            else
+            {
+                visit(_tree.root);
+            }
+        }
+
+        private function visit(node:HierarchyNode):void
+        {
+            if (isDone())
+            {
+                return;
+            }
+            if (node.cutoffLevel < _depth)
+            {
+                if (isNear(node))
+                {
+                    visit(node.low);
+                    visit(node.high);
+                }
+            }
+            else if (!_isExact)
+            {
+                meetStructure(structureOf(node));
+            }
+            else if (isNear(node))
+            {
+                meetTriangles(node);
+            }
+        }
+
+        private function meetTriangles(node:HierarchyNode):void
+        {
+            for (var i:int = node.first; i < node.end && !isDone(); i++)
+            {
+                _piece.beginTriangle(_tree.corners, 9 * i, _placed, _motion);
+                meet();
+            }
+        }
+
+        // Whether nothing better can be found.
+        private function isDone():Boolean
+        {
+            return _isFound && (_goal == OVERLAP || _goal == TIME && _best == 0);
+        }
+
+        // The structure around a node and its descendants.
+        private function structureOf(node:HierarchyNode):BoundingStructure
+        {
+            return _tree.boundsKind == BoundingStructure.BOX ? node.writeBox(_box) : node.cover || node.structure;
+        }
+
+        // Whether the surface comes near a node. If it does not, and the node is under the ground, the node overlaps the ground.
+        private function isNear(node:HierarchyNode):Boolean
+        {
+            var box:PassingBox = boxOf(structureOf(node));
+            beginFaces();
+            if (_faces.next())
+            {
+                return true;
+            }
+            _isFound ||= _goal == OVERLAP && heightAt(box.x, box.y) >= box.z;
+            return false;
+        }
+
+        private function heightAt(x:Number, y:Number):Number
+        {
+            _grid.placeX = x;
+            _grid.placeY = y;
+            _grid.findHeight();
+            return _grid.height;
+        }
+
+        // The box around a structure at the model's current placement.
+        private function boxOf(structure:BoundingStructure):PassingBox
+        {
+            var box:PassingBox = _faces.box;
+            structure.turnedExtentsInto(_placed, _extents);
+            box.x = _extents[0] + _placed.x;
+            box.y = _extents[1] + _placed.y;
+            box.z = _extents[2] + _placed.z;
+            box.halfX = _extents[3] + _margin;
+            box.halfY = _extents[4] + _margin;
+            box.halfZ = _extents[5] + _margin;
+            return box;
+        }
+
+        // Begins with the standing box. Extends it along its way, or to all sides, as far as something better may be found.
+        private function beginFaces():void
+        {
+            var box:PassingBox = _faces.box;
+            box.wayX = _motion.x;
+            box.wayY = _motion.y;
+            box.wayZ = _motion.z;
+            box.limit = _goal == TIME ? _best : 0;
+            if (_goal == CLOSEST)
+            {
+                box.halfX += _best;
+                box.halfY += _best;
+                box.halfZ += _best;
+            }
+            _faces.begin(_grid);
+        }
+
+        private function meetStructure(structure:BoundingStructure):void
+        {
+            _piece.begin(structure, _placed, _motion);
+            meet();
+        }
+
+        // Tests the piece against the surface near it.
+        private function meet():void
+        {
+            var isBetter:Boolean = false;
+            var point:Vector3D = _piece.point;
+            var box:PassingBox = _faces.box;
+            _piece.extentsInto(_extents);
+            box.x = (_extents[0] + _extents[1]) / 2;
+            box.y = (_extents[2] + _extents[3]) / 2;
+            box.z = (_extents[4] + _extents[5]) / 2;
+            box.halfX = (_extents[1] - _extents[0]) / 2;
+            box.halfY = (_extents[3] - _extents[2]) / 2;
+            box.halfZ = (_extents[5] - _extents[4]) / 2;
+            beginFaces();
+            while (_faces.next())
+            {
+                _piece.setTriangle(_faces.corners, 0);
+                _piece.gap = _faces.gap;
+                if (_goal == OVERLAP)
+                {
+                    _isFound = _piece.touches();
+                    if (_isFound)
+                    {
+                        return;
+                    }
+                }
+                else if (isBetterFace())
+                {
+                    isBetter = _isFound = true;
+                    for (var i:int = 0; i < 9; i++)
+                    {
+                        _bestFace[i] = _faces.corners[i];
+                    }
+                }
+            }
+            if (_goal == OVERLAP)
+            {
+                _isFound = heightAt(point.x, point.y) >= point.z;
+            }
+            if (isBetter)
+            {
+                var other:ConvexTriangle = _bestPiece;
+                _bestPiece = _piece;
+                _piece = other;
+            }
+        }
+
+        // Whether a triangle is better than all before it. The first triangle found may also be only as good as the bound at the beginning.
+        private function isBetterFace():Boolean
+        {
+            var found:Number = Infinity;
+            if (_goal == TIME)
+            {
+                _piece.time = _best;
+                _piece.findTime();
+                found = _piece.time;
+            }
+            else if (_goal == CLOSEST)
+            {
+                _piece.measure();
+                found = _piece.distance;
+            }
+            else if (_piece.touches())
+            {
+                _piece.time = 0;
+                _piece.findContact(_tried);
+                found = -_tried.depth;
+            }
+            if (!(found < _best || found == _best && !_isFound))
+            {
+                return false;
+            }
+            _best = found;
+            _faces.box.limit = _goal == TIME ? found : 0;
+            return true;
         }
     }
 }

@@ -95,6 +95,27 @@ package starlogo.intersection.contact
             return normalX * vector.x + normalY * vector.y + normalZ * vector.z;
         }
 
+        /** The component along the normal of a point in a list. */
+        public function alongOf(points:Vector.<Number>, at:int):Number
+        {
+            return normalX * points[at] + normalY * points[int(at + 1)] + normalZ * points[int(at + 2)];
+        }
+
+        /** How far the points of a part of a list reach along the normal, or against it if <code>side</code> is -1. */
+        public function reach(points:Vector.<Number>, from:int, end:int, side:int):Number
+        {
+            var alongX:Number = side * normalX;
+            var alongY:Number = side * normalY;
+            var alongZ:Number = side * normalZ;
+            var most:Number = alongX * points[from] + alongY * points[int(from + 1)] + alongZ * points[int(from + 2)];
+            for (var i:int = from + 3; i < end; i += 3)
+            {
+                var along:Number = alongX * points[i] + alongY * points[int(i + 1)] + alongZ * points[int(i + 2)];
+                most = along > most ? along : most;
+            }
+            return most;
+        }
+
         /** Moves a place along the normal. */
         public function push(place:Vector3D, by:Number):void
         {

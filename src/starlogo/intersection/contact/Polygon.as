@@ -48,6 +48,28 @@ package starlogo.intersection.contact
             _end = 0;
         }
 
+        /**
+         * Sets the polygon to the corners of a triangle that are farthest along a contact's normal, or against it if <code>side</code> is -1: a
+         * corner, an edge or the whole triangle.
+         */
+        public function setFarthest(corners:Vector.<Number>, at:int, contact:ContactPoint, side:int):void
+        {
+            var least:Number = contact.reach(corners, at, at + 9, side);
+            for (var i:int = 0; i < 6; i++)
+            {
+                least -= Tolerances.DIRECTION * Math.abs(corners[int(at + i + 3)] - corners[int(at + i % 3)]);
+            }
+            clear();
+            for (i = at; i < at + 9; i += 3)
+            {
+                if (side * contact.alongOf(corners, i) >= least)
+                {
+                    setStep(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
+                    add();
+                }
+            }
+        }
+
         /** Sets the vector that the next calls use. */
         public function setStep(x:Number, y:Number, z:Number):void
         {

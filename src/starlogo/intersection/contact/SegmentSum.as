@@ -4,11 +4,12 @@ package starlogo.intersection.contact
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * A box, or a capsule's axis, as a sum of segments about a middle: three segments for a box, one for an axis.
+     * A box, a capsule's axis or a sphere's centre as a sum of segments about a middle: three segments for a box, one for an axis.
      *
      * @private
      */
@@ -42,7 +43,7 @@ package starlogo.intersection.contact
         /**
          * Sets the sum to a structure.
          *
-         * @param structure a Box, or a Capsule whose axis is taken
+         * @param structure a Box, a Capsule whose axis is taken, or a Sphere whose centre is taken
          * @param displacement moves the structure from its stored place
          */
         public function setTo(structure:BoundingStructure, displacement:RelativeMotion):void
@@ -61,6 +62,11 @@ package starlogo.intersection.contact
                 _halves[0] = box.halfX;
                 _halves[1] = box.halfY;
                 _halves[2] = box.halfZ;
+                return;
+            }
+            if (structure.kind == BoundingStructure.SPHERE)
+            {
+                moveBy(Sphere(structure).center, 1);
                 return;
             }
             var capsule:Capsule = Capsule(structure);

@@ -1,5 +1,7 @@
 package starlogo.intersection.sweep
 {
+    import flash.geom.Vector3D;
+
     /**
      * The separating axes of two triangles (Ericson, "Real-Time Collision Detection", §5.2.1): the two normals, the nine cross products of
      * an edge of each, and six directions that lie in the plane of a triangle and are perpendicular to an edge. The last six are for
@@ -22,6 +24,9 @@ package starlogo.intersection.sweep
 
         /** The second triangle's corners, relative to the first triangle's first corner. */
         protected var cornersB:Vector.<Number> = new Vector.<Number>(9, true);
+
+        /** The first triangle's first corner. */
+        protected var origin:Vector3D = new Vector3D();
 
         /** The axis to try, of any length. Fields, because V8 would allocate objects for Numbers that are passed. */
         protected var axisX:Number = 0;
@@ -54,6 +59,7 @@ package starlogo.intersection.sweep
         public final function relate(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):void
         {
             setEdges(edgesA, a, atA);
+            origin.setTo(a[atA], a[int(atA + 1)], a[int(atA + 2)]);
             for (var i:int = 0; i < 3; i++)
             {
                 var first:Number = a[int(atA + i)];

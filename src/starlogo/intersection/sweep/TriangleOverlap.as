@@ -37,8 +37,7 @@ package starlogo.intersection.sweep
          * Finds the contact of the two triangles that were set by <code>relate()</code>.
          *
          * @param motion displaces the second triangle to where it is at the motion's time
-         * @param out receives the contact, relative to the first triangle's first corner; the normal points from the second triangle to the
-         *     first
+         * @param out receives the contact; the normal points from the second triangle to the first
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -60,13 +59,13 @@ package starlogo.intersection.sweep
             {
                 _cornersA[i] = edgesA[int(i - 3)];
             }
-            findFarthest(_polygonA, _cornersA, edgesA, -1);
-            findFarthest(_polygonB, cornersB, edgesB, 1);
+            _polygonA.setFarthest(_cornersA, 0, out, -1);
+            _polygonB.setFarthest(cornersB, 0, out, 1);
             _polygonA.findCommonPoint(_polygonB, out);
             out.depth = _depth > 0 && _depth < Infinity ? _depth : 0;
-            out.x = _polygonA.x;
-            out.y = _polygonA.y;
-            out.z = _polygonA.z;
+            out.x = _polygonA.x + origin.x;
+            out.y = _polygonA.y + origin.y;
+            out.z = _polygonA.z + origin.z;
         }
 
         /** Keeps the displacement if it is the shortest so far. Always returns false, so that all axes are tried. */
@@ -90,32 +89,6 @@ package starlogo.intersection.sweep
                 _z = side * axisZ / length;
             }
             return false;
-        }
-
-        // Finds the corners that are farthest along the normal, or against it if side is -1.
-        private function findFarthest(out:Polygon, corners:Vector.<Number>, edges:Vector.<Number>, side:int):void
-        {
-            var farthest:Number = -Infinity;
-            for (var i:int = 0; i < 9; i += 3)
-            {
-                farthest = Math.max(farthest, side * (corners[i] * _x + corners[int(i + 1)] * _y + corners[int(i + 2)] * _z));
-            }
-            for (i = 0; i < 6; i++)
-            {
-                farthest -= Tolerances.DIRECTION * Math.abs(edges[i]);
-            }
-            out.clear();
-            for (i = 0; i < 9; i += 3)
-            {
-                var x:Number = corners[i];
-                var y:Number = corners[int(i + 1)];
-                var z:Number = corners[int(i + 2)];
-                if (side * (x * _x + y * _y + z * _z) >= farthest)
-                {
-                    out.setStep(x, y, z);
-                    out.add();
-                }
-            }
         }
     }
 }

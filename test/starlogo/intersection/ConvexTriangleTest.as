@@ -1,4 +1,4 @@
-package starlogo.intersection.sweep
+package starlogo.intersection
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
@@ -8,15 +8,16 @@ package starlogo.intersection.sweep
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.intersection.TriangleBox;
+    import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
     import support.Complaints;
     import support.Effort;
     import support.SurfaceDistance;
     import support.TriangleDistance;
 
     /** When structures that move touch a triangle, and how: against their distances at many times. */
-    public class StructureSweepTest
+    public class ConvexTriangleTest
     {
         private static const NEAR:Number = 1e-9;
 
@@ -42,10 +43,11 @@ package starlogo.intersection.sweep
                 {
                     continue;
                 }
-                var sweep:StructureSweep = new StructureSweep();
-                sweep.begin(structure, motion);
+                var sweep:ConvexTriangle = new ConvexTriangle();
+                sweep.begin(structure, new Placement(), motion);
                 sweep.setTriangle(corners, 0);
-                sweep.findTime(1);
+                sweep.time = 1;
+                sweep.findTime();
                 var end:Number = Math.min(1, sweep.time);
                 var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + sweep.time;
                 for (var k:int = 1; k <= 16; k++)
@@ -68,7 +70,7 @@ package starlogo.intersection.sweep
             assertTrue(hits + " hits, " + misses + " misses", hits > 100 && misses > 100);
         }
 
-        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:StructureSweep, message:String):void
+        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:ConvexTriangle, message:String):void
         {
             var there:BoundingStructure = moved(structure, motion, sweep.time);
             if (!areTouching(there, corners, NEAR))
@@ -76,7 +78,7 @@ package starlogo.intersection.sweep
                 _wrong.add("no touch", message);
             }
             var out:ContactPoint = new ContactPoint();
-            sweep.findContact(sweep.time, out);
+            sweep.findContact(out);
             var point:Vector3D = new Vector3D(out.x, out.y, out.z);
             var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
             var onStructure:Number = SurfaceDistance.of(there, point);

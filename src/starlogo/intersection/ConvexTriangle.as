@@ -1,0 +1,450 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.Polygon;
+    import starlogo.intersection.contact.SegmentSum;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.TriangleOverlap;
+    import starlogo.intersection.sweep.TriangleSweep;
+    import starlogo.intersection.sweep.findTimeOfImpact;
+
+    use namespace engine;
+
+    /**
+     * Tests a sphere, capsule, box or triangle against triangles, one after the other: whether the two touch, when and how they first touch,
+     * and how far they are apart. Allocates nothing.
+     *
+     * <p>A structure that moves first touches a triangle at an edge of the triangle, or with a corner that comes to the triangle's face. An
+     * edge is a capsule without a radius, so the structures' own kernels answer for it. A corner moves along a ray. The corners of a sphere
+     * or capsule are the ends of its axis, with the radius around them.</p>
+     *
+     * @private
+     */
+    public final class ConvexTriangle
+    {
+        private static const TRIANGLE:int = 4;
+
+        // A box's twelve triangles as a strip: each corner and the next two are a triangle. A corner's number has a bit for each axis along
+        // which it is on the far side.
+        private static const STRIP:Vector.<int> = new <int>[6, 7, 2, 3, 1, 7, 5, 6, 4, 2, 0, 1, 4, 5];
+
+        /** How much wider than given the shape is, on all sides. Input of <code>begin()</code> and <code>beginTriangle()</code>. */
+        public var margin:Number = 0;
+
+        /** Whether the triangles are the outside of a solid, and counter-clockwise. Then contacts point out of the solid. */
+        public var isOneSided:Boolean = false;
+
+        /** The largest gap across which the shape and the triangle still touch, in addition to the margin. */
+        public var gap:Number = 0;
+
+        /** A time of the motion: see findTime and findContact. */
+        public var time:Number = 0;
+
+        /** A point of the shape. Read only. */
+        public var point:Vector3D = null;
+
+        /** The distance of the nearest triangle that was measured. */
+        public var distance:Number = 0;
+
+        // The shape's kind; a structure for each kind; the current structure.
+        private var _kind:int = 0;
+        private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _structure:BoundingStructure = null;
+        private var _motion:RelativeMotion = new RelativeMotion();
+
+        // The shape's corners as a strip of triangles, and the radius around them. A box's corners are computed when they are needed. Rounding
+        // is relative to the size.
+        private var _corners:Vector.<Number> = new Vector.<Number>(3 * STRIP.length, true);
+        private var _end:int = 0;
+        private var _radius:Number = 0;
+        private var _size:Number = 0;
+
+        // The triangle, an edge of it, and its unit normal. The normal is NaN if the triangle has no area. Comparisons with NaN are false, so
+        // the triangle counts as its edges then.
+        private var _triangle:Vector.<Number>;
+        private var _at:int = 0;
+        private var _isPrepared:Boolean = false;
+        private var _face:ContactPoint = new ContactPoint();
+        private var _edge:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
+
+        private var _box:TriangleBox = new TriangleBox();
+        private var _closest:ClosestTriangles = new ClosestTriangles();
+        private var _sweep:TriangleSweep = new TriangleSweep();
+        private var _overlap:TriangleOverlap = new TriangleOverlap();
+        private var _finder:ContactFinder = new ContactFinder();
+        private var _tried:ContactPoint = new ContactPoint();
+        private var _sum:SegmentSum = new SegmentSum();
+        private var _feature:Polygon = new Polygon();
+        private var _otherFeature:Polygon = new Polygon();
+        private var _corner:Vector3D = new Vector3D();
+        private var _point:Vector3D = new Vector3D();
+
+        /** Creates a test without a shape. */
+        public function ConvexTriangle()
+        {
+        }
+
+        /**
+         * Begins with a structure.
+         *
+         * @param placement moves the structure into the triangles' space
+         * @param motion the structure's motion from there. Its start is not used
+         */
+        public function begin(structure:BoundingStructure, placement:Placement, motion:RelativeMotion):void
+        {
+            _kind = structure.kind;
+            _structure = _structures[_kind] = structure.place(placement, _structures[_kind]);
+            _structure.widen(margin);
+            _radius = 0;
+            _end = 0;
+            if (_kind == BoundingStructure.BOX)
+            {
+                _box.box = Box(_structure);
+                _size = _box.box.halfX + _box.box.halfY + _box.box.halfZ;
+                point = _box.box.center;
+            }
+            else if (_kind == BoundingStructure.CAPSULE)
+            {
+                setAxis(Capsule(_structure).start, Capsule(_structure).end, Capsule(_structure).radius);
+            }
+            else
+            {
+                setAxis(Sphere(_structure).center, Sphere(_structure).center, Sphere(_structure).radius);
+            }
+            beginMotion(motion);
+        }
+
+        /** Begins with a triangle: nine numbers of a list, from an index on. See begin for the placement and the motion. */
+        public function beginTriangle(corners:Vector.<Number>, at:int, placement:Placement, motion:RelativeMotion):void
+        {
+            _kind = TRIANGLE;
+            _radius = _sweep.tolerance = _overlap.tolerance = margin;
+            _size = 0;
+            placement.movePoints(corners, at, at + 9, _corners);
+            _end = 9;
+            point = _corner;
+            point.setTo(_corners[0], _corners[1], _corners[2]);
+            beginMotion(motion);
+        }
+
+        /** Writes the shape's extents at the beginning: least x, greatest x, least y, ... */
+        public function extentsInto(out:Vector.<Number>):void
+        {
+            if (_kind != TRIANGLE)
+            {
+                _structure.extentsInto(out);
+                return;
+            }
+            for (var i:int = 0; i < 3; i++)
+            {
+                out[2 * i] = Math.min(_corners[i], Math.min(_corners[i + 3], _corners[i + 6])) - _radius;
+                out[2 * i + 1] = Math.max(_corners[i], Math.max(_corners[i + 3], _corners[i + 6])) + _radius;
+            }
+        }
+
+        /** Sets the other triangle: nine numbers of a list, from an index on. The list is kept. */
+        public function setTriangle(corners:Vector.<Number>, at:int):void
+        {
+            _triangle = corners;
+            _at = at;
+            _isPrepared = false;
+        }
+
+        /** Whether the two touch at the beginning. */
+        public function touches():Boolean
+        {
+            if (_kind == BoundingStructure.BOX)
+            {
+                _box.tolerance = gap;
+                return _box.touches(_triangle, _at);
+            }
+            _closest.reach = _radius * Tolerances.TOUCHING + gap;
+            if (_kind == TRIANGLE)
+            {
+                return triangleTriangle(_corners, 0, _triangle, _at, _closest);
+            }
+            prepare();
+            return !isApart(0) && _closest.areWithin(_triangle, _at, _corners, 0);
+        }
+
+        /** Finds when the two first touch. Reads the latest time from <code>time</code>, and writes the result: RelativeMotion.NEVER for no touch. */
+        public function findTime():void
+        {
+            var latest:Number = time;
+            if (_kind == TRIANGLE)
+            {
+                _sweep.relate(_triangle, _at, _corners, 0);
+                _motion.time = latest;
+                _sweep.findTime(_motion);
+                time = _motion.time;
+                return;
+            }
+            if (touches())
+            {
+                time = 0;
+                return;
+            }
+            time = RelativeMotion.NEVER;
+            prepare();
+            if (latest == 0 || isApart(latest))
+            {
+                return;
+            }
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                setEdge(i);
+                findTimeOfImpact(_structure, _edge, _motion);
+                time = _motion.time < time ? _motion.time : time;
+            }
+            meetFace();
+            time = time <= latest ? time : RelativeMotion.NEVER;
+        }
+
+        /**
+         * Finds how the two touch at <code>time</code>. The normal is perpendicular to the face or to an edge. The one along which the two
+         * overlap least is chosen.
+         *
+         * @param out receives the contact, with a normal that points from the triangle to the shape
+         */
+        public function findContact(out:ContactPoint):void
+        {
+            prepare();
+            if (_kind == TRIANGLE)
+            {
+                findContactOfTriangles(out);
+            }
+            else
+            {
+                findContactOfStructure(out);
+            }
+            // Where a moving shape first touches a sharp edge, the normal may point behind one of the edge's faces.
+            var isFirstTouch:Boolean = time > 0 && speedAlong(out) < 0;
+            if (isOneSided && !isFirstTouch && out.normalX * _face.normalX + out.normalY * _face.normalY + out.normalZ * _face.normalZ < 0)
+            {
+                out.setNormal(_face.normalX, _face.normalY, _face.normalZ);
+            }
+        }
+
+        /** Measures the distance of the two. Updates <code>distance</code> if this triangle is the nearest one since the beginning. */
+        public function measure():void
+        {
+            prepare();
+            for (var i:int = 0; i < _end - 6; i += 3)
+            {
+                _closest.add(_corners, i, _triangle, _at);
+            }
+            distance = Math.sqrt(_closest.squared) - _radius;
+        }
+
+        /** Writes the closest points of the shape and of the nearest triangle that was measured. */
+        public function writeClosest(out:ClosestPair):void
+        {
+            out.copyPoints(_closest.points);
+            out.gapX = out.aX - out.bX;
+            out.gapY = out.aY - out.bY;
+            out.gapZ = out.aZ - out.bZ;
+            out.radiusA = _radius;
+            out.radiusB = 0;
+            out.separate();
+        }
+
+        private function beginMotion(motion:RelativeMotion):void
+        {
+            _motion.x = motion.x;
+            _motion.y = motion.y;
+            _motion.z = motion.z;
+            _isPrepared = false;
+            _closest.begin();
+        }
+
+        private function setAxis(start:Vector3D, end:Vector3D, radius:Number):void
+        {
+            _radius = radius;
+            _size = radius + Vector3D.distance(start, end);
+            point = start;
+            addCorner(start);
+            addCorner(end);
+            addCorner(end);
+        }
+
+        private function addCorner(at:Vector3D):void
+        {
+            _corners[_end] = at.x;
+            _corners[int(_end + 1)] = at.y;
+            _corners[int(_end + 2)] = at.z;
+            _end += 3;
+        }
+
+        private function addCornersOf(box:Box):void
+        {
+            for (var i:int = 0; i < STRIP.length; i++)
+            {
+                var x:Number = (STRIP[i] & 1) == 0 ? -box.halfX : box.halfX;
+                var y:Number = (STRIP[i] & 2) == 0 ? -box.halfY : box.halfY;
+                var z:Number = (STRIP[i] & 4) == 0 ? -box.halfZ : box.halfZ;
+                _corner.setTo(box.center.x + x * box.axisX.x + y * box.axisY.x + z * box.axisZ.x,
+                        box.center.y + x * box.axisX.y + y * box.axisY.y + z * box.axisZ.y,
+                        box.center.z + x * box.axisX.z + y * box.axisY.z + z * box.axisZ.z);
+                addCorner(_corner);
+            }
+        }
+
+        // Computes what most tests need: the normal of the triangle, and the corners of a box.
+        private function prepare():void
+        {
+            if (_isPrepared)
+            {
+                return;
+            }
+            _isPrepared = true;
+            if (_end == 0)
+            {
+                addCornersOf(_box.box);
+            }
+            var p:Vector.<Number> = _triangle;
+            var at:int = _at;
+            var ux:Number = p[int(at + 3)] - p[at];
+            var uy:Number = p[int(at + 4)] - p[int(at + 1)];
+            var uz:Number = p[int(at + 5)] - p[int(at + 2)];
+            var vx:Number = p[int(at + 6)] - p[at];
+            var vy:Number = p[int(at + 7)] - p[int(at + 1)];
+            var vz:Number = p[int(at + 8)] - p[int(at + 2)];
+            var squared:Number = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
+            _face.setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+            _face.normalise();
+            if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * squared * squared))
+            {
+                _face.setNormal(NaN, NaN, NaN);
+            }
+            // Without this radius, rounding would hide the direction of the gap when the gap is almost closed.
+            _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(squared) + Math.abs(p[at]) + Math.abs(p[int(at + 1)]) + Math.abs(p[int(at + 2)]));
+        }
+
+        private function setEdge(first:int):void
+        {
+            var from:int = _at + first;
+            var to:int = first == 6 ? _at : from + 3;
+            _edge.start.setTo(_triangle[from], _triangle[int(from + 1)], _triangle[int(from + 2)]);
+            _edge.end.setTo(_triangle[to], _triangle[int(to + 1)], _triangle[int(to + 2)]);
+        }
+
+        // How far the two overlap at the beginning, seen along a contact's normal, or against it if side is -1.
+        private function overlapAlong(contact:ContactPoint, side:int):Number
+        {
+            return contact.reach(_triangle, _at, _at + 9, side) + contact.reach(_corners, 0, _end, -side) + _radius;
+        }
+
+        private function speedAlong(contact:ContactPoint):Number
+        {
+            return contact.normalX * _motion.x + contact.normalY * _motion.y + contact.normalZ * _motion.z;
+        }
+
+        // Whether the shape stays on one side of the triangle's plane until a time.
+        private function isApart(until:Number):Boolean
+        {
+            var way:Number = until * speedAlong(_face);
+            var least:Number = -gap - _edge.radius;
+            var down:Number = way < 0 ? way : 0;
+            var up:Number = way > 0 ? way : 0;
+            return overlapAlong(_face, 1) - down < least || overlapAlong(_face, -1) + up < least;
+        }
+
+        // Finds when a corner of the structure comes to the triangle's face.
+        private function meetFace():void
+        {
+            var speed:Number = speedAlong(_face);
+            var back:Number = speed < 0 ? _radius : -_radius;
+            var plane:Number = _face.alongOf(_triangle, _at) + back;
+            for (var i:int = 0; i < _end; i += 3)
+            {
+                var impact:Number = (plane - _face.alongOf(_corners, i)) / speed;
+                if (impact >= 0 && impact < time)
+                {
+                    _point.setTo(_corners[i] + impact * _motion.x, _corners[int(i + 1)] + impact * _motion.y, _corners[int(i + 2)] + impact * _motion.z);
+                    _face.push(_point, -back);
+                    time = isOverFace(_point) ? impact : time;
+                }
+            }
+        }
+
+        // Whether a point is over the triangle's face.
+        private function isOverFace(point:Vector3D):Boolean
+        {
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                setEdge(i);
+                var start:Vector3D = _edge.start;
+                var ux:Number = _edge.end.x - start.x;
+                var uy:Number = _edge.end.y - start.y;
+                var uz:Number = _edge.end.z - start.z;
+                var vx:Number = point.x - start.x;
+                var vy:Number = point.y - start.y;
+                var vz:Number = point.z - start.z;
+                if (_face.normalX * (uy * vz - uz * vy) + _face.normalY * (uz * vx - ux * vz) + _face.normalZ * (ux * vy - uy * vx) < 0)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private function findContactOfStructure(out:ContactPoint):void
+        {
+            var displacement:RelativeMotion = _finder.displacement;
+            displacement.startX = time * _motion.x;
+            displacement.startY = time * _motion.y;
+            displacement.startZ = time * _motion.z;
+            out.depth = Infinity;
+            _tried.setNormal(_face.normalX, _face.normalY, _face.normalZ);
+            keepLeast(out);
+            _tried.setNormal(-_face.normalX, -_face.normalY, -_face.normalZ);
+            keepLeast(out);
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                setEdge(i);
+                _finder.find(_structure, _edge, _tried);
+                keepLeast(out);
+            }
+            _point.setTo(-out.normalX, -out.normalY, -out.normalZ);
+            _sum.setTo(_structure, displacement);
+            _sum.supportInto(_feature, _point);
+            _feature.setStep(_radius * _point.x, _radius * _point.y, _radius * _point.z);
+            _feature.move();
+            _otherFeature.setFarthest(_triangle, _at, out, 1);
+            _feature.findCommonPoint(_otherFeature, out);
+            out.x = _feature.x;
+            out.y = _feature.y;
+            out.z = _feature.z;
+            out.depth = out.depth > 0 ? out.depth : 0;
+        }
+
+        // Keeps the normal if the two overlap less along it. If rounding decides, the one before is kept.
+        private function keepLeast(out:ContactPoint):void
+        {
+            var depth:Number = overlapAlong(_tried, 1) - time * speedAlong(_tried);
+            if (depth < out.depth - _edge.radius)
+            {
+                out.setNormal(_tried.normalX, _tried.normalY, _tried.normalZ);
+                out.depth = depth;
+            }
+        }
+
+        private function findContactOfTriangles(out:ContactPoint):void
+        {
+            _overlap.relate(_triangle, _at, _corners, 0);
+            _motion.time = time;
+            _overlap.findContact(_motion, out);
+            out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+        }
+    }
+}

@@ -62,7 +62,7 @@ package starlogo.terrain
          *
          * @param picture in Flash a BitmapData, in JavaScript an ImageData
          * @param height the height of white; black is 0, and greys are in between. A color counts as the mean of its red, green and blue
-         * @throws ArgumentError if there is no picture
+         * @throws ArgumentError if there is no picture, or it has too little data
          * @throws RangeError as the constructor does for the other numbers, and if the height is not finite
          */
         public static function fromPicture(picture:Object, height:Number, cellWidth:Number = 1, x:Number = 0, y:Number = 0):Terrain
@@ -72,6 +72,10 @@ package starlogo.terrain
                 throw new ArgumentError("a picture is needed, not " + picture);
             }
             var terrain:Terrain = new Terrain(picture.width, picture.height, cellWidth, x, y);
+            if ("data" in picture && picture.data.length < 4 * terrain.columns * terrain.rows)
+            {
+                throw new ArgumentError("a picture of " + terrain.columns + " by " + terrain.rows + " pixels has too little data: " + picture.data.length);
+            }
             terrain.setHeights(0, 0, terrain.columns, terrain.rows, greysOf(picture, height / 765));
             return terrain;
         }

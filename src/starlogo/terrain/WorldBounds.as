@@ -23,7 +23,7 @@ package starlogo.terrain
          * @param maxX the greatest x; may be Infinity
          * @param maxY the greatest y
          * @param maxZ the greatest z
-         * @throws RangeError if one is not a number, or a least one is greater than the greatest
+         * @throws RangeError if one is not a number, or a least one is Infinity or greater than the greatest, or a greatest one is -Infinity
          */
         public function WorldBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number)
         {
@@ -47,10 +47,10 @@ package starlogo.terrain
             var edges:Vector.<Number> = new <Number>[minX, maxX, minY, maxY, minZ, maxZ];
             for (var i:int = 0; i < 6; i += 2)
             {
-                if (!(edges[i] <= edges[i + 1]))
+                if (!(edges[i] <= edges[i + 1] && edges[i] < Infinity && edges[i + 1] > -Infinity))
                 {
-                    throw new RangeError("the least " + "xyz".charAt(i / 2) + " of the world must not be greater than the greatest: " + edges[i] + ", "
-                            + edges[i + 1]);
+                    throw new RangeError("the least " + "xyz".charAt(i / 2) + " of the world must not be greater than the greatest, nor Infinity: "
+                            + edges[i] + ", " + edges[i + 1]);
                 }
             }
             _agent.edges = edges;

@@ -236,6 +236,10 @@ package starlogo.terrain
                 {
                     Terrain.fromPicture(null, 1);
                 });
+            assertThrows(ArgumentError, /too little data: 15/, function():void
+                {
+                    Terrain.fromPicture({width: 2, height: 2, data: picture.data.slice(1)}, 1);
+                });
             assertThrows(RangeError, /./, function():void
                 {
                     Terrain.fromPicture(picture, NaN);

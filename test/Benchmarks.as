@@ -7,6 +7,7 @@ package
     import benchmark.DistanceBenchmark;
     import benchmark.FewAgentsBenchmark;
     import benchmark.FittingBenchmark;
+    import benchmark.GroundBenchmark;
     import benchmark.HandlersBenchmark;
     import benchmark.HierarchicalCrowdBenchmark;
     import benchmark.HierarchyBenchmark;
@@ -29,7 +30,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, GroundBenchmark, HandlersBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, MoveBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
 
         private var _pending:Array;

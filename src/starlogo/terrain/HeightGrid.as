@@ -35,7 +35,7 @@ package starlogo.terrain
         /**
          * Three numbers for each square of cells: the least height there, the greatest height, and the greatest difference of two heights that
          * are neighbours along x or y. A square of level 1 is 8 cells wide, and a square of each next level is 8 squares wide. The last level is
-         * one square. The neighbours of the cells belong to the square.
+         * one square. The heights around a square count too, because walls lead to them.
          */
         public var bounds:Vector.<Number>;
 
@@ -155,42 +155,48 @@ package starlogo.terrain
             revision++;
             for (var level:int = 1; level <= levels; level++)
             {
-                first = Math.max(0, first - 1) >> SHIFT;
-                firstRow = Math.max(0, firstRow - 1) >> SHIFT;
-                last = Math.min(across[level - 1] - 1, last + 1) >> SHIFT;
-                lastRow = Math.min(down[level - 1] - 1, lastRow + 1) >> SHIFT;
+                var around:int = level == 1 ? 1 : 0;
+                first = Math.max(0, first - around) >> SHIFT;
+                firstRow = Math.max(0, firstRow - around) >> SHIFT;
+                last = Math.min(across[level - 1] - 1, last + around) >> SHIFT;
+                lastRow = Math.min(down[level - 1] - 1, lastRow + around) >> SHIFT;
                 for (var row:int = firstRow; row <= lastRow; row++)
                 {
                     for (var column:int = first; column <= last; column++)
                     {
-                        findBoundsOf(level, column, row);
+                        findBoundsOf(level, column, row, around);
                     }
                 }
             }
         }
 
-        // Computes the bounds of a square from the squares of the level before, or from the heights.
-        private function findBoundsOf(level:int, column:int, row:int):void
+        // Computes the bounds of a square from the squares of the level before, or from the heights. Some rows and columns around count too.
+        private function findBoundsOf(level:int, column:int, row:int, around:int):void
         {
             var least:Number = Infinity;
             var greatest:Number = -Infinity;
             var difference:Number = 0;
             var stride:int = across[level - 1];
-            var first:int = Math.max(0, (column << SHIFT) - 1);
-            var firstRow:int = Math.max(0, (row << SHIFT) - 1);
-            var end:int = Math.min(stride - 1, (column + 1) << SHIFT);
-            var endRow:int = Math.min(down[level - 1] - 1, (row + 1) << SHIFT);
-            for (var i:int = firstRow; i <= endRow; i++)
+            var first:int = Math.max(0, (column << SHIFT) - around);
+            var firstRow:int = Math.max(0, (row << SHIFT) - around);
+            var end:int = Math.min(stride, ((column + 1) << SHIFT) + around);
+            var endRow:int = Math.min(down[level - 1], ((row + 1) << SHIFT) + around);
+            for (var i:int = firstRow; i < endRow; i++)
             {
-                for (var j:int = first; j <= end; j++)
+                for (var j:int = first; j < end; j++)
                 {
                     var at:int = i * stride + j;
                     if (level == 1)
                     {
-                        least = Math.min(least, heights[at]);
-                        greatest = Math.max(greatest, heights[at]);
-                        difference = j == first ? difference : Math.max(difference, Math.abs(heights[at] - heights[int(at - 1)]));
-                        difference = i == firstRow ? difference : Math.max(difference, Math.abs(heights[at] - heights[int(at - columns)]));
+                        var here:Number = heights[at];
+                        least = here < least ? here : least;
+                        greatest = here > greatest ? here : greatest;
+                        var alongX:Number = j == first ? 0 : here - heights[int(at - 1)];
+                        var alongY:Number = i == firstRow ? 0 : here - heights[int(at - columns)];
+                        difference = alongX > difference ? alongX : difference;
+                        difference = alongY > difference ? alongY : difference;
+                        difference = -alongX > difference ? -alongX : difference;
+                        difference = -alongY > difference ? -alongY : difference;
                     }
                     else
                     {

@@ -57,36 +57,54 @@ package starlogo.terrain
             {
                 return isTouching;
             }
-            // A column extends half a cell beyond the place of its height.
+            // The distance from a sloped plane is the height above the plane times the cosine of its angle. The bounds of the whole terrain
+            // are looked at first, because they are in the processor's cache.
             var width:Number = grid.cellWidth;
+            var lowest:Number = z - outer;
+            var slope:Number = grid.isBlocky ? 0 : width * Math.sqrt((above * above / outer / outer - 1) / 2);
+            var whole:int = grid.bounds.length - 3;
+            if (lowest > grid.bounds[int(whole + 1)] || grid.bounds[int(whole + 2)] < slope)
+            {
+                return true;
+            }
+            // A column extends half a cell beyond the place of its height.
             x -= grid.x;
             y -= grid.y;
             findBounds(grid, Math.max(0, (x - outer) / width), Math.max(0, (y - outer) / width), Math.min(grid.columns - 1, (x + outer) / width + 1),
                     Math.min(grid.rows - 1, (y + outer) / width + 1));
-            // The distance from a sloped plane is the height above the plane times the cosine of its angle.
-            return z - outer > _greatest || !grid.isBlocky && above * above * width * width > (width * width + 2 * _difference * _difference) * outer * outer;
+            if (lowest > _greatest || _difference < slope)
+            {
+                return true;
+            }
+            // Look at the point of the inner ball that is nearest to the plane under its middle.
+            var step:Number = inner / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
+            grid.placeX -= step * grid.fallX;
+            grid.placeY -= step * grid.fallY;
+            grid.findHeight();
+            isTouching = isSolid && grid.height >= z - step * width;
+            return isTouching;
         }
 
-        // Finds the bounds of some cells, by the smallest squares of which at most two are in a row.
+        // Finds the bounds of some cells. It takes the smallest squares that are no smaller than the range of cells. The corners of the range
+        // are in all squares to which it extends.
         private function findBounds(grid:HeightGrid, first:int, firstRow:int, last:int, lastRow:int):void
         {
             var level:int = 1;
             var shift:int = HeightGrid.SHIFT;
-            while ((last >> shift) - (first >> shift) > 1 || (lastRow >> shift) - (firstRow >> shift) > 1)
+            while (Math.max(last - first, lastRow - firstRow) >= 1 << shift)
             {
                 shift += HeightGrid.SHIFT;
                 level++;
             }
             _greatest = -Agent.LARGEST_COORDINATE;
             _difference = 0;
-            for (var row:int = firstRow >> shift; row <= lastRow >> shift; row++)
+            for (var corner:int = 0; corner < 4; corner++)
             {
-                for (var column:int = first >> shift; column <= last >> shift; column++)
-                {
-                    var at:int = grid.begins[level] + 3 * (row * grid.across[level] + column);
-                    _greatest = Math.max(_greatest, grid.bounds[int(at + 1)]);
-                    _difference = Math.max(_difference, grid.bounds[int(at + 2)]);
-                }
+                var column:int = (corner & 1) == 0 ? first : last;
+                var row:int = corner < 2 ? firstRow : lastRow;
+                var at:int = grid.begins[level] + 3 * ((row >> shift) * grid.across[level] + (column >> shift));
+                _greatest = Math.max(_greatest, grid.bounds[int(at + 1)]);
+                _difference = Math.max(_difference, grid.bounds[int(at + 2)]);
             }
         }
     }

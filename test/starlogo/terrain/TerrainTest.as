@@ -378,7 +378,7 @@ package starlogo.terrain
             return new RegExp(text.replace(/[()]/g, "\\$&"));
         }
 
-        // The bounds of every square are those of its heights and of the squares around its smaller squares.
+        // The bounds of every square are those of its heights and of the heights around them.
         private function checkBounds(terrain:Terrain):void
         {
             var grid:HeightGrid = terrain.grid;
@@ -390,23 +390,22 @@ package starlogo.terrain
                     for (var column:int = 0; column * size < terrain.columns; column++)
                     {
                         var at:int = grid.begins[level] + 3 * (row * grid.across[level] + column);
-                        // 1 at level 1, 8 more at level 2, 64 more at level 3
-                        checkSquare(terrain, column * size, row * size, size, (size - 1) / 7, grid.bounds.slice(at, at + 3));
+                        checkSquare(terrain, column * size, row * size, size, grid.bounds.slice(at, at + 3));
                     }
                 }
             }
             assertEquals("the last level is one square", grid.bounds.length, at + 3);
         }
 
-        private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, around:int, bounds:Vector.<Number>):void
+        private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, bounds:Vector.<Number>):void
         {
             var least:Number = Infinity;
             var greatest:Number = -Infinity;
             var difference:Number = 0;
-            var end:int = Math.min(terrain.columns, first + size + around);
-            var endRow:int = Math.min(terrain.rows, firstRow + size + around);
-            first = Math.max(0, first - around);
-            firstRow = Math.max(0, firstRow - around);
+            var end:int = Math.min(terrain.columns, first + size + 1);
+            var endRow:int = Math.min(terrain.rows, firstRow + size + 1);
+            first = Math.max(0, first - 1);
+            firstRow = Math.max(0, firstRow - 1);
             for (var row:int = firstRow; row < endRow; row++)
             {
                 for (var column:int = first; column < end; column++)

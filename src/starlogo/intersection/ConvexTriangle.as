@@ -173,7 +173,6 @@ package starlogo.intersection
             {
                 return triangleTriangle(_corners, 0, _triangle, _at, _closest);
             }
-            prepare();
             return !isApart(0) && _closest.areWithin(_triangle, _at, _corners, 0);
         }
 
@@ -195,7 +194,6 @@ package starlogo.intersection
                 return;
             }
             time = RelativeMotion.NEVER;
-            prepare();
             if (latest == 0 || isApart(latest))
             {
                 return;
@@ -352,6 +350,7 @@ package starlogo.intersection
         // Whether the shape stays on one side of the triangle's plane until a time.
         private function isApart(until:Number):Boolean
         {
+            prepare();
             var way:Number = until * speedAlong(_face);
             var least:Number = -gap - _edge.radius;
             var down:Number = way < 0 ? way : 0;

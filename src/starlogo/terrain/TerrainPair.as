@@ -193,17 +193,15 @@ package starlogo.terrain
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
+            search(CLOSEST, RelativeMotion.NONE, 0, findBound());
+            _bestPiece.writeClosest(out);
             if (areTouching)
             {
-                findDeepest(RelativeMotion.NONE, 0, _tried);
-                out.aX = out.bX = _tried.x;
-                out.aY = out.bY = _tried.y;
-                out.aZ = out.bZ = _tried.z;
-            }
-            else
-            {
-                search(CLOSEST, RelativeMotion.NONE, 0, findBound());
-                _bestPiece.writeClosest(out);
+                // either the model's point is in the ground, or the surface's point is in the model
+                var isUnder:Boolean = heightAt(out.aX, out.aY) >= out.aZ;
+                out.aX = out.bX = isUnder ? out.aX : out.bX;
+                out.aY = out.bY = isUnder ? out.aY : out.bY;
+                out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
             }
             out.settle(areTouching);
         }

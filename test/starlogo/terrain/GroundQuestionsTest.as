@@ -70,6 +70,7 @@ package starlogo.terrain
         [Test]
         public function distancesAreLikeEveryTriangle():void
         {
+            var touching:int = 0;
             var count:int = Effort.choose(40, 10000, 8);
             for (var i:int = 0; i < count; i++)
             {
@@ -79,6 +80,7 @@ package starlogo.terrain
                 for each (var name:String in EachCollider.NAMES)
                 {
                     var agent:Agent = agentAbout(terrain);
+                    agent.z -= i % 3 * agent.size;
                     var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
                     var a:Vector3D = new Vector3D();
                     var b:Vector3D = new Vector3D();
@@ -93,9 +95,23 @@ package starlogo.terrain
                         assertTrue(what + ", on the ground", distanceOfPoint(reference, b) < near);
                         assertFalse(what, queries.distance(agent, terrain.agent) == 0);
                     }
+                    else
+                    {
+                        touching++;
+                        var isInGround:Boolean = terrain.heightAt(a.x, a.y) >= a.z || distanceOfPoint(reference, a) < near;
+                        assertTrue(what + ", a point of the ground " + a, isInGround);
+                        assertTrue(what + ", a point of the agent " + a, queries.distanceToPoint(agent, a) < near);
+                    }
                     assertEquals(distance, queries.distance(terrain.agent, agent, b, a));
+                    var under:Vector3D = new Vector3D(agent.x, agent.y, agent.z);
+                    if (terrain.heightAt(under.x, under.y) >= under.z)
+                    {
+                        assertEquals(0, queries.distanceToPoint(terrain.agent, under, a));
+                        assertTrue(what + ", the point itself", Vector3D.distance(a, under) < near);
+                    }
                 }
             }
+            assertTrue("touching: " + touching, touching > count / 2 && touching < 4 * count);
         }
 
         [Test]

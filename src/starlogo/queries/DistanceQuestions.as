@@ -62,6 +62,13 @@ package starlogo.queries
             _structure ||= new AskedStructure();
             _point.center.setTo(point.x, point.y, point.z);
             answer(_seen.rowOfNow(agent, 1), _structure.readInto(_seen.table, _point), out, null);
+            if (out != null && closest.distance == 0)
+            {
+                // without the rounding of the point that was found
+                out.x = point.x;
+                out.y = point.y;
+                out.z = point.z;
+            }
         }
 
         /**

@@ -237,7 +237,7 @@ package starlogo.terrain
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
-        // no wall.
+        // no wall near the box. Tall walls are cut a cell's width above and below the box, because long triangles have larger rounding errors.
         private function findWall(side:int, isUpper:Boolean):Boolean
         {
             var end:int = (side + 1) & 3;
@@ -245,15 +245,24 @@ package starlogo.terrain
             var row:int = _row + TO_ROW[side];
             var top:Number = _tops[side];
             var endTop:Number = _tops[end];
-            var low:Number = Math.min(_low, Math.min(top, endTop)) - _width;
+            var low:Number = -Infinity;
             if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
             {
                 low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] : Infinity;
             }
+            if (low >= top && low >= endTop || low > _high)
+            {
+                return false;
+            }
+            low = Math.max(low, Math.min(_low, Math.min(top, endTop)) - _width);
+            if (Math.min(top, endTop) > _high + _width)
+            {
+                top = endTop = _high + _width;
+            }
             put(0, side, low);
             put(3, end, isUpper ? endTop : low);
             put(6, isUpper ? side : end, isUpper ? top : endTop);
-            return low < top || low < endTop;
+            return true;
         }
 
         // Writes a corner of the cell, with a height.

@@ -226,17 +226,22 @@ package starlogo.terrain
             _bestPiece.findContact(out);
         }
 
-        // An upper bound of the distance of the two: the distance from the model's middle to the nearest height, plus how far the model
-        // extends.
+        // An upper bound of the distance of the two: the distance from the model's middle to the surface above or below it, or to the nearest
+        // height of the border or the wall below it, plus how far the model extends.
         private function findBound():Number
         {
             var box:PassingBox = boxOf(_structure);
-            var width:Number = _grid.cellWidth;
-            var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((box.x - _grid.x) / width)));
-            var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((box.y - _grid.y) / width)));
-            var toX:Number = _grid.x + column * width - box.x;
-            var toY:Number = _grid.y + row * width - box.y;
-            var toZ:Number = _grid.heights[row * _grid.columns + column] - box.z;
+            var toX:Number = 0;
+            var toY:Number = 0;
+            var toZ:Number = heightAt(box.x, box.y) - box.z;
+            if (isNaN(toZ))
+            {
+                var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((box.x - _grid.x) / _grid.cellWidth)));
+                var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((box.y - _grid.y) / _grid.cellWidth)));
+                toX = _grid.x + column * _grid.cellWidth - box.x;
+                toY = _grid.y + row * _grid.cellWidth - box.y;
+                toZ = Math.min(0, _grid.heights[row * _grid.columns + column] - box.z);
+            }
             return Tolerances.OUTER * (Math.sqrt(toX * toX + toY * toY + toZ * toZ) + box.halfX + box.halfY + box.halfZ);
         }
 

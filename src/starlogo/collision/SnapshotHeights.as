@@ -60,7 +60,8 @@ package starlogo.collision
             var hasGround:Boolean = bytes.position < end;
             if (hasGround != (terrain != null))
             {
-                throw new ArgumentError("bytes are no snapshot of a Collision " + (hasGround ? "without" : "with") + " ground");
+                var which:String = hasGround ? "without" : "with";
+                throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
             return !hasGround || readHeights(bytes, terrain);
         }

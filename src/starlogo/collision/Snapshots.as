@@ -201,7 +201,8 @@ package starlogo.collision
                 }
                 if (agents[second] == null)
                 {
-                    throw new ArgumentError("bytes are no snapshot of a Collision without " + (second == count ? "ground" : "bounds"));
+                    var missing:String = second == count ? "ground" : "bounds";
+                    throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
                 tracker.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
             }

@@ -115,11 +115,13 @@ package starlogo.intersection
             }
             else if (_kind == BoundingStructure.CAPSULE)
             {
-                setAxis(Capsule(_structure).start, Capsule(_structure).end, Capsule(_structure).radius);
+                var capsule:Capsule = Capsule(_structure);
+                setAxis(capsule.start, capsule.end, capsule.radius);
             }
             else
             {
-                setAxis(Sphere(_structure).center, Sphere(_structure).center, Sphere(_structure).radius);
+                var sphere:Sphere = Sphere(_structure);
+                setAxis(sphere.center, sphere.center, sphere.radius);
             }
             beginMotion(motion);
         }
@@ -147,8 +149,8 @@ package starlogo.intersection
             }
             for (var i:int = 0; i < 3; i++)
             {
-                out[2 * i] = Math.min(_corners[i], Math.min(_corners[i + 3], _corners[i + 6])) - _radius;
-                out[2 * i + 1] = Math.max(_corners[i], Math.max(_corners[i + 3], _corners[i + 6])) + _radius;
+                out[int(2 * i)] = Math.min(_corners[i], Math.min(_corners[int(i + 3)], _corners[int(i + 6)])) - _radius;
+                out[int(2 * i + 1)] = Math.max(_corners[i], Math.max(_corners[int(i + 3)], _corners[int(i + 6)])) + _radius;
             }
         }
 

@@ -282,7 +282,7 @@ package starlogo.search
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _times[_out.count + kept] = time;
+                    _times[int(_out.count + kept)] = time;
                     kept++;
                 }
             }

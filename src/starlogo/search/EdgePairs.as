@@ -104,7 +104,7 @@ package starlogo.search
             for (edge = 0; edge < 6; edge += 2)
             {
                 // of two opposite edges, the one with the larger value counts
-                var one:int = _beyond[edge] >= _beyond[edge + 1] ? edge : edge + 1;
+                var one:int = _beyond[edge] >= _beyond[int(edge + 1)] ? edge : edge + 1;
                 if (_beyond[one] >= -_margin || one == _nearest)
                 {
                     leadBack(one, out);

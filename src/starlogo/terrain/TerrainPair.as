@@ -240,7 +240,7 @@ package starlogo.terrain
                 var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((box.y - _grid.y) / _grid.cellWidth)));
                 toX = _grid.x + column * _grid.cellWidth - box.x;
                 toY = _grid.y + row * _grid.cellWidth - box.y;
-                toZ = Math.min(0, _grid.heights[row * _grid.columns + column] - box.z);
+                toZ = Math.min(0, _grid.heights[int(row * _grid.columns + column)] - box.z);
             }
             return Tolerances.OUTER * (Math.sqrt(toX * toX + toY * toY + toZ * toZ) + box.halfX + box.halfY + box.halfZ);
         }

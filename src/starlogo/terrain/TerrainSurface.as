@@ -21,7 +21,7 @@ package starlogo.terrain
         private static const BESIDE_X:Vector.<int> = new <int>[0, 1, 0, -1];
         private static const BESIDE_Y:Vector.<int> = new <int>[-1, 0, 1, 0];
 
-        /** x, y and z of each vertex, in the world. */
+        /** The vertices in the world: x, y and z of each. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
         /** The direction out of the ground at each vertex: x, y and z, of length 1. */

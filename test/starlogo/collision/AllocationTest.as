@@ -4,6 +4,8 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import evaluation.pairs.SeededRandom;
     import support.Garbage;
     import support.MemoryGrowth;
@@ -130,6 +132,45 @@ package starlogo.collision
             assertTrue(grown + " bytes in " + _frames + " frames", grown <= NOTHING * _frames);
 
             function takeContact(a:Agent, b:Agent, contact:Contact):void
+            {
+                calls++;
+            }
+        }
+
+        [Test]
+        public function framesOnTheGroundAllocateNothing():void
+        {
+            var worst:Number = 0;
+            _agents.length = 60;
+            for (var i:int = 0; i < _agents.length; i++)
+            {
+                _agents[i].sweeps = i % 3 == 0;
+                _agents[i].hierarchical = i % 10 == 0;
+            }
+            for each (var system:CollisionSystem in [new BinCollider(_greatLand), new TightestFitCollider(_greatLand),
+                        new HierarchicalCollider(_greatLand), new CombinationCollider(_greatLand)])
+            {
+                var collision:Collision = new Collision(system);
+                collision.terrain = new Terrain(21, 21, 1, -10, -10);
+                collision.terrain.raiseMound(2, 1, 12, 1);
+                collision.bounds = new WorldBounds(-8, -8, -Infinity, 8, 8, Infinity);
+                collision.onCollision("balls", Collision.EDGE, count);
+                collision.onCollision("bears", Collision.TERRAIN, count);
+                collision.onCollision("balls", Collision.TERRAIN, count);
+                var calls:int = 0;
+                var grown:Number = growth(function(i:int):void
+                    {
+                        moveAll();
+                        collision.update(_agents);
+                    });
+                assertTrue("handlers were called: " + calls, calls > _frames);
+                trace("  " + String(system) + " on the ground: " + grown / _frames + " bytes an update, " + calls / _frames + " calls");
+                worst = Math.max(worst, grown);
+            }
+
+            assertTrue(worst + " bytes in " + _frames + " frames", worst <= _frames * (Garbage.isCounted ? UPDATE : NOTHING));
+
+            function count(a:Agent, b:Agent):void
             {
                 calls++;
             }

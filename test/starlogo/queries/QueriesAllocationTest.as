@@ -9,6 +9,7 @@ package starlogo.queries
     import starlogo.collision.Collider;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
     import support.EachCollider;
     import support.Garbage;
     import support.MemoryGrowth;
@@ -35,6 +36,10 @@ package starlogo.queries
         private var _hit:RayHit = new RayHit();
         private var _contact:Contact = new Contact();
         private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
+        private var _shapeHit:ShapeHit = new ShapeHit();
+        private var _shapeHits:Vector.<ShapeHit> = new Vector.<ShapeHit>();
+        private var _options:WalkOptions = new WalkOptions();
+        private var _footing:Footing = new Footing();
         private var _answers:int;
 
         [Test]
@@ -50,6 +55,9 @@ package starlogo.queries
                 assertAllocatesNothing(name + ", rays", askWhatRaysMeet);
                 assertAllocatesNothing(name + ", motions", askHowFar);
                 assertAllocatesNothing(name + ", distances", askHowFarApart);
+                assertAllocatesNothing(name + ", casts of shapes", askWhatShapesMeet);
+                _queries.terrain = makeHill();
+                assertAllocatesNothing(name + ", walks", askHowItWalks);
             }
         }
 
@@ -181,6 +189,37 @@ package starlogo.queries
             {
                 _queries.moved(agent);
             }
+        }
+
+        private function askWhatShapesMeet(agent:Agent):void
+        {
+            _answers += _queries.castShapeAll(_structure, agent.x, agent.y, 0, null, _shapeHits).length;
+            _answers += _queries.castShape(_structure, agent.x, agent.y, 0, _filter, _shapeHit) == null ? 0 : 1;
+            _answers += _queries.castAgentAll(agent, 5, 1, 0, null, _shapeHits).length;
+            _answers += _queries.castAgent(agent, 5, 1, 0, _filter, _shapeHit) == null ? 0 : 1;
+            _answers += _queries.overlapsAgent(agent, -agent.x, agent.y, 0) ? 1 : 0;
+        }
+
+        // The guests only, one after the other from the same place: over the hill, and where there is none.
+        private function askHowItWalks(agent:Agent):void
+        {
+            _answers++;
+            if (_agents.indexOf(agent) < 0)
+            {
+                agent.moveTo(-4, 0.5, 1);
+                for (var i:int = 0; i < 4; i++)
+                {
+                    _answers += _queries.walk(agent, 0.4, 0, _options, _footing).stands ? 1 : 0;
+                }
+                agent.moveTo(0, 0, 0);
+            }
+        }
+
+        private static function makeHill():Terrain
+        {
+            var terrain:Terrain = new Terrain(9, 9, 2, -8, -8);
+            terrain.raiseMound(0, 0, 12, 1);
+            return terrain;
         }
 
         private function askHowFarApart(agent:Agent):void

@@ -221,7 +221,10 @@ package starlogo.intersection
             prepare();
             if (_kind == TRIANGLE)
             {
-                findContactOfTriangles(out);
+                _overlap.relate(_triangle, _at, _corners, 0);
+                _motion.time = time;
+                _overlap.findContact(_motion, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
             }
             else
             {
@@ -438,14 +441,6 @@ package starlogo.intersection
                 out.setNormal(_tried.normalX, _tried.normalY, _tried.normalZ);
                 out.depth = depth;
             }
-        }
-
-        private function findContactOfTriangles(out:ContactPoint):void
-        {
-            _overlap.relate(_triangle, _at, _corners, 0);
-            _motion.time = time;
-            _overlap.findContact(_motion, out);
-            out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
     }
 }

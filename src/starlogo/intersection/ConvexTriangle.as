@@ -273,7 +273,11 @@ package starlogo.intersection
         private function setAxis(start:Vector3D, end:Vector3D, radius:Number):void
         {
             _radius = radius;
-            _size = radius + Vector3D.distance(start, end);
+            // Vector3D.distance() makes an object in some players
+            var x:Number = end.x - start.x;
+            var y:Number = end.y - start.y;
+            var z:Number = end.z - start.z;
+            _size = radius + Math.sqrt(x * x + y * y + z * z);
             point = start;
             addCorner(start);
             addCorner(end);

@@ -318,7 +318,7 @@ package starlogo.search
             {
                 var row:int = _memberRows[i];
                 var number:int = numbers[agents[row].breedNumber];
-                if (number < 0 || !areOfInterest[first + number])
+                if (number < 0 || !areOfInterest[int(first + number)])
                 {
                     continue;
                 }
@@ -331,8 +331,8 @@ package starlogo.search
                 {
                     _times[_out.count] = time;
                 }
-                _out.indices[2 * _out.count] = i;
-                _out.indices[2 * _out.count + 1] = index;
+                _out.indices[int(2 * _out.count)] = i;
+                _out.indices[int(2 * _out.count + 1)] = index;
                 _out.count++;
             }
         }

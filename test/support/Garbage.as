@@ -17,11 +17,5 @@ package support
         {
             assumeThat(isCollected, equalTo(false));
         }
-
-        /** Skips the test unless each allocated byte counts. */
-        public static function assumeCounted():void
-        {
-            assumeThat(isCounted, equalTo(true));
-        }
     }
 }

@@ -55,12 +55,9 @@ package starlogo.queries
                 assertAllocatesNothing(name + ", rays", askWhatRaysMeet);
                 assertAllocatesNothing(name + ", motions", askHowFar);
                 assertAllocatesNothing(name + ", distances", askHowFarApart);
-                if (Garbage.isCounted)
-                {
-                    assertAllocatesNothing(name + ", casts of shapes", askWhatShapesMeet);
-                    _queries.terrain = makeHill();
-                    assertAllocatesNothing(name + ", walks", askHowItWalks);
-                }
+                assertAllocatesNothing(name + ", casts of shapes", askWhatShapesMeet);
+                _queries.terrain = makeHill();
+                assertAllocatesNothing(name + ", walks", askHowItWalks);
             }
         }
 

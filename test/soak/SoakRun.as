@@ -25,7 +25,7 @@ package soak
         private var _frames:int;
         private var _game:SoakGame;
         private var _memory:SoakMemory = new SoakMemory();
-        private var _shape:Shape = new Shape();
+        private var _shape:Shape;
         private var _frame:int = 0;
         private var _problem:String = "";
 
@@ -65,11 +65,20 @@ package soak
         /** Begins. */
         public function start():void
         {
+            awaitFrame();
+        }
+
+        // A new listener is the last in its frame. So each loader does one step between two turns of the game, in every player. Players differ
+        // in when they call a listener that comes again, as the loaders' does when one of them gets work.
+        private function awaitFrame():void
+        {
+            _shape = new Shape();
             _shape.addEventListener(Event.ENTER_FRAME, onFrame);
         }
 
         private function onFrame(event:Event):void
         {
+            _shape.removeEventListener(Event.ENTER_FRAME, onFrame);
             try
             {
                 for (var i:int = 0; i < FRAMES_AT_ONCE && _frame < _frames; i++)
@@ -84,6 +93,10 @@ package soak
             if (_problem != "" || _frame == _frames)
             {
                 end();
+            }
+            else
+            {
+                awaitFrame();
             }
         }
 
@@ -104,7 +117,6 @@ package soak
 
         private function end():void
         {
-            _shape.removeEventListener(Event.ENTER_FRAME, onFrame);
             trace(_game.counts + "\n" + describeMemory() + "\n  hash of all that the game has seen: " + hash);
             if (_problem == "" && _game.counts.missing.length > 0)
             {

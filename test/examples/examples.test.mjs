@@ -24,7 +24,7 @@ const SHOWN = {
 	distance: [60, (distance) => distance > 0.5],
 	slide: [300, (collected) => collected > 5],
 	falling: [200, (landed, falling) => landed > 10 && falling > 0],
-	hills: [200, (touching, all, seen) => touching > 3 && touching < all && seen > 0 && seen < all],
+	hills: [260, (touching, all, seen) => touching > 3 && touching < all && seen > 0 && seen < all],
 	filters: [100, (bounces) => bounces > 50],
 	snapshot: [355, (times, same, different) => times === 1 && same === 116 && different === 0],
 	'own-system': [100, (touches, across) => touches > 3 && across > 1],

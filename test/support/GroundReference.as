@@ -1,6 +1,7 @@
 package support
 {
     import flash.geom.Vector3D;
+    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -9,6 +10,7 @@ package support
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.models.Model;
     import starlogo.terrain.Terrain;
 
     use namespace engine;
@@ -22,6 +24,12 @@ package support
         /** All triangles of the surface: nine numbers each, counter-clockwise from outside. */
         public var surface:Vector.<Number> = new Vector.<Number>();
 
+        private var _boxes:Vector.<Number> = new Vector.<Number>();
+        private var _box:Vector.<Number> = new Vector.<Number>(6);
+        private var _all:Vector.<int> = new Vector.<int>();
+        private var _near:Vector.<int> = new Vector.<int>();
+        private var _nearest:Vector.<int> = new Vector.<int>();
+        private var _moved:Vector.<Number> = new Vector.<Number>();
         private var _terrain:Terrain;
         private var _heights:Vector.<Number> = new Vector.<Number>();
         private var _floor:Number;
@@ -55,12 +63,9 @@ package support
         {
             for (var at:int = 0; at < surface.length; at += 9)
             {
-                if (isUpright(at))
-                {
-                    continue;
-                }
-                var height:Number = heightOn(at, x, y);
-                if (height >= z)
+                var box:int = at / 9 * 6;
+                var isOver:Boolean = x >= _boxes[box] && x <= _boxes[box + 3] && y >= _boxes[box + 1] && y <= _boxes[box + 4];
+                if (isOver && !isUpright(at) && heightOn(at, x, y) >= z)
                 {
                     return true;
                 }
@@ -68,38 +73,39 @@ package support
             return false;
         }
 
-        /** How far pieces that are moved are from the surface, less than 0 if they are known to be deeper; -1 if one is under the ground. */
-        public function gapOf(pieces:Array, dx:Number = 0, dy:Number = 0, dz:Number = 0):Number
+        /**
+         * How far pieces that are moved are from the surface, less than 0 if they are known to be deeper; -1 if one is under the ground.
+         *
+         * @param most the answer if they are farther than that
+         */
+        public function gapOf(pieces:Array, dx:Number = 0, dy:Number = 0, dz:Number = 0, most:Number = Infinity):Number
         {
-            var least:Number = Infinity;
+            var least:Number = most;
             for each (var piece:Object in pieces)
             {
                 var points:Vector.<Number> = piece.points;
-                var moved:Vector.<Number> = new Vector.<Number>(points.length);
                 for (var i:int = 0; i < points.length; i += 3)
                 {
-                    moved[i] = points[i] + dx;
-                    moved[i + 1] = points[i + 1] + dy;
-                    moved[i + 2] = points[i + 2] + dz;
+                    _moved[i] = points[i] + dx;
+                    _moved[i + 1] = points[i + 1] + dy;
+                    _moved[i + 2] = points[i + 2] + dz;
                 }
-                if (isSolid(moved[0], moved[1], moved[2]))
+                if (isSolid(_moved[0], _moved[1], _moved[2]))
                 {
                     return -1;
                 }
-                for (i = 0; i < moved.length; i += 9)
+                findNear(0, points.length, least + piece.radius, _all, _near);
+                for (i = 0; i < points.length && _near.length > 0; i += 9)
                 {
-                    for (var at:int = 0; at < surface.length; at += 9)
+                    findNear(i, i + 9, least + piece.radius, _near, _nearest);
+                    for (var k:int = 0; k < _nearest.length; k++)
                     {
-                        if (isFar(moved, i, surface, at, least + piece.radius))
-                        {
-                            continue;
-                        }
-                        least = Math.min(least, PlainDistance.ofTriangles(moved, i, surface, at) - piece.radius);
-                        if (least <= 0)
-                        {
-                            return least;
-                        }
+                        least = Math.min(least, PlainDistance.ofTriangles(_moved, i, surface, _nearest[k]) - piece.radius);
                     }
+                }
+                if (least <= 0 && piece.radius == 0)
+                {
+                    return least;
                 }
             }
             return least;
@@ -109,9 +115,12 @@ package support
         public function timeOf(pieces:Array, motion:Vector3D, near:Number):Number
         {
             var time:Number = 0;
+            var gap:Number = Infinity;
             for (var step:int = 0; step < 500; step++)
             {
-                var gap:Number = gapOf(pieces, time * motion.x, time * motion.y, time * motion.z);
+                // after a way as long as the gap, the next is twice as long at most
+                var most:Number = Math.min((1 - time) * motion.length, 2 * gap) + 2 * near;
+                gap = gapOf(pieces, time * motion.x, time * motion.y, time * motion.z, most);
                 if (gap <= near)
                 {
                     return time;
@@ -140,24 +149,24 @@ package support
             return least;
         }
 
-        /** The pieces of an agent: those of its structure, or of its model's triangles (nine numbers each, in the model's space). */
-        public static function piecesOf(agent:Agent, structure:BoundingStructure, triangles:Vector.<Number> = null):Array
+        /** The pieces that an agent is in a collision system of <code>EachCollider</code>. */
+        public static function piecesOf(name:String, agent:Agent, land:GreatLand, model:Model):Array
         {
-            var placement:Placement = agent.worldPlacement();
-            if (triangles == null)
+            switch (name)
             {
-                return [pieceOf(structure.place(placement))];
+                case "bins":
+                    return [pieceOf(new Sphere(new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2))];
+                case "hierarchies":
+                    return piecesOfTree(agent, land.hierarchies.root(agent.shape), 5);
+                case "triangles":
+                    return piecesOfTriangles(agent.worldPlacement(), model);
+                default:
+                    return [pieceOf(land.boundingStructures.tightestFit(agent.shape).place(agent.worldPlacement()))];
             }
-            var pieces:Array = [];
-            for (var i:int = 0; i < triangles.length; i += 9)
-            {
-                pieces.push({radius: 0, points: placed(triangles.slice(i, i + 9), placement)});
-            }
-            return pieces;
         }
 
-        /** The pieces of an agent that is a tree: its nodes at a depth. */
-        public static function piecesOfTree(agent:Agent, root:HierarchyNode, depth:int):Array
+        // Its nodes at a depth.
+        private static function piecesOfTree(agent:Agent, root:HierarchyNode, depth:int):Array
         {
             if (root.level >= depth || root.isLeaf)
             {
@@ -166,8 +175,24 @@ package support
             return piecesOfTree(agent, root.left, depth).concat(piecesOfTree(agent, root.right, depth));
         }
 
-        /** The piece that a structure in the world is. */
-        public static function pieceOf(structure:BoundingStructure):Object
+        private static function piecesOfTriangles(placement:Placement, model:Model):Array
+        {
+            var pieces:Array = [];
+            for (var i:int = 0; i < model.triangles.length; i += 3)
+            {
+                var points:Vector.<Number> = new Vector.<Number>();
+                for (var k:int = 0; k < 3; k++)
+                {
+                    var at:int = 3 * model.triangles[i + k];
+                    points.push(model.vertices[at], model.vertices[at + 1], model.vertices[at + 2]);
+                }
+                pieces.push({radius: 0, points: placed(points, placement)});
+            }
+            return pieces;
+        }
+
+        // Of a structure in the world.
+        private static function pieceOf(structure:BoundingStructure):Object
         {
             if (structure is Sphere)
             {
@@ -284,6 +309,9 @@ package support
         private function addTriangle(a:Array, b:Array, c:Array):void
         {
             surface.push(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
+            _all.push(surface.length - 9);
+            _boxes.length += 6;
+            putBox(surface, surface.length - 9, surface.length, _boxes, _boxes.length - 6);
         }
 
         private function isUpright(at:int):Boolean
@@ -294,34 +322,54 @@ package support
         // NaN if the place is not over the triangle.
         private function heightOn(at:int, x:Number, y:Number):Number
         {
-            var weights:Array = [];
             var sum:Number = 0;
+            var weighted:Number = 0;
             for (var i:int = 0; i < 3; i++)
             {
                 var p:int = at + 3 * ((i + 1) % 3);
                 var q:int = at + 3 * ((i + 2) % 3);
-                weights[i] = (surface[q] - surface[p]) * (y - surface[p + 1]) - (surface[q + 1] - surface[p + 1]) * (x - surface[p]);
-                if (weights[i] < 0)
+                var weight:Number = (surface[q] - surface[p]) * (y - surface[p + 1]) - (surface[q + 1] - surface[p + 1]) * (x - surface[p]);
+                if (weight < 0)
                 {
                     return NaN;
                 }
-                sum += weights[i];
+                sum += weight;
+                weighted += weight * surface[at + 3 * i + 2];
             }
-            return (weights[0] * surface[at + 2] + weights[1] * surface[at + 5] + weights[2] * surface[at + 8]) / sum;
+            return weighted / sum;
         }
 
-        // Whether the extents of two triangles are farther apart than a distance.
-        private static function isFar(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, distance:Number):Boolean
+        // Those triangles whose boxes are within a distance of the box of some moved points, along each axis.
+        private function findNear(from:int, to:int, distance:Number, among:Vector.<int>, out:Vector.<int>):void
         {
-            for (var i:int = 0; i < 3; i++)
+            putBox(_moved, from, to, _box, 0);
+            out.length = 0;
+            for (var i:int = 0; i < among.length; i++)
             {
-                if (Math.min(a[atA + i], a[atA + i + 3], a[atA + i + 6]) - Math.max(b[atB + i], b[atB + i + 3], b[atB + i + 6]) > distance
-                        || Math.min(b[atB + i], b[atB + i + 3], b[atB + i + 6]) - Math.max(a[atA + i], a[atA + i + 3], a[atA + i + 6]) > distance)
+                var of:int = among[i] / 9 * 6;
+                if (_box[0] - _boxes[of + 3] <= distance && _boxes[of] - _box[3] <= distance && _box[1] - _boxes[of + 4] <= distance
+                        && _boxes[of + 1] - _box[4] <= distance && _box[2] - _boxes[of + 5] <= distance && _boxes[of + 2] - _box[5] <= distance)
                 {
-                    return true;
+                    out.push(among[i]);
                 }
             }
-            return false;
+        }
+
+        // The least and the greatest x, y and z of some points.
+        private static function putBox(points:Vector.<Number>, from:int, to:int, boxes:Vector.<Number>, at:int):void
+        {
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var least:Number = Infinity;
+                var greatest:Number = -Infinity;
+                for (var i:int = from + axis; i < to; i += 3)
+                {
+                    least = Math.min(least, points[i]);
+                    greatest = Math.max(greatest, points[i]);
+                }
+                boxes[at + axis] = least;
+                boxes[at + axis + 3] = greatest;
+            }
         }
     }
 }

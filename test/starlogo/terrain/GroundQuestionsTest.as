@@ -14,6 +14,7 @@ package starlogo.terrain
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
@@ -27,6 +28,8 @@ package starlogo.terrain
     /** Questions about the ground: rays, sight, touches, distances and motions. */
     public class GroundQuestionsTest
     {
+        private var _cube:Model = BuiltInModel.cube();
+        private var _sphere:Model = BuiltInModel.sphere();
         private var _land:GreatLand;
         private var _random:SeededRandom;
 
@@ -34,8 +37,8 @@ package starlogo.terrain
         public function makeLand():void
         {
             _land = new GreatLand();
-            _land.addModel(BuiltInModel.cube());
-            _land.addModel(BuiltInModel.sphere());
+            _land.addModel(_cube);
+            _land.addModel(_sphere);
             _random = new SeededRandom(39);
         }
 
@@ -129,7 +132,7 @@ package starlogo.terrain
                     var agent:Agent = agentAbout(terrain);
                     var pieces:Array = piecesOf(name, agent);
                     var near:Number = 1e-8 * (agent.size + terrain.cellWidth) + 1e-12 * (Math.abs(terrain.x) + 1000);
-                    if (reference.gapOf(pieces) <= near)
+                    if (reference.gapOf(pieces, 0, 0, 0, 2 * near) <= near)
                     {
                         continue;
                     }
@@ -150,7 +153,7 @@ package starlogo.terrain
                     if (part < expected - 1e4 * near / motion.length)
                     {
                         // it may have grazed something
-                        assertTrue(what, reference.gapOf(pieces, part * motion.x, part * motion.y, part * motion.z) < near);
+                        assertTrue(what, reference.gapOf(pieces, part * motion.x, part * motion.y, part * motion.z, 2 * near) < near);
                     }
                     slideOn(queries, reference, agent, name, terrain, what);
                 }
@@ -165,7 +168,7 @@ package starlogo.terrain
             {
                 var far:Number = terrain.cellWidth;
                 queries.slide(agent, _random.normal() * far, _random.normal() * far, _random.normal() * far);
-                var gap:Number = reference.gapOf(shrunk(piecesOf(name, agent), agent, terrain));
+                var gap:Number = reference.gapOf(shrunk(piecesOf(name, agent), agent, terrain), 0, 0, 0, far);
                 assertTrue(what + ", slide " + i + ", gap " + gap, gap > 0);
             }
         }
@@ -382,29 +385,7 @@ package starlogo.terrain
 
         private function piecesOf(name:String, agent:Agent):Array
         {
-            if (name == "bins")
-            {
-                return [GroundReference.pieceOf(new Sphere(new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2))];
-            }
-            if (name == "hierarchies")
-            {
-                return GroundReference.piecesOfTree(agent, _land.hierarchies.root(agent.shape), 5);
-            }
-            if (name == "triangles")
-            {
-                return GroundReference.piecesOf(agent, null, cornersOf(agent.shape == "cube" ? BuiltInModel.cube() : BuiltInModel.sphere()));
-            }
-            return GroundReference.piecesOf(agent, _land.boundingStructures.tightestFit(agent.shape));
-        }
-
-        private static function cornersOf(model:Object):Vector.<Number>
-        {
-            var corners:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < model.triangles.length; i++)
-            {
-                corners.push(model.vertices[3 * model.triangles[i]], model.vertices[3 * model.triangles[i] + 1], model.vertices[3 * model.triangles[i] + 2]);
-            }
-            return corners;
+            return GroundReference.piecesOf(name, agent, _land, agent.shape == "cube" ? _cube : _sphere);
         }
 
         private static function distanceOfPoint(reference:GroundReference, point:Vector3D):Number

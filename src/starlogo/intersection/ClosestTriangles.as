@@ -229,12 +229,16 @@ package starlogo.intersection
             var y:Number = q[int(corner + 1)] - p[int(_base + 1)];
             var z:Number = q[int(corner + 2)] - p[int(_base + 2)];
             var along:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
+            // The height is not quite perpendicular to the edge. In a needle, the part along the edge would hide the part along the height.
+            x -= along * ux;
+            y -= along * uy;
+            z -= along * uz;
             var up:Number = (x * hx + y * hy + z * hz) / (hx * hx + hy * hy + hz * hz);
             _over[to] = along;
             _over[int(to + 1)] = up;
-            _over[int(to + 2)] = x - along * ux - up * hx;
-            _over[int(to + 3)] = y - along * uy - up * hy;
-            _over[int(to + 4)] = z - along * uz - up * hz;
+            _over[int(to + 2)] = x - up * hx;
+            _over[int(to + 3)] = y - up * hy;
+            _over[int(to + 4)] = z - up * hz;
         }
     }
 }

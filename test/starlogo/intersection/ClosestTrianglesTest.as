@@ -65,6 +65,23 @@ package starlogo.intersection
             }
         }
 
+        [Test]
+        public function longNeedlesAreAsExactAsTheirCorners():void
+        {
+            for (var i:int = 0; i < 300; i++)
+            {
+                // a wall a million high in the plane x = 0, and a point beside it
+                _a = i % 2 == 0 ? new <Number>[0, 0, -3, 0, 1, -3, 0, 0, 1e6] : new <Number>[0, 0, -3, 0, 0, 1e6, 0, 1, -3];
+                var point:Array = [_random.between(0.01, 1), _random.between(0, 0.9), _random.between(-2, 100)];
+                _b = new <Number>[point[0], point[1], point[2], point[0], point[1], point[2], point[0], point[1], point[2]];
+                _triangles.begin();
+                _triangles.add(_a, 0, _b, 0);
+                var points:ClosestPair = _triangles.points;
+                assertTrue(i + ": distance", Math.abs(Math.sqrt(_triangles.squared) - point[0]) < 1e-9);
+                assertTrue(i + ": place", Math.abs(points.aY - point[1]) < 1e-9 && Math.abs(points.aZ - point[2]) < 1e-9);
+            }
+        }
+
         // Proves the distance; returns it.
         private function check(what:String, areFat:Boolean):Number
         {

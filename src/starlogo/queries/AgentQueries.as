@@ -332,8 +332,8 @@ package starlogo.queries
          *     inner one
          * @param pointB receives the second agent's nearest point; or null. If the two touch, it is the same point
          * @return in patches. While one of the models is loading, it is Infinity and no point is written
-         * @throws ArgumentError if an agent is null, if both are the same, or if a model is unknown or lacks data that the collision system
-         *     needs
+         * @throws ArgumentError if an agent is null, if both are the same, if neither is an agent of the game but the ground or the edges, or
+         *     if a model is unknown or lacks data that the collision system needs
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {

@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Extents;
     import starlogo.collision.Collider;
@@ -46,6 +47,10 @@ package starlogo.queries
         public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):void
         {
             Collider.requireTwo(a, b);
+            if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
+            {
+                throw new ArgumentError("the ground and the edges of the world have no distance from each other");
+            }
             var table:AgentTable = _seen.table;
             var rowA:int = _seen.rowOfNow(a, 0);
             var rowB:int = table.rowOf(b);

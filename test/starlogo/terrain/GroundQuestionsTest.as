@@ -322,6 +322,19 @@ package starlogo.terrain
         }
 
         [Test]
+        public function twoThatAreNoAgentsHaveNoDistance():void
+        {
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            var ground:Agent = new Terrain(2, 2).agent;
+            var edge:Agent = new WorldBounds(0, 0, 0, 1, 1, 1).agent;
+            for each (var other:Agent in [edge, new Terrain(3, 3).agent])
+            {
+                assertThrows(ArgumentError, /no distance/, queries.distance, ground, other);
+                assertThrows(ArgumentError, /no distance/, queries.distance, other, ground);
+            }
+        }
+
+        [Test]
         public function theGroundDoesNotMove():void
         {
             var queries:AgentQueries = new AgentQueries(new BinCollider());

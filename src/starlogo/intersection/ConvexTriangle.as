@@ -139,18 +139,21 @@ package starlogo.intersection
             beginMotion(motion);
         }
 
-        /** Writes the shape's extents at the beginning: least x, greatest x, least y, ... */
+        /** Writes the structure's extents at the beginning: least x, greatest x, least y, ... */
         public function extentsInto(out:Vector.<Number>):void
         {
-            if (_kind != TRIANGLE)
-            {
-                _structure.extentsInto(out);
-                return;
-            }
+            _structure.extentsInto(out);
+        }
+
+        /** Writes the middle of the triangle's extents at the beginning, then half of their lengths. They do not include the margin. */
+        public function triangleExtentsInto(out:Vector.<Number>):void
+        {
             for (var i:int = 0; i < 3; i++)
             {
-                out[int(2 * i)] = Math.min(_corners[i], Math.min(_corners[int(i + 3)], _corners[int(i + 6)])) - _radius;
-                out[int(2 * i + 1)] = Math.max(_corners[i], Math.max(_corners[int(i + 3)], _corners[int(i + 6)])) + _radius;
+                var low:Number = Math.min(_corners[i], Math.min(_corners[int(i + 3)], _corners[int(i + 6)]));
+                var high:Number = Math.max(_corners[i], Math.max(_corners[int(i + 3)], _corners[int(i + 6)]));
+                out[i] = (low + high) / 2;
+                out[int(i + 3)] = (high - low) / 2;
             }
         }
 
@@ -182,14 +185,6 @@ package starlogo.intersection
         public function findTime():void
         {
             var latest:Number = time;
-            if (_kind == TRIANGLE)
-            {
-                _sweep.relate(_triangle, _at, _corners, 0);
-                _motion.time = latest;
-                _sweep.findTime(_motion);
-                time = _motion.time;
-                return;
-            }
             if (touches())
             {
                 time = 0;
@@ -198,6 +193,14 @@ package starlogo.intersection
             time = RelativeMotion.NEVER;
             if (latest == 0 || isApart(latest))
             {
+                return;
+            }
+            if (_kind == TRIANGLE)
+            {
+                _sweep.relate(_triangle, _at, _corners, 0);
+                _motion.time = latest;
+                _sweep.findTime(_motion);
+                time = _motion.time;
                 return;
             }
             for (var i:int = 0; i < 9; i += 3)
@@ -320,15 +323,7 @@ package starlogo.intersection
             }
             var p:Vector.<Number> = _triangle;
             var at:int = _at;
-            var ux:Number = p[int(at + 3)] - p[at];
-            var uy:Number = p[int(at + 4)] - p[int(at + 1)];
-            var uz:Number = p[int(at + 5)] - p[int(at + 2)];
-            var vx:Number = p[int(at + 6)] - p[at];
-            var vy:Number = p[int(at + 7)] - p[int(at + 1)];
-            var vz:Number = p[int(at + 8)] - p[int(at + 2)];
-            var squared:Number = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
-            _face.setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
-            _face.normalise();
+            var squared:Number = _face.setAcross(p, at);
             if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * squared * squared))
             {
                 _face.setNormal(NaN, NaN, NaN);

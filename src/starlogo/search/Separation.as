@@ -48,7 +48,8 @@ package starlogo.search
         private var _pairs:RowPairs;
         private var _moved:MovedRow = new MovedRow();
 
-        // The pair under way, its tests, the place of its first row when they touch, and the larger extent of the two.
+        // The pair under way, its tests, the place of its first row when they touch, the larger extent of the two, and the gap across which
+        // they touch because their places are rounded.
         private var _table:AgentTable;
         private var _tests:PairTests;
         private var _a:int;
@@ -57,6 +58,7 @@ package starlogo.search
         private var _y:Number = 0;
         private var _z:Number = 0;
         private var _extent:Number = 0;
+        private var _rounding:Number = 0;
         private var _place:Vector3D = new Vector3D();
 
         // The direction that is tried; a distance along it at which the two touch, a distance at which they do not, and the distance at which
@@ -134,9 +136,9 @@ package starlogo.search
             _y = table.y[a] + (motion.startY + time * motion.y);
             _z = table.z[a] + (motion.startZ + time * motion.z);
             var half:Number = Math.max(table.extents.largestHalf(b), _moved.largestHalf);
+            _rounding = table.marginOf(a) + table.marginOf(b);
             // two points have no extent. Then it is the gap across which they still touch
-            var rounding:Number = table.marginOf(a) + table.marginOf(b);
-            _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
+            _extent = Math.max(2 * half, Math.max(_rounding, LEAST_EXTENT));
         }
 
         // Handles two rows that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
@@ -145,7 +147,7 @@ package starlogo.search
         {
             out.depth = 0;
             point(out);
-            _distance = -Tolerances.SEPARATION / 4 * _extent;
+            _distance = -Math.max(Tolerances.SEPARATION / 4 * _extent, _rounding);
             if (isComing(motion) && !touch())
             {
                 out.pointAgainst(motion);

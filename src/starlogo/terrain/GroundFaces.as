@@ -1,6 +1,7 @@
 package starlogo.terrain
 {
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
 
@@ -34,6 +35,9 @@ package starlogo.terrain
         /** The largest gap across which the triangle and another shape still touch. It depends on the size of the triangle. */
         public var gap:Number = 0;
 
+        /** The place to which the box and the corners are relative. Its rotation does not count. */
+        public var origin:Placement = new Placement();
+
         /** How far triangles are moved into the ground. */
         public var inset:Number = 0;
 
@@ -41,9 +45,10 @@ package starlogo.terrain
         private var _lastColumn:int;
         private var _lastRow:int;
 
-        // Where the first cell begins.
+        // Where the first cell begins, and the height 0.
         private var _x:Number = 0;
         private var _y:Number = 0;
+        private var _z:Number = 0;
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
@@ -61,7 +66,7 @@ package starlogo.terrain
         private var _faceCount:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
 
-        // The results of findRange(), and of findOutside().
+        // The results of findRange(), and the normal of a triangle.
         private var _first:int = 0;
         private var _last:int = 0;
         private var _outside:ContactPoint = new ContactPoint();
@@ -80,13 +85,14 @@ package starlogo.terrain
             _grid = grid;
             _lastColumn = grid.columns - fewer;
             _lastRow = grid.rows - fewer;
-            _x = grid.x - middle;
-            _y = grid.y - middle;
+            _x = grid.x - origin.x - middle;
+            _y = grid.y - origin.y - middle;
+            _z = -origin.z;
             _face = _faceCount = _top = 0;
             var wayX:Number = box.limit * Math.abs(box.wayX);
             var wayY:Number = box.limit * Math.abs(box.wayY);
-            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + width + wayX + wayY
-                    + box.limit * Math.abs(box.wayZ));
+            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.x - _x) + Math.abs(box.y - _y) + Math.abs(box.z) + Math.abs(_z)
+                    + width + wayX + wayY + box.limit * Math.abs(box.wayZ));
             box.halfX += rounding;
             box.halfY += rounding;
             box.halfZ += rounding;
@@ -97,19 +103,6 @@ package starlogo.terrain
                 level++;
             }
             addSquares(level, 0, 0, int.MAX_VALUE);
-        }
-
-        /** Sets a contact's normal to the normal of a triangle of the ground's surface. It points out of the ground. */
-        public static function findOutside(p:Vector.<Number>, out:ContactPoint):void
-        {
-            var ux:Number = p[3] - p[0];
-            var uy:Number = p[4] - p[1];
-            var uz:Number = p[5] - p[2];
-            var vx:Number = p[6] - p[0];
-            var vy:Number = p[7] - p[1];
-            var vz:Number = p[8] - p[2];
-            out.setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
-            out.normalise();
         }
 
         /** Goes on to the next triangle. Returns false if there is none. */
@@ -176,7 +169,7 @@ package starlogo.terrain
                 return;
             }
             var bounds:int = _grid.begins[level] + 3 * (_row * _grid.across[level] + _column);
-            if (_low <= _grid.bounds[int(bounds + 1)] && (hasWalls || _high >= _grid.bounds[bounds]))
+            if (_low <= _grid.bounds[int(bounds + 1)] + _z && (hasWalls || _high >= _grid.bounds[bounds] + _z))
             {
                 addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);
             }
@@ -199,11 +192,11 @@ package starlogo.terrain
         {
             var heights:Vector.<Number> = _grid.heights;
             var at:int = _row * _grid.columns + _column;
-            var z:Number = heights[at];
+            var z:Number = heights[at] + _z;
             _tops[0] = z;
-            _tops[1] = _grid.isBlocky ? z : heights[int(at + 1)];
-            _tops[2] = _grid.isBlocky ? z : heights[int(at + _grid.columns + 1)];
-            _tops[3] = _grid.isBlocky ? z : heights[int(at + _grid.columns)];
+            _tops[1] = _grid.isBlocky ? z : heights[int(at + 1)] + _z;
+            _tops[2] = _grid.isBlocky ? z : heights[int(at + _grid.columns + 1)] + _z;
+            _tops[3] = _grid.isBlocky ? z : heights[int(at + _grid.columns)] + _z;
             if (_low <= Math.max(Math.max(z, _tops[1]), Math.max(_tops[2], _tops[3]))
                     && (hasWalls || _high >= Math.min(Math.min(z, _tops[1]), Math.min(_tops[2], _tops[3]))))
             {
@@ -248,7 +241,7 @@ package starlogo.terrain
             var low:Number = -Infinity;
             if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
             {
-                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] : Infinity;
+                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _z : Infinity;
             }
             if (low >= top && low >= endTop || low > _high)
             {
@@ -275,7 +268,7 @@ package starlogo.terrain
 
         private function moveIn():void
         {
-            findOutside(corners, _outside);
+            _outside.setAcross(corners, 0);
             for (var i:int = 0; i < 9; i += 3)
             {
                 corners[i] -= inset * _outside.normalX;

@@ -63,7 +63,7 @@ package starlogo.terrain
                 {
                     isHit = true;
                     box.limit = _triangles.at;
-                    GroundFaces.findOutside(_faces.corners, _outside);
+                    _outside.setAcross(_faces.corners, 0);
                 }
             }
             if (isHit)

@@ -30,12 +30,13 @@ package starlogo.terrain
      */
     public final class TerrainPair
     {
-        // The goals of a search: whether a piece overlaps the ground; when a piece first touches the surface; the deepest contact; the closest
-        // points.
-        private static const OVERLAP:int = 0;
-        private static const TIME:int = 1;
-        private static const CONTACT:int = 2;
-        private static const CLOSEST:int = 3;
+        // The goals of a search: when a piece first touches the surface, the deepest contact, and the closest points. A search for the time
+        // without a motion finds whether a piece overlaps the ground.
+        private static const TIME:int = 0;
+        private static const DEPTH:int = 1;
+        private static const DISTANCE:int = 2;
+
+        private static const NOWHERE:Placement = new Placement();
 
         /** How far the surface of the ground is moved inwards. */
         public var inset:Number = 0;
@@ -45,23 +46,22 @@ package starlogo.terrain
         private var _structure:BoundingStructure;
         private var _depth:int;
         private var _isExact:Boolean;
-        private var _placement:Placement;
 
-        // The model's placement at the current time, and the margin by which the model is enlarged.
+        // The model's place, and where it stands at the current time relative to that place.
+        private var _origin:Placement = new Placement();
         private var _placed:Placement = new Placement();
-        private var _margin:Number = 0;
 
         private var _goal:int = 0;
         private var _motion:RelativeMotion;
 
-        // The result: whether anything was found; the time, the distance or the negative depth. The current piece, the best piece and its
-        // triangle.
+        // The results: whether anything was found; the time, the distance or the negative depth; the contact and the closest points. They are
+        // null if they are not needed.
         private var _isFound:Boolean = false;
         private var _best:Number = 0;
-        private var _piece:ConvexTriangle = new ConvexTriangle();
-        private var _bestPiece:ConvexTriangle = new ConvexTriangle();
-        private var _bestFace:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _contact:ContactPoint = null;
+        private var _closest:ClosestPair = null;
 
+        private var _piece:ConvexTriangle = new ConvexTriangle();
         private var _faces:GroundFaces = new GroundFaces();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -70,7 +70,8 @@ package starlogo.terrain
         /** Creates a test without a model. */
         public function TerrainPair()
         {
-            _piece.isOneSided = _bestPiece.isOneSided = true;
+            _piece.isOneSided = true;
+            _faces.origin = _origin;
         }
 
         /**
@@ -88,25 +89,26 @@ package starlogo.terrain
             _grid = grid;
             _tree = tree;
             _structure = structure;
-            _placement = placement;
             _placed.copyFrom(placement);
+            _origin.x = placement.x;
+            _origin.y = placement.y;
+            _origin.z = placement.z;
             _isExact = tree != null && exact && tree.hasTriangles;
             _depth = _isExact ? int.MAX_VALUE : depth;
             // The margin is as large as if another agent stood at the place of the touch.
-            _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+            _piece.margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
             if (_isExact)
             {
-                _margin += Tolerances.SURFACES / 2 * tree.root.radius * placement.size;
+                _piece.margin += Tolerances.SURFACES / 2 * tree.root.radius * placement.size;
             }
-            _piece.margin = _bestPiece.margin = _margin;
             _faces.inset = inset;
+            placeAt(RelativeMotion.NONE, 0);
         }
 
         /** Whether the two overlap or touch where the model stands. */
         public function areOverlapping():Boolean
         {
-            search(OVERLAP, RelativeMotion.NONE, 0, 0);
-            return _isFound;
+            return overlapsAt(RelativeMotion.NONE, 0);
         }
 
         /**
@@ -115,18 +117,16 @@ package starlogo.terrain
          */
         public function findTime(motion:RelativeMotion):void
         {
-            search(OVERLAP, motion, 0, 0);
-            if (_isFound)
+            if (overlapsAt(motion, 0))
             {
                 motion.time = 0;
                 return;
             }
             findImpact(motion, null);
-            if (motion.time == RelativeMotion.NEVER)
+            // rounding can miss a touch at the end of the motion
+            if (motion.time == RelativeMotion.NEVER && overlapsAt(motion, 1))
             {
-                // rounding can miss a touch at the end of the motion
-                search(OVERLAP, motion, 1, 0);
-                motion.time = _isFound ? 1 : RelativeMotion.NEVER;
+                motion.time = 1;
             }
         }
 
@@ -138,11 +138,13 @@ package starlogo.terrain
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            search(TIME, motion, 0, 1);
+            _contact = out;
+            placeAt(motion, 0);
+            search(TIME, motion, 1);
             motion.time = _isFound ? _best : RelativeMotion.NEVER;
-            if (_isFound && out != null)
+            if (out != null)
             {
-                findContactOfBest(_best, out);
+                moveToWorld(out);
             }
         }
 
@@ -166,7 +168,17 @@ package starlogo.terrain
                     return;
                 }
             }
-            findDeepest(motion, time, out);
+            _contact = out;
+            placeAt(motion, time);
+            search(DEPTH, RelativeMotion.NONE, Infinity);
+            if (_isFound)
+            {
+                moveToWorld(out);
+            }
+            else
+            {
+                findOuterContact(out);
+            }
         }
 
         /**
@@ -184,6 +196,7 @@ package starlogo.terrain
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
+            moveToWorld(out);
         }
 
         /**
@@ -193,8 +206,17 @@ package starlogo.terrain
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
-            search(CLOSEST, RelativeMotion.NONE, 0, findBound());
-            _bestPiece.writeClosest(out);
+            // Looks farther and farther away. The first guess is the distance to the surface above or below the model's middle.
+            var box:PassingBox = boxOf(_structure);
+            var height:Number = heightAt(box.x, box.y);
+            var bound:Number = box.halfX + box.halfY + box.halfZ + (isNaN(height) ? _grid.cellWidth : Math.abs(height - box.z));
+            _closest = out;
+            do
+            {
+                search(DISTANCE, RelativeMotion.NONE, bound);
+                bound *= 2;
+            }
+            while (!_isFound);
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
@@ -204,55 +226,36 @@ package starlogo.terrain
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
             }
             out.settle(areTouching);
+            out.place(_origin);
         }
 
-        private function findDeepest(motion:RelativeMotion, time:Number, out:ContactPoint):void
+        // Moves the model to where the motion has brought it at a time.
+        private function placeAt(motion:RelativeMotion, time:Number):void
         {
-            search(CONTACT, motion, time, Infinity);
-            if (_isFound)
-            {
-                findContactOfBest(0, out);
-            }
-            else
-            {
-                findOuterContact(out);
-            }
+            _placed.x = motion.startX + time * motion.x;
+            _placed.y = motion.startY + time * motion.y;
+            _placed.z = motion.startZ + time * motion.z;
         }
 
-        private function findContactOfBest(time:Number, out:ContactPoint):void
+        private function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _bestPiece.setTriangle(_bestFace, 0);
-            _bestPiece.time = time;
-            _bestPiece.findContact(out);
+            placeAt(motion, time);
+            search(TIME, RelativeMotion.NONE, 0);
+            return _isFound;
         }
 
-        // An upper bound of the distance of the two: the distance from the model's middle to the surface above or below it, or to the nearest
-        // height of the border or the wall below it, plus how far the model extends.
-        private function findBound():Number
+        private function moveToWorld(out:ContactPoint):void
         {
-            var box:PassingBox = boxOf(_structure);
-            var toX:Number = 0;
-            var toY:Number = 0;
-            var toZ:Number = heightAt(box.x, box.y) - box.z;
-            if (isNaN(toZ))
-            {
-                var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((box.x - _grid.x) / _grid.cellWidth)));
-                var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((box.y - _grid.y) / _grid.cellWidth)));
-                toX = _grid.x + column * _grid.cellWidth - box.x;
-                toY = _grid.y + row * _grid.cellWidth - box.y;
-                toZ = Math.min(0, _grid.heights[int(row * _grid.columns + column)] - box.z);
-            }
-            return Tolerances.OUTER * (Math.sqrt(toX * toX + toY * toY + toZ * toZ) + box.halfX + box.halfY + box.halfZ);
+            out.x += _origin.x;
+            out.y += _origin.y;
+            out.z += _origin.z;
         }
 
-        // Looks for something that is better than a bound, or as good. The model is where the motion has brought it at a time.
-        private function search(goal:int, motion:RelativeMotion, time:Number, bound:Number):void
+        // Looks for something that is better than a bound, or as good.
+        private function search(goal:int, motion:RelativeMotion, bound:Number):void
         {
-            _placed.x = _placement.x + motion.startX + time * motion.x;
-            _placed.y = _placement.y + motion.startY + time * motion.y;
-            _placed.z = _placement.z + motion.startZ + time * motion.z;
             _goal = goal;
-            _motion = goal == TIME ? motion : RelativeMotion.NONE;
+            _motion = motion;
             _best = bound;
             _isFound = false;
             if (_tree == null)
@@ -271,22 +274,35 @@ package starlogo.terrain
             {
                 return;
             }
-            if (node.cutoffLevel < _depth)
+            var structure:BoundingStructure = structureOf(node);
+            var isPiece:Boolean = node.cutoffLevel >= _depth;
+            if (isPiece && !_isExact)
             {
-                if (isNear(node))
-                {
-                    visit(node.low);
-                    visit(node.high);
-                }
+                meetStructure(structure);
+                return;
             }
-            else if (!_isExact)
+            var box:PassingBox = boxOf(structure);
+            beginFaces();
+            if (!_faces.next())
             {
-                meetStructure(structureOf(node));
+                meetInside(box.x, box.y, box.z);
             }
-            else if (isNear(node))
+            else if (isPiece)
             {
                 meetTriangles(node);
             }
+            else
+            {
+                visit(node.low);
+                visit(node.high);
+            }
+        }
+
+        private function meetStructure(structure:BoundingStructure):void
+        {
+            boxOf(structure);
+            _piece.begin(structure, _placed, _motion);
+            meet();
         }
 
         private function meetTriangles(node:HierarchyNode):void
@@ -294,6 +310,8 @@ package starlogo.terrain
             for (var i:int = node.first; i < node.end && !isDone(); i++)
             {
                 _piece.beginTriangle(_tree.corners, 9 * i, _placed, _motion);
+                _piece.triangleExtentsInto(_extents);
+                takeBox(NOWHERE);
                 meet();
             }
         }
@@ -301,7 +319,7 @@ package starlogo.terrain
         // Whether nothing better can be found.
         private function isDone():Boolean
         {
-            return _isFound && (_goal == OVERLAP || _goal == TIME && _best == 0);
+            return _isFound && _goal == TIME && _best == 0;
         }
 
         // The structure around a node and its descendants.
@@ -310,38 +328,32 @@ package starlogo.terrain
             return _tree.boundsKind == BoundingStructure.BOX ? node.writeBox(_box) : node.cover || node.structure;
         }
 
-        // Whether the surface comes near a node. If it does not, and the node is under the ground, the node overlaps the ground.
-        private function isNear(node:HierarchyNode):Boolean
-        {
-            var box:PassingBox = boxOf(structureOf(node));
-            beginFaces();
-            if (_faces.next())
-            {
-                return true;
-            }
-            _isFound ||= _goal == OVERLAP && heightAt(box.x, box.y) >= box.z;
-            return false;
-        }
-
         private function heightAt(x:Number, y:Number):Number
         {
-            _grid.placeX = x;
-            _grid.placeY = y;
+            _grid.placeX = x + _origin.x;
+            _grid.placeY = y + _origin.y;
             _grid.findHeight();
-            return _grid.height;
+            return _grid.height - _origin.z;
         }
 
-        // The box around a structure at the model's current placement.
+        // The box around a structure of the model.
         private function boxOf(structure:BoundingStructure):PassingBox
         {
-            var box:PassingBox = _faces.box;
             structure.turnedExtentsInto(_placed, _extents);
-            box.x = _extents[0] + _placed.x;
-            box.y = _extents[1] + _placed.y;
-            box.z = _extents[2] + _placed.z;
-            box.halfX = _extents[3] + _margin;
-            box.halfY = _extents[4] + _margin;
-            box.halfZ = _extents[5] + _margin;
+            return takeBox(_placed);
+        }
+
+        // The box with the extents, moved to a place.
+        private function takeBox(to:Placement):PassingBox
+        {
+            var box:PassingBox = _faces.box;
+            var margin:Number = _piece.margin;
+            box.x = _extents[0] + to.x;
+            box.y = _extents[1] + to.y;
+            box.z = _extents[2] + to.z;
+            box.halfX = _extents[3] + margin;
+            box.halfY = _extents[4] + margin;
+            box.halfZ = _extents[5] + margin;
             return box;
         }
 
@@ -353,7 +365,7 @@ package starlogo.terrain
             box.wayY = _motion.y;
             box.wayZ = _motion.z;
             box.limit = _goal == TIME ? _best : 0;
-            if (_goal == CLOSEST)
+            if (_goal == DISTANCE)
             {
                 box.halfX += _best;
                 box.halfY += _best;
@@ -362,61 +374,29 @@ package starlogo.terrain
             _faces.begin(_grid);
         }
 
-        private function meetStructure(structure:BoundingStructure):void
-        {
-            _piece.begin(structure, _placed, _motion);
-            meet();
-        }
-
-        // Tests the piece against the surface near it.
+        // Tests the piece against the triangles near its box.
         private function meet():void
         {
-            var isBetter:Boolean = false;
             var point:Vector3D = _piece.point;
-            var box:PassingBox = _faces.box;
-            _piece.extentsInto(_extents);
-            box.x = (_extents[0] + _extents[1]) / 2;
-            box.y = (_extents[2] + _extents[3]) / 2;
-            box.z = (_extents[4] + _extents[5]) / 2;
-            box.halfX = (_extents[1] - _extents[0]) / 2;
-            box.halfY = (_extents[3] - _extents[2]) / 2;
-            box.halfZ = (_extents[5] - _extents[4]) / 2;
             beginFaces();
-            while (_faces.next())
+            while (!isDone() && _faces.next())
             {
                 _piece.setTriangle(_faces.corners, 0);
                 _piece.gap = _faces.gap;
-                if (_goal == OVERLAP)
-                {
-                    _isFound = _piece.touches();
-                    if (_isFound)
-                    {
-                        return;
-                    }
-                }
-                else if (isBetterFace())
-                {
-                    isBetter = _isFound = true;
-                    for (var i:int = 0; i < 9; i++)
-                    {
-                        _bestFace[i] = _faces.corners[i];
-                    }
-                }
+                meetFace();
             }
-            if (_goal == OVERLAP)
-            {
-                _isFound = heightAt(point.x, point.y) >= point.z;
-            }
-            if (isBetter)
-            {
-                var other:ConvexTriangle = _bestPiece;
-                _bestPiece = _piece;
-                _piece = other;
-            }
+            meetInside(point.x, point.y, point.z);
         }
 
-        // Whether a triangle is better than all before it. The first triangle found may also be only as good as the bound at the beginning.
-        private function isBetterFace():Boolean
+        // A standing piece with a point that is under the ground overlaps it.
+        private function meetInside(x:Number, y:Number, z:Number):void
+        {
+            _isFound ||= _goal == TIME && _motion === RelativeMotion.NONE && heightAt(x, y) >= z;
+        }
+
+        // Tests the piece against a triangle. Keeps the result if it is better than all before it. The first one may also be only as good as
+        // the bound at the beginning.
+        private function meetFace():void
         {
             var found:Number = Infinity;
             if (_goal == TIME)
@@ -425,7 +405,7 @@ package starlogo.terrain
                 _piece.findTime();
                 found = _piece.time;
             }
-            else if (_goal == CLOSEST)
+            else if (_goal == DISTANCE)
             {
                 _piece.measure();
                 found = _piece.distance;
@@ -436,13 +416,32 @@ package starlogo.terrain
                 _piece.findContact(_tried);
                 found = -_tried.depth;
             }
-            if (!(found < _best || found == _best && !_isFound))
+            if (found < _best || found == _best && !_isFound)
             {
-                return false;
+                _isFound = true;
+                _best = found;
+                keep();
             }
-            _best = found;
-            _faces.box.limit = _goal == TIME ? found : 0;
-            return true;
+        }
+
+        private function keep():void
+        {
+            if (_goal == DISTANCE)
+            {
+                _piece.writeClosest(_closest);
+            }
+            else if (_goal == DEPTH)
+            {
+                _contact.copyFrom(_tried);
+            }
+            else
+            {
+                _faces.box.limit = _best;
+                if (_contact != null && _motion !== RelativeMotion.NONE)
+                {
+                    _piece.findContact(_contact);
+                }
+            }
         }
     }
 }

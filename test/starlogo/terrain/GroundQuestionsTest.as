@@ -222,6 +222,31 @@ package starlogo.terrain
         }
 
         [Test]
+        public function fallsAlongABorderEndInATouchOrNotAtAll():void
+        {
+            var stopped:int = 0;
+            var queries:AgentQueries = new AgentQueries(new BinCollider(_land));
+            for (var i:int = 0; i < 400; i++)
+            {
+                var base:Number = [1e5, 1e6, -1e6, 3e5][i % 4];
+                var terrain:Terrain = new Terrain(3, 3, 1, 0.1, 0);
+                for (var k:int = 0; k < 9; k++)
+                {
+                    terrain.setHeight(k % 3, k / 3, base + _random.between(-1, 1));
+                }
+                queries.terrain = terrain;
+                queries.update(new <Agent>[]);
+                var agent:Agent = cubeAt(terrain.x - 0.5, _random.between(0.5, 1.5), base + 3);
+                if (queries.moveUntilTouch(agent, i % 3 == 0 ? 0 : _random.between(-1e-3, 1e-3), _random.between(-1, 1), -5) < 1)
+                {
+                    stopped++;
+                    assertTrue(i + " touches", queries.touchesAny(agent));
+                }
+            }
+            assertTrue("stopped: " + stopped, stopped > 40 && stopped < 300);
+        }
+
+        [Test]
         public function nothingSticksAtTheSeamsOfCells():void
         {
             var steps:int = Effort.choose(12, 200, 3);

@@ -80,6 +80,26 @@ package starlogo.intersection.contact
             normalZ = z;
         }
 
+        /**
+         * Sets the normal to the normal of a triangle: nine numbers of a list, from an index on. It points to the side from which the corners
+         * are counter-clockwise. <code>length</code> becomes twice the triangle's area.
+         *
+         * @return the sum of the squares of the two edges at the first corner
+         */
+        public function setAcross(p:Vector.<Number>, at:int):Number
+        {
+            var ux:Number = p[int(at + 3)] - p[at];
+            var uy:Number = p[int(at + 4)] - p[int(at + 1)];
+            var uz:Number = p[int(at + 5)] - p[int(at + 2)];
+            var vx:Number = p[int(at + 6)] - p[at];
+            var vy:Number = p[int(at + 7)] - p[int(at + 1)];
+            var vz:Number = p[int(at + 8)] - p[int(at + 2)];
+            var squared:Number = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
+            setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+            normalise();
+            return squared;
+        }
+
         /** Makes the normal a unit vector, and sets <code>length</code> to its old length, which must not be 0. */
         public function normalise():void
         {

@@ -7,14 +7,16 @@
  *   swfdump -abc library.swf > file; node test/structure/boxes.mjs file
  *
  * coerce_a: both arms of a ternary that is not assigned to a typed local at once (or passed, or returned), what is assigned to an
- * untyped variable, and what a for each goes over. Math.max and Math.min of three: their arguments are put into an Array.
+ * untyped variable, and what a for each goes over. Math.max and Math.min of three: their arguments are put into an Array. A member of a cast
+ * that is in no typed local, as in Sphere(structure).radius: the VM does not know the class of a cast, so it looks the member up by its name,
+ * in some 30 ns, and keeps a Number that it finds there in an object.
  */
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 /** Packages and classes whose functions run every frame. */
 const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.geometry.Placement',
-	'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid'];
+	'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid', 'starlogo.terrain'];
 
 /** Classes of those packages that do not, and why. */
 const COLD = {
@@ -37,6 +39,7 @@ const COLD = {
 	'starlogo.solid.Welding': 'when a model loads',
 	'starlogo.search.ModelShapes': 'when agents get other models, and when models are replaced',
 	'starlogo.search.BreedInterests': 'made when handlers change',
+	'starlogo.terrain.TerrainSurface': 'when the ground is drawn anew',
 };
 
 /** How many there may be in a function: none of them is of a Number. */
@@ -50,6 +53,12 @@ export const ALLOWED = {
 };
 
 const FEWEST_FUNCTIONS = 150;
+
+const BOXES = /^(?:coerce_a\b|callproperty\s+:(?:max|min) \((?!2\)))/;
+
+// a class that is called with one argument, and a member that is read of what this returns
+const CAST = /^callproperty\s+\S*:[A-Z][a-z]\w* \(1\)/;
+const MEMBER = /^(?:getproperty|callproperty\s.*\(0\)$)/;
 
 /** A function's qualified name from the line that swfdump heads it with; '' for initialisers, which run once. */
 function nameIn(header) {
@@ -75,6 +84,7 @@ export function boxesIn(dump) {
 	const boxes = new Map();
 	let lines;
 	let line = 0;
+	let last = '';
 	for (const text of dump.split('\n')) {
 		const [, header] = /^ {4}function (.*)$/.exec(text) ?? [];
 		if (header) {
@@ -85,9 +95,11 @@ export function boxesIn(dump) {
 			}
 		}
 		line = Number(/^\s+(?:L\d+:\s*)?debugline\s+(\d+)/.exec(text)?.[1] ?? line);
-		if (lines && /^\s+(?:L\d+:\s*)?(?:coerce_a\b|callproperty\s+:(?:max|min) \((?!2\)))/.test(text)) {
+		const [, instruction] = /^\s+(?:L\d+:\s*)?(\S.*)$/.exec(text) ?? [];
+		if (lines && (BOXES.test(instruction) || (CAST.test(last) && MEMBER.test(instruction)))) {
 			lines.push(line);
 		}
+		last = /^debugline/.test(instruction) ? last : instruction;
 	}
 	return boxes;
 }

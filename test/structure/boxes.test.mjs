@@ -41,6 +41,36 @@ test('Math.max of three is found, of two it is not', () => {
 	assert.deepEqual([...boxes], [['starlogo.intersection.boxBox', [8]]]);
 });
 
+// center(Sphere(structure)).x + Sphere(structure).radius + Capsule(structure).length()
+const CASTS = `        debugline     \t60
+        findpropstrict\tstarlogo.bounding:Sphere
+        getlocal1     \t
+        callproperty  \tstarlogo.bounding:Sphere (1)
+        callproperty  \tprivate:center (1)
+        getproperty   \t:x
+        debugline     \t61
+        findpropstrict\tstarlogo.bounding:Sphere
+        getlocal1     \t
+        callproperty  \tstarlogo.bounding:Sphere (1)
+        debugline     \t62
+        getproperty   \t:radius
+        add           \t
+        debugline     \t63
+        callproperty  \tstarlogo.bounding:Capsule (1)
+        callproperty  \t:length (0)
+        add           \t
+        debugline     \t64
+        callproperty  \tstarlogo.bounding:Capsule (1)
+        coerce        \tstarlogo.bounding:Capsule
+        setlocal2     \t
+        getlocal2     \t
+        getproperty   \t:radius`;
+
+test('a member of a cast is found, of what a function returns and of a typed local it is not', () => {
+	const boxes = boxesIn(dumpOf(PLACE, CASTS));
+	assert.deepEqual([...boxes], [['starlogo.bounding.Box.place', [62, 63]]]);
+});
+
 test('methods, private ones, those of a namespace and accessors are known by their names', () => {
 	const names = ['private:search(:int)::void', 'starlogo.engine:find()::void', ':statistics()::int'].map((member) =>
 		dumpOf(`starlogo.collision:CollisionSearch::${member}`, ''));

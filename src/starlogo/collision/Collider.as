@@ -126,7 +126,8 @@ package starlogo.collision
         /** @private The engine's collider that works for a collision system, or null. */
         engine static function behind(system:Object):Collider
         {
-            return system is BaseCollider ? BaseCollider(system).collider : null;
+            var base:BaseCollider = system as BaseCollider;
+            return base == null ? null : base.collider;
         }
 
         private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs,

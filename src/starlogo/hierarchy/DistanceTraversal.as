@@ -153,7 +153,8 @@ package starlogo.hierarchy
             switch (structure.kind)
             {
                 case BoundingStructure.SPHERE:
-                    return Sphere(structure).radius;
+                    var sphere:Sphere = Sphere(structure);
+                    return sphere.radius;
                 case BoundingStructure.BOX:
                     var box:Box = Box(structure);
                     return box.halfX + box.halfY + box.halfZ;

@@ -118,16 +118,19 @@ package starlogo.hierarchy
             var end:Vector3D;
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                at = end = Sphere(structure).center;
+                var sphere:Sphere = Sphere(structure);
+                at = end = sphere.center;
             }
             else if (structure.kind == BoundingStructure.CAPSULE)
             {
-                at = Capsule(structure).start;
-                end = Capsule(structure).end;
+                var capsule:Capsule = Capsule(structure);
+                at = capsule.start;
+                end = capsule.end;
             }
             else
             {
-                at = end = Box(structure).center;
+                var box:Box = Box(structure);
+                at = end = box.center;
             }
             if (node.splitAxis == 0)
             {

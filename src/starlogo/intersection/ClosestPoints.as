@@ -215,7 +215,8 @@ package starlogo.intersection
             out.gapX = gapX;
             out.gapY = gapY;
             out.gapZ = gapZ;
-            out.radiusB = b.kind == BoundingStructure.BOX ? 0 : AxialStructure(b).radius;
+            var axial:AxialStructure = b as AxialStructure;
+            out.radiusB = axial == null ? 0 : axial.radius;
             out.separate();
         }
 

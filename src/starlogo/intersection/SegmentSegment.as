@@ -98,8 +98,10 @@ package starlogo.intersection
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
         {
             // The order is always the same, so that rounding is the same for (a, b) and (b, a).
-            var startA:Vector3D = Capsule(a).start;
-            var startB:Vector3D = Capsule(b).start;
+            var capsuleA:Capsule = Capsule(a);
+            var capsuleB:Capsule = Capsule(b);
+            var startA:Vector3D = capsuleA.start;
+            var startB:Vector3D = capsuleB.start;
             if (startA.x > startB.x || (startA.x == startB.x && isAfter(startA, startB)))
             {
                 super.findClosest(b, a, out);

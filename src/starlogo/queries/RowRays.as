@@ -91,7 +91,8 @@ package starlogo.queries
             }
             if (shape.form == ModelShape.GROUND)
             {
-                return meetsGround(FixtureAgent(_table.agents[row]).terrain.grid);
+                var ground:FixtureAgent = FixtureAgent(_table.agents[row]);
+                return meetsGround(ground.terrain.grid);
             }
             var placement:Placement = _table.placementOf(row, _placement);
             var line:Ray = _line;

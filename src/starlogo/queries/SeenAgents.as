@@ -62,7 +62,8 @@ package starlogo.queries
         /** See AgentQueries.terrain. */
         public function get terrain():Terrain
         {
-            return _source is Collision ? Collision(_source).terrain : _terrain;
+            var collision:Collision = _source as Collision;
+            return collision == null ? _terrain : collision.terrain;
         }
 
         public function set terrain(value:Terrain):void

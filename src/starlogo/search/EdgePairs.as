@@ -132,7 +132,8 @@ package starlogo.search
         private function read(table:AgentTable, row:int, edges:int, motion:RelativeMotion):void
         {
             var extents:Extents = table.extents;
-            _edges = FixtureAgent(table.agents[edges]).edges;
+            var fixture:FixtureAgent = FixtureAgent(table.agents[edges]);
+            _edges = fixture.edges;
             _largest = extents.largestHalf(row);
             _margin = table.marginOf(row) + Tolerances.ROUNDING * _largest;
             _beyond[0] = extents.halfX[row] + (_edges[0] - extents.x[row]);

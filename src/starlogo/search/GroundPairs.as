@@ -32,7 +32,8 @@ package starlogo.search
         /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var grid:HeightGrid = FixtureAgent(table.agents[b]).terrain.grid;
+            var ground:FixtureAgent = FixtureAgent(table.agents[b]);
+            var grid:HeightGrid = ground.terrain.grid;
             var form:int = table.forms[a];
             grid.look.gap = 4 * Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a]));
             if (table.sizes[b] == 1 && grid.look.decide(grid, table.extents, a, form == BoundingStructure.SPHERE, form != ModelShape.TREE))
@@ -73,14 +74,15 @@ package starlogo.search
         }
 
         // The test of the ground, set to a row. If the ground is made narrower, its size in the table is smaller.
-        private function pairOf(table:AgentTable, row:int, ground:int):TerrainPair
+        private function pairOf(table:AgentTable, a:int, b:int):TerrainPair
         {
-            var shape:ModelShape = table.shapes[row];
-            var grid:HeightGrid = FixtureAgent(table.agents[ground]).terrain.grid;
+            var ground:FixtureAgent = FixtureAgent(table.agents[b]);
+            var grid:HeightGrid = ground.terrain.grid;
+            var shape:ModelShape = table.shapes[a];
             var trees:TreePairs = _pairs.trees;
             var pair:TerrainPair = grid.pair;
-            pair.inset = (1 - table.sizes[ground]) * grid.cellWidth / 2;
-            pair.setTo(grid, shape.hierarchy, shape.structure, table.placementOf(row, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, row),
+            pair.inset = (1 - table.sizes[b]) * grid.cellWidth / 2;
+            pair.setTo(grid, shape.hierarchy, shape.structure, table.placementOf(a, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, a),
                     trees != null && trees.exact);
             return pair;
         }

@@ -64,8 +64,9 @@ package starlogo.search
         internal var outer:Vector.<OuterStructures> = new Vector.<OuterStructures>();
         internal var boxes:Vector.<Box> = new Vector.<Box>();
 
-        // By kind of structure: one that no row uses at present, or null.
-        private var _spares:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        // By kind: the structures that no row uses at present.
+        private var _spares:Vector.<Vector.<BoundingStructure>> = new <Vector.<BoundingStructure>>[new Vector.<BoundingStructure>(), new Vector.<BoundingStructure>(),
+                new Vector.<BoundingStructure>()];
 
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
@@ -338,15 +339,9 @@ package starlogo.search
                 {
                     return;
                 }
-                _spares[before.kind] = before;
+                _spares[before.kind].push(before);
             }
-            var spare:BoundingStructure = _spares[shape.form];
-            if (spare == null)
-            {
-                spare = shape.structure.clone();
-            }
-            _spares[shape.form] = null;
-            _placed[row] = spare;
+            _placed[row] = _spares[shape.form].pop() || shape.structure.clone();
         }
 
         private function findExtents(row:int):void

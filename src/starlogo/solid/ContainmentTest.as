@@ -68,13 +68,15 @@ package starlogo.solid
             isPointOfSecond = false;
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                _point.copyFrom(Sphere(structure).center);
-                return outer.isInside(_point, Sphere(structure).radius);
+                var sphere:Sphere = Sphere(structure);
+                _point.copyFrom(sphere.center);
+                return outer.isInside(_point, sphere.radius);
             }
             if (structure.kind == BoundingStructure.CAPSULE)
             {
-                _point.copyFrom(Capsule(structure).start);
-                return outer.isInside(_point, Capsule(structure).radius);
+                var capsule:Capsule = Capsule(structure);
+                _point.copyFrom(capsule.start);
+                return outer.isInside(_point, capsule.radius);
             }
             var box:Box = Box(structure);
             _point.copyFrom(box.center);

@@ -131,12 +131,12 @@ package starlogo.terrain
             box.from = 0;
             box.to = box.limit;
             findRange(box.y - _y, box.halfY, box.wayY, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
-            var isBack:Boolean = box.wayY < 0;
-            var row:int = isBack ? _first : _last;
+            var step:int = box.wayY < 0 ? 1 : -1;
+            var row:int = step > 0 ? _first : _last;
             for (var rows:int = _last - _first + 1; rows > 0; rows--)
             {
                 _row = row;
-                row += isBack ? 1 : -1;
+                row += step;
                 cutToRow();
                 findRange(box.x - _x, box.halfX, box.wayX, first, last);
                 for (var i:int = _first; i <= _last && box.from <= box.to; i++)

@@ -142,7 +142,8 @@ package starlogo.terrain
             var more:Number = isRight ? toX : toY;
             var less:Number = isRight ? toY : toX;
             var near:Number = heights[corner];
-            var side:Number = heights[int(isRight ? corner + 1 : corner + columns)];
+            var beside:int = isRight ? corner + 1 : corner + columns;
+            var side:Number = heights[beside];
             var far:Number = heights[int(corner + columns + 1)];
             height = (1 - more) * near + (more - less) * side + less * far;
             fallX = isRight ? near - side : side - far;

@@ -239,6 +239,7 @@ package starlogo.queries
                 _answers += agent != guest && _queries.distance(agent, guest, _point, _direction) < 20 ? 1 : 0;
             }
             _point.setTo(0, 0, 0);
+            _answers += _queries.distanceToPoint(agent, _point, _direction) < 20 ? 1 : 0;
         }
 
         // The agent asks from where it is, and is told to have moved.

@@ -66,7 +66,8 @@ package starlogo.intersection.contact
             }
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                moveBy(Sphere(structure).center, 1);
+                var sphere:Sphere = Sphere(structure);
+                moveBy(sphere.center, 1);
                 return;
             }
             var capsule:Capsule = Capsule(structure);

@@ -209,7 +209,8 @@ package starlogo.terrain
             // Looks farther and farther away. The first guess is the distance to the surface above or below the model's middle.
             var box:PassingBox = boxOf(_structure);
             var height:Number = heightAt(box.x, box.y);
-            var bound:Number = box.halfX + box.halfY + box.halfZ + (isNaN(height) ? _grid.cellWidth : Math.abs(height - box.z));
+            var above:Number = isNaN(height) ? _grid.cellWidth : Math.abs(height - box.z);
+            var bound:Number = box.halfX + box.halfY + box.halfZ + above;
             _closest = out;
             do
             {

@@ -28,6 +28,8 @@ package starlogo.queries
         private var _agents:Vector.<Agent>;
         private var _queries:AgentQueries;
         private var _filter:AgentFilter;
+        private var _ground:Terrain;
+        private var _capsule:Agent;
         private var _guests:Vector.<Agent>;
         private var _out:Vector.<Agent> = new Vector.<Agent>();
         private var _structure:Sphere = new Sphere(new Vector3D(), 3);
@@ -55,11 +57,12 @@ package starlogo.queries
                 assertAllocatesNothing(name + ", rays", askWhatRaysMeet);
                 assertAllocatesNothing(name + ", motions", askHowFar);
                 assertAllocatesNothing(name + ", distances", askHowFarApart);
+                _queries.terrain = _ground;
+                assertAllocatesNothing(name + ", distances to points", askHowFarFromAPoint);
                 // Among triangles, an interpreter takes a minute for them.
                 if (Garbage.isCounted || name != "triangles")
                 {
                     assertAllocatesNothing(name + ", casts of shapes", askWhatShapesMeet);
-                    _queries.terrain = makeHill();
                     assertAllocatesNothing(name + ", walks", askHowItWalks);
                 }
             }
@@ -111,6 +114,9 @@ package starlogo.queries
             {
                 _guests.push(new Agent(shape));
             }
+            _capsule = new Agent("cube");
+            _capsule.collideAs = Agent.CAPSULE;
+            _ground = makeHill();
             _filter = AgentFilter.ofBreeds("bears", "balls");
             _filter.except = new <Agent>[_agents[0]];
             _queries = new AgentQueries(EachCollider.make(name, greatLand));
@@ -240,6 +246,19 @@ package starlogo.queries
             }
             _point.setTo(0, 0, 0);
             _answers += _queries.distanceToPoint(agent, _point, _direction) < 20 ? 1 : 0;
+        }
+
+        private function askHowFarFromAPoint(agent:Agent):void
+        {
+            _point.setTo(agent.x + 2, agent.y - 1, agent.z);
+            for each (var guest:Agent in _guests)
+            {
+                _answers += _queries.distanceToPoint(guest, _point, _direction) < 20 ? 1 : 0;
+            }
+            _answers += _queries.distanceToPoint(agent, _point, _direction) < 20 ? 1 : 0;
+            _answers += _queries.distanceToPoint(_capsule, _point, _direction) < 20 ? 1 : 0;
+            _answers += _queries.distanceToPoint(_ground.agent, _point, _direction) < 20 ? 1 : 0;
+            _point.setTo(0, 0, 0);
         }
 
         // The agent asks from where it is, and is told to have moved.

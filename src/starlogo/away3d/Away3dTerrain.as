@@ -22,8 +22,8 @@ package starlogo.away3d
      */
     public final class Away3dTerrain extends Mesh
     {
-        // A SubGeometry has at most 65535 vertices, and a face has four.
-        private static const MOST_FACES:int = 16383;
+        // A SubGeometry has at most 65535 vertices.
+        private static const MOST_TRIANGLES:int = 21845;
 
         private var _terrain:Terrain;
         private var _surface:TerrainSurface;
@@ -61,24 +61,23 @@ package starlogo.away3d
                 return false;
             }
             geometry.dispose();
-            var faces:int = _surface.vertices.length / 12;
-            for (var first:int = 0; first < faces; first += MOST_FACES)
+            var triangles:int = _surface.triangles.length / 3;
+            for (var first:int = 0; first < triangles; first += MOST_TRIANGLES)
             {
-                geometry.addSubGeometry(partOf(first, Math.min(faces, first + MOST_FACES)));
+                geometry.addSubGeometry(partOf(first, Math.min(triangles, first + MOST_TRIANGLES)));
             }
             return true;
         }
 
         private function partOf(first:int, end:int):SubGeometry
         {
-            var vertices:Vector.<Number> = swap(_surface.vertices.slice(12 * first, 12 * end));
+            var vertices:Vector.<Number> = swap(_surface.vertices.slice(9 * first, 9 * end));
             var part:SubGeometry = new SubGeometry();
             part.updateVertexData(vertices);
-            part.updateVertexNormalData(swap(_surface.normals.slice(12 * first, 12 * end)));
+            part.updateVertexNormalData(swap(_surface.normals.slice(9 * first, 9 * end)));
             part.updateUVData(findUVs(vertices));
-            // All faces have the same order of vertices, so the triangles are those of the first faces. They are reversed, because swapped axes
-            // mirror them.
-            part.updateIndexData(_surface.triangles.slice(0, 6 * (end - first)).reverse());
+            // Each triangle has vertices of its own, so the indices are the first ones. They are reversed, because swapped axes mirror triangles.
+            part.updateIndexData(_surface.triangles.slice(0, 3 * (end - first)).reverse());
             return part;
         }
 

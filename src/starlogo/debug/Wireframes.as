@@ -106,14 +106,21 @@ package starlogo.debug
             var drawn:Object = {};
             for (var i:int = 0; i < triangles.length; i++)
             {
-                drawEdge(pen, vertices, triangles[i], triangles[i % 3 == 2 ? i - 2 : i + 1], drawn);
+                var a:int = triangles[i];
+                var b:int = triangles[i % 3 == 2 ? i - 2 : i + 1];
+                var key:Number = Math.min(a, b) * (vertices.length / 3) + Math.max(a, b);
+                if (!drawn[key])
+                {
+                    drawn[key] = true;
+                    pen.drawLine(vertexAt(vertices, a), vertexAt(vertices, b));
+                }
             }
             return pen.lines;
         }
 
         /**
-         * The surface of the ground in a rectangle, as a TerrainSurface has it. Slopes have the edges of their triangles, and columns have the
-         * edges of their tops. Walls have their edges, too. An edge that several faces share appears once.
+         * The edges of the ground's triangles in a rectangle, as a TerrainSurface has them: of slopes, tops of columns and walls. An edge that
+         * several triangles share appears once.
          *
          * @param terrain the ground as it is now
          * @param minX the rectangle's least x; the rectangle may reach beyond the ground
@@ -128,35 +135,13 @@ package starlogo.debug
         {
             var surface:TerrainSurface = new TerrainSurface(terrain, minX, minY, maxX, maxY);
             surface.update();
-            var vertices:Vector.<Number> = surface.vertices;
-            var points:PointTable = new PointTable(vertices.length / 3);
-            var pointOf:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < vertices.length; i += 3)
+            var points:PointTable = new PointTable(surface.triangles.length);
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < surface.vertices.length; i += 3)
             {
-                pointOf.push(points.indexOf(vertices[i], vertices[i + 1], vertices[i + 2]));
+                triangles.push(points.indexOf(surface.vertices[i], surface.vertices[i + 1], surface.vertices[i + 2]));
             }
-            var pen:LinePen = new LinePen(out);
-            var drawn:Object = {};
-            for (i = 0; i < pointOf.length; i++)
-            {
-                drawEdge(pen, points.coordinates, pointOf[i], pointOf[i % 4 == 3 ? i - 3 : i + 1], drawn);
-                if (i % 4 == 0 && !terrain.isBlocky && surface.normals[3 * i + 2] > 0)
-                {
-                    drawEdge(pen, points.coordinates, pointOf[i], pointOf[i + 2], drawn);
-                }
-            }
-            return pen.lines;
-        }
-
-        // Draws the line between two vertices, if it is not among the lines that were drawn.
-        private static function drawEdge(pen:LinePen, vertices:Vector.<Number>, a:int, b:int, drawn:Object):void
-        {
-            var key:Number = Math.min(a, b) * (vertices.length / 3) + Math.max(a, b);
-            if (!drawn[key])
-            {
-                drawn[key] = true;
-                pen.drawLine(vertexAt(vertices, a), vertexAt(vertices, b));
-            }
+            return ofTriangles(points.coordinates, triangles, out);
         }
 
         private static function vertexAt(vertices:Vector.<Number>, index:int):Vector3D

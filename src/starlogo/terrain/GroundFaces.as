@@ -41,6 +41,9 @@ package starlogo.terrain
         /** How far triangles are moved into the ground. */
         public var inset:Number = 0;
 
+        /** The height down to which walls reach at the terrain's borders; -Infinity: below the box. */
+        public var floor:Number = -Infinity;
+
         private var _grid:HeightGrid;
         private var _lastColumn:int;
         private var _lastRow:int;
@@ -238,7 +241,7 @@ package starlogo.terrain
             var row:int = _row + TO_ROW[side];
             var top:Number = _tops[side];
             var endTop:Number = _tops[end];
-            var low:Number = -Infinity;
+            var low:Number = floor;
             if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
             {
                 low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _z : Infinity;

@@ -5,22 +5,13 @@ package starlogo.terrain
     use namespace engine;
 
     /**
-     * The surface of a terrain as triangles, for drawing. Slopes have smooth normals, and columns have flat ones. Upright walls stand between
-     * columns. Where the grid ends, walls go down to its lowest height.
+     * The surface of a terrain as triangles, for drawing: those that agents are tested with. Slopes have smooth normals, and columns have flat
+     * ones. Upright walls stand between columns. Where the grid ends, walls go down to its lowest height.
      *
-     * <p>The surface is made of faces: the cells of slopes, the tops of columns, and the walls. A face has four vertices of its own and two
-     * triangles.</p>
+     * <p>Each triangle has three vertices of its own.</p>
      */
     public final class TerrainSurface
     {
-        // The corners of a cell, counter-clockwise seen from above. Each side begins at the corner of its number.
-        private static const CORNER_X:Vector.<int> = new <int>[0, 1, 1, 0];
-        private static const CORNER_Y:Vector.<int> = new <int>[0, 0, 1, 1];
-
-        // The ways from a cell to the neighbours beyond its sides.
-        private static const BESIDE_X:Vector.<int> = new <int>[0, 1, 0, -1];
-        private static const BESIDE_Y:Vector.<int> = new <int>[-1, 0, 1, 0];
-
         /** The vertices in the world: x, y and z of each. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
@@ -33,11 +24,6 @@ package starlogo.terrain
         private var _grid:HeightGrid;
         private var _revision:int = -1;
         private var _isBlocky:Boolean;
-
-        // How many cells the grid has along x and along y, and its lowest height.
-        private var _columns:int;
-        private var _rows:int;
-        private var _lowest:Number;
 
         // The heights that are in the rectangle.
         private var _first:int;
@@ -82,17 +68,23 @@ package starlogo.terrain
             }
             _revision = _grid.revision;
             _isBlocky = _grid.isBlocky;
-            var beyond:int = _isBlocky ? 0 : 1;
-            _columns = _grid.columns - beyond;
-            _rows = _grid.rows - beyond;
-            // the last level is one square
-            _lowest = _grid.bounds[_grid.begins[_grid.levels]];
             vertices.length = normals.length = triangles.length = 0;
-            for (var row:int = _firstRow; row <= _lastRow - beyond; row++)
+            var faces:GroundFaces = new GroundFaces();
+            // the last level is one square
+            faces.floor = _grid.bounds[_grid.begins[_grid.levels]];
+            faces.box.x = _grid.x + (_first + _last) / 2 * _grid.cellWidth;
+            faces.box.y = _grid.y + (_firstRow + _lastRow) / 2 * _grid.cellWidth;
+            // the box ends in the middles of cells. Those of slopes are between the heights
+            var fewer:int = _isBlocky ? 0 : 1;
+            faces.box.halfX = (_last - _first - fewer) / 2 * _grid.cellWidth;
+            faces.box.halfY = (_lastRow - _firstRow - fewer) / 2 * _grid.cellWidth;
+            faces.box.halfZ = Infinity;
+            if (faces.box.halfX >= 0 && faces.box.halfY >= 0)
             {
-                for (var column:int = _first; column <= _last - beyond; column++)
+                faces.begin(_grid);
+                while (faces.next())
                 {
-                    addCell(column, row);
+                    addTriangle(faces.corners);
                 }
             }
             return true;
@@ -103,78 +95,43 @@ package starlogo.terrain
             return Math.max(least, Math.min(greatest, value));
         }
 
-        private function addCell(column:int, row:int):void
+        private function addTriangle(corners:Vector.<Number>):void
         {
-            for (var corner:int = 0; corner < 4; corner++)
+            // the first side of a wall's triangles is along the wall, and so are both others as seen from above
+            var x:Number = corners[3] - corners[0];
+            var y:Number = corners[4] - corners[1];
+            var isWall:Boolean = x * (corners[7] - corners[1]) == y * (corners[6] - corners[0]);
+            for (var i:int = 0; i < 9; i += 3)
             {
-                addTop(column, row, corner);
-            }
-            addTriangles();
-            for (var side:int = 0; side < 4; side++)
-            {
-                var next:int = (side + 1) % 4;
-                var low:Number = heightBeside(column + BESIDE_X[side], row + BESIDE_Y[side]);
-                var height:Number = heightAt(column, row, side);
-                var nextHeight:Number = heightAt(column, row, next);
-                if (low < Math.max(height, nextHeight))
+                triangles.push(vertices.length / 3);
+                vertices.push(corners[i], corners[i + 1], corners[i + 2]);
+                if (isWall)
                 {
-                    addVertex(column, row, side, low, BESIDE_X[side], BESIDE_Y[side], 0);
-                    addVertex(column, row, next, low, BESIDE_X[side], BESIDE_Y[side], 0);
-                    addVertex(column, row, next, nextHeight, BESIDE_X[side], BESIDE_Y[side], 0);
-                    addVertex(column, row, side, height, BESIDE_X[side], BESIDE_Y[side], 0);
-                    addTriangles();
+                    var width:Number = Math.abs(x) + Math.abs(y);
+                    normals.push(y / width, -x / width, 0);
+                }
+                else
+                {
+                    addNormal((corners[i] - _grid.x) / _grid.cellWidth, (corners[i + 1] - _grid.y) / _grid.cellWidth);
                 }
             }
         }
 
-        private function addTop(column:int, row:int, corner:int):void
+        // Adds the normal of a top at a place in cells. Slopes have it from the heights around the place.
+        private function addNormal(x:Number, y:Number):void
         {
-            var x:int = column + CORNER_X[corner];
-            var y:int = row + CORNER_Y[corner];
-            var slopeX:Number = slopeAt(y * _grid.columns + x, 1, x, _columns);
-            var slopeY:Number = slopeAt(y * _grid.columns + x, _grid.columns, y, _rows);
+            var column:int = Math.round(x);
+            var row:int = Math.round(y);
+            var at:int = row * _grid.columns + column;
+            var slopeX:Number = _isBlocky ? 0 : slopeAt(at, 1, column, _grid.columns - 1);
+            var slopeY:Number = _isBlocky ? 0 : slopeAt(at, _grid.columns, row, _grid.rows - 1);
             var length:Number = Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1);
-            addVertex(column, row, corner, heightAt(column, row, corner), -slopeX / length, -slopeY / length, 1 / length);
+            normals.push(-slopeX / length, -slopeY / length, 1 / length);
         }
 
-        private function addVertex(column:int, row:int, corner:int, z:Number, normalX:Number, normalY:Number, normalZ:Number):void
-        {
-            // a column stands around its height
-            var back:Number = _isBlocky ? 0.5 : 0;
-            vertices.push(_grid.x + (column + CORNER_X[corner] - back) * _grid.cellWidth, _grid.y + (row + CORNER_Y[corner] - back) * _grid.cellWidth, z);
-            normals.push(normalX, normalY, normalZ);
-        }
-
-        // Adds the two triangles of the last four vertices.
-        private function addTriangles():void
-        {
-            var first:int = vertices.length / 3 - 4;
-            triangles.push(first, first + 1, first + 2, first, first + 2, first + 3);
-        }
-
-        // The height of a cell at one of its corners.
-        private function heightAt(column:int, row:int, corner:int):Number
-        {
-            return _grid.heights[_isBlocky ? row * _grid.columns + column : (row + CORNER_Y[corner]) * _grid.columns + column + CORNER_X[corner]];
-        }
-
-        // The lower edge of a wall towards this cell. Slopes have no walls between them.
-        private function heightBeside(column:int, row:int):Number
-        {
-            if (column < 0 || row < 0 || column >= _columns || row >= _rows)
-            {
-                return _lowest;
-            }
-            return _isBlocky ? heightAt(column, row, 0) : Infinity;
-        }
-
-        // The slope along x or along y at a height, from the height before it to the one after it. The tops of columns have none.
+        // The slope along x or along y at a height, from the height before it to the one after it.
         private function slopeAt(at:int, step:int, place:int, last:int):Number
         {
-            if (_isBlocky)
-            {
-                return 0;
-            }
             var before:int = place > 0 ? 1 : 0;
             var after:int = place < last ? 1 : 0;
             return (_grid.heights[at + after * step] - _grid.heights[at - before * step]) / (before + after) / _grid.cellWidth;

@@ -107,14 +107,14 @@ package starlogo.away3d
             _terrain = new Terrain(140, 130);
             _terrain.raiseMound(70, 60, 100, 9);
             var ground:Away3dTerrain = new Away3dTerrain(_terrain);
-            var faces:int = 0;
+            var triangles:int = 0;
             for each (var part:ISubGeometry in ground.geometry.subGeometries)
             {
                 assertTrue(part.numVertices + " vertices", part.numVertices < 65536 && part.numVertices * 3 == part.vertexData.length);
                 assertTrue(Math.max.apply(null, toArray(part.indexData.slice(-6))) < part.numVertices);
-                faces += part.numTriangles / 2;
+                triangles += part.numTriangles;
             }
-            assertEquals(139 * 129, faces);
+            assertEquals(2 * 139 * 129, triangles);
             assertEquals(2, ground.subMeshes.length);
         }
 

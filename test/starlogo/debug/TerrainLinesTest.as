@@ -15,7 +15,7 @@ package starlogo.debug
         private var _random:SeededRandom = new SeededRandom(41);
 
         [Test]
-        public function theyAreTheEdgesOfTopsAndWalls():void
+        public function theyAreTheEdgesOfTrianglesOfTopsAndWalls():void
         {
             var parts:int = 0;
             for each (var isBlocky:Boolean in [false, true])
@@ -61,13 +61,10 @@ package starlogo.debug
             {
                 for (var column:int = first; column <= last - beyond; column++)
                 {
-                    if (!terrain.isBlocky)
-                    {
-                        addEdge(edges, cornerOf(terrain, column, row, 0, 0), cornerOf(terrain, column, row, 1, 1));
-                    }
+                    addEdge(edges, cornerOf(terrain, column, row, 0, 0), cornerOf(terrain, column, row, 1, 1));
                     addSide(edges, terrain, column, row, 0, 0, 1, 0, row == 0, column, row - 1, lowest);
-                    addSide(edges, terrain, column, row, 0, 1, 1, 1, row == terrain.rows - 1 - beyond, column, row + 1, lowest);
-                    addSide(edges, terrain, column, row, 0, 0, 0, 1, column == 0, column - 1, row, lowest);
+                    addSide(edges, terrain, column, row, 1, 1, 0, 1, row == terrain.rows - 1 - beyond, column, row + 1, lowest);
+                    addSide(edges, terrain, column, row, 0, 1, 0, 0, column == 0, column - 1, row, lowest);
                     addSide(edges, terrain, column, row, 1, 0, 1, 1, column == terrain.columns - 1 - beyond, column + 1, row, lowest);
                 }
             }
@@ -87,6 +84,7 @@ package starlogo.debug
                 addEdge(edges, from, [from[0], from[1], low]);
                 addEdge(edges, to, [to[0], to[1], low]);
                 addEdge(edges, [from[0], from[1], low], [to[0], to[1], low]);
+                addEdge(edges, [from[0], from[1], low], to);
             }
         }
 
@@ -120,7 +118,7 @@ package starlogo.debug
             }
             assertEquals("one height has no slope", 0, Wireframes.ofTerrain(terrain, 11, 21, 11, 21).length);
             terrain.isBlocky = true;
-            assertEquals("but a column", 4 * 6, Wireframes.ofTerrain(terrain, 11, 21, 11, 21).length);
+            assertEquals("but a column", 5 * 6, Wireframes.ofTerrain(terrain, 11, 21, 11, 21).length);
             assertEquals("9,10.5,20.5,0", Wireframes.ofTerrain(terrain, 11, 21, 11, 21, new <Number>[9]).slice(0, 4).join());
             assertThrows(ArgumentError, /no terrain to draw/, Wireframes.ofTerrain, null, 0, 0, 1, 1);
         }

@@ -152,9 +152,9 @@ package starlogo.terrain
         {
             surface.update();
             var faces:Array = [];
-            for (var i:int = 0; i < surface.vertices.length; i += 12)
+            for (var i:int = 0; i < surface.vertices.length; i += 9)
             {
-                faces.push(surface.vertices.slice(i, i + 12).concat(surface.normals.slice(i, i + 12)).join());
+                faces.push(surface.vertices.slice(i, i + 9).concat(surface.normals.slice(i, i + 9)).join());
             }
             return faces;
         }

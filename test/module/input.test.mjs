@@ -254,6 +254,7 @@ test("a literal serves as options of a walk", () => {
 	const walker = new Agent("cube");
 	assert.equal(queries.walk(walker, 1, 0, { stepHeight: 0.5, snap: 0 }).on, floor);
 	assert.equal(queries.walk(walker, 1, 0, {}).stands, true);
+	assert.equal(queries.walk(walker, 0.1, 0, { stepHeight: undefined, slopeDegrees: undefined, snap: undefined, filter: undefined }).on, floor);
 	assert.ok(queries.walk(walker, 1, 0).part > 0.999);
 	walker.z = 5;
 	assert.equal(queries.walk(walker, 0, 0, { fall: Infinity }).on, floor);

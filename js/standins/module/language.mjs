@@ -155,12 +155,12 @@ export function $bytes(target, name, value, isNullable) {
 	return ByteArray.from(value);
 }
 
-/** Options that a public method receives as a literal: a copy, whose setters check the values. */
+/** Options that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent. */
 export function $options(target, name, value, options) {
 	if (typeof value !== "object" || Array.isArray(value)) $refuse(target, name, value, "options");
 	for (const key of Object.keys(value)) {
 		if (!(key in options)) $refuse(target, `${name}.${key}`, value[key], "an option that there is");
-		options[key] = value[key];
+		if (value[key] !== undefined) options[key] = value[key];
 	}
 	return options;
 }

@@ -566,8 +566,9 @@ package starlogo.queries
          * not too high and not too steep. It stays on the ground when it goes downhill or down steps.
          *
          * <p>An agent that stands can climb, and it stays on the ground. An agent that does not stand goes straight on and falls, as far as
-         * the options say. If something too steep stops its fall, it slides down there. The agent ends a hair above the ground, as with
-         * <code>slide()</code>. A walk takes as long as two or three slides. If a wall stops the agent, it takes as long as six.</p>
+         * the options say. If something too steep stops its fall, it slides down there. On the ground plane a walk is never longer than
+         * <code>dx</code> and <code>dy</code>, except for a slide after a fall. Such a slide goes at most half as far sideways as the agent
+         * may fall. The agent ends a hair above the ground, as with <code>slide()</code>.</p>
          *
          * @param agent the agent that walks. While its model is loading it touches nothing
          * @param dx how far along x, in patches

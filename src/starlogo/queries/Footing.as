@@ -15,7 +15,7 @@ package starlogo.queries
         /** The normal of the surface that it stands on, a unit vector. If the agent does not stand, the normal points up. */
         public var normal:Vector3D = new Vector3D(0, 0, 1);
 
-        /** How far it has come on the ground plane, as a part of the way, from 0 to 1. */
+        /** How far it has come on the ground plane, as a part of the way, from 0 to 1. A fall does not count. */
         public var part:Number = 1;
 
         /** An empty Footing. Pass it to <code>AgentQueries.walk()</code>, which fills it. */

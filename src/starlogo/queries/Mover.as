@@ -34,10 +34,9 @@ package starlogo.queries
         // If an overlap is deeper than this fraction of the larger extent, the contact's plane stands for the other row.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
-        // The number of places that are tried in order to find one at which the two touch: first, and after the last hair was swept again. That
-        // sweep may end some 30 gaps before a triangle of the ground.
-        private static const STEPS_INTO_TOUCH:int = 6;
-        private static const LAST_STEPS_INTO_TOUCH:int = 64;
+        // The number of places that are tried in order to find one at which the two touch. A sweep may end some 30 gaps before a triangle of
+        // the ground.
+        private static const STEPS_INTO_TOUCH:int = 64;
 
         // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. If a contact at an
         // edge does not show what stops the motion, the contact this distance farther along the way is used.
@@ -139,10 +138,11 @@ package starlogo.queries
          * Computes where the row ends if it starts at <code>at</code>. The parameters are those of <code>move()</code>.
          *
          * @param steepest a slide treats a contact as an upright wall if the z of its normal is less than this. With -2 it does so with none
+         * @param widest how far a slide may go on the ground plane at most
          */
-        public function go(motion:Vector3D, ending:int, steepest:Number = -2):void
+        public function go(motion:Vector3D, ending:int, steepest:Number = -2, widest:Number = Infinity):void
         {
-            _rest.begin(motion);
+            _rest.begin(motion, widest);
             hasContact = metWall = isDeep = _isCareful = false;
             contact.setNormal(0, 0, 0);
             part = 1;
@@ -255,7 +255,7 @@ package starlogo.queries
         // finds no touch, the row ends just before it.
         private function endTouching():void
         {
-            if (!stepIntoTouch(STEPS_INTO_TOUCH))
+            if (!stepIntoTouch())
             {
                 _lift.setTo(-_sweep.hair * contact.normalX, -_sweep.hair * contact.normalY, -_sweep.hair * contact.normalZ);
                 contact.push(at, _sweep.hair / 2);
@@ -263,7 +263,7 @@ package starlogo.queries
                 _sweep.aim(at, _lift);
                 _sweep.findWhole(contactRow);
                 contact.push(at, -_sweep.wholeTime * _sweep.hair);
-                if (_sweep.wholeTime > 1 || !stepIntoTouch(LAST_STEPS_INTO_TOUCH))
+                if (_sweep.wholeTime > 1 || !stepIntoTouch())
                 {
                     at.copyFrom(_before);
                 }
@@ -272,11 +272,11 @@ package starlogo.queries
 
         // Tries several places, from half a gap before the contact on. The gap is the distance across which the two still touch. Returns whether
         // they touch at one of the places.
-        private function stepIntoTouch(steps:int):Boolean
+        private function stepIntoTouch():Boolean
         {
             var gap:Number = _sweep.gapAt(at);
             contact.push(at, gap);
-            for (var i:int = 1; i < steps; i++)
+            for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
             {
                 if (_sweep.touchesAt(contactRow, at))
                 {
@@ -365,30 +365,31 @@ package starlogo.queries
         public function leaveTouches():void
         {
             _before.copyFrom(at);
-            for (var i:int = 0; i < _sweep.touchedCount; i++)
+            var isFree:Boolean = leave(_sweep.touched, _sweep.touchedCount);
+            for (var round:int = 1; !isFree && round < LIFTING_ROUNDS; round++)
             {
-                var other:int = _sweep.touched[i];
-                if (_sweep.touchesAt(other, at))
-                {
-                    _sweep.findContact(other, at, _standing);
-                    var by:Number = _standing.depth + _sweep.hair / 2;
-                    if (by > MOST_HAIRS * _sweep.hair)
-                    {
-                        _standing.copyFrom(contact);
-                        by = 2 * _sweep.hair;
-                    }
-                    _standing.push(at, by);
-                }
-            }
-            var isFree:Boolean = true;
-            for (i = 0; i < _count && isFree && !at.equals(_before); i++)
-            {
-                isFree = !_sweep.touchesAt(_others[i], at);
+                isFree = leave(_others, _count);
             }
             if (!isFree)
             {
                 at.copyFrom(_before);
             }
+        }
+
+        // Lifts the row off some rows. Returns whether it touched none of them.
+        private function leave(rows:Vector.<int>, count:int):Boolean
+        {
+            var isFree:Boolean = true;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (_sweep.touchesAt(rows[i], at))
+                {
+                    isFree = false;
+                    _sweep.findContact(rows[i], at, _standing);
+                    _standing.push(at, Math.min(_standing.depth, MOST_HAIRS * _sweep.hair) + _sweep.hair / 2);
+                }
+            }
+            return isFree;
         }
 
         // Finds the row that the rest of the motion meets first. Returns whether there is one.

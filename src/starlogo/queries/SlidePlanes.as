@@ -35,6 +35,9 @@ package starlogo.queries
         /** The row whose plane <code>findCrossed()</code> has found. */
         public var crossedRow:int = -1;
 
+        // How far the rest may go on the ground plane at most.
+        private var _widest:Number = Infinity;
+
         private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         // By plane: the row that it belongs to.
@@ -51,9 +54,14 @@ package starlogo.queries
         {
         }
 
-        /** Begins a motion, without planes. */
-        public function begin(whole:Vector3D):void
+        /**
+         * Begins a motion, without planes.
+         *
+         * @param widest how far it may go on the ground plane at most. The planes can turn a motion up or down more level
+         */
+        public function begin(whole:Vector3D, widest:Number):void
         {
+            _widest = widest;
             motion.copyFrom(whole);
             length = Math.sqrt(whole.x * whole.x + whole.y * whole.y + whole.z * whole.z);
             count = 0;
@@ -74,6 +82,7 @@ package starlogo.queries
         public function advance(place:Vector3D, part:Number):Number
         {
             var gone:Number = part * length;
+            _widest -= part * Math.sqrt(motion.x * motion.x + motion.y * motion.y);
             place.x += part * motion.x;
             place.y += part * motion.y;
             place.z += part * motion.z;
@@ -162,12 +171,24 @@ package starlogo.queries
             {
                 tryCreases(i);
             }
+            keepWithinWidest();
             return length > STUCK * _wholeLength;
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean
         {
             return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
+        }
+
+        private function keepWithinWidest():void
+        {
+            var wide:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y);
+            if (wide > _widest)
+            {
+                var share:Number = Math.max(0, _widest / wide);
+                motion.scaleBy(share);
+                length *= share;
+            }
         }
 
         // Tries the lines where one plane meets the planes after it.

@@ -28,13 +28,15 @@ package starlogo.queries
         private var _rays:RowRays = new RowRays();
         private var _defaults:WalkOptions = new WalkOptions();
 
-        // The walk: its options, and the cosine of the steepest slope; the way, and the place where it begins; the size of the agent; the
+        // The walk: its options, and the cosine of the steepest slope; the way, its length, and the place where it begins; the size of the agent; the
         // depth of ground that is close; and the greatest height of an edge that the agent can stand on.
         private var _options:WalkOptions;
         private var _cosine:Number = 0;
         private var _dx:Number = 0;
         private var _dy:Number = 0;
+        private var _whole:Number = 0;
         private var _start:Vector3D = new Vector3D();
+        private var _slide:Number = 0;
         private var _extent:Number = 0;
         private var _close:Number = 0;
         private var _highest:Number = 0;
@@ -65,8 +67,10 @@ package starlogo.queries
         {
             var asked:WalkOptions = options || _defaults;
             var cosine:Number = Trigonometry.cosine(asked.slopeDegrees);
+            var whole:Number = Math.sqrt(dx * dx + dy * dy);
+            var slide:Number = Math.min(asked.fall, _seen.placeOf(agent).size);
             // on the steepest slope the way is this long
-            var reach:Number = Math.sqrt(dx * dx + dy * dy) / cosine;
+            var reach:Number = whole / cosine + slide / 2;
             var row:int = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, asked.stepHeight, asked.snap + asked.fall);
             var table:AgentTable = _seen.table;
             // the filter may have asked for other walks, which set these fields
@@ -74,18 +78,32 @@ package starlogo.queries
             _cosine = cosine;
             _dx = dx;
             _dy = dy;
+            _whole = whole;
+            _slide = slide;
             _extent = 2 * table.extents.largestHalf(row);
             _close = CLOSE * _extent;
             _highest = table.extents.z[row] - table.extents.halfZ[row] + asked.stepHeight + _close;
             _mover = _moves.mover;
             _mover.begin(table, row, _moves.agents, _moves.way);
             _start.copyFrom(_mover.at);
-            var stands:Boolean = goOnGround() || table.shapes[row] != null && fall();
+            var footing:Footing = out || new Footing();
+            var stands:Boolean = goOnGround();
+            var x:Number = _mover.at.x - _start.x;
+            var y:Number = _mover.at.y - _start.y;
+            footing.part = whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / whole) : 1;
+            stands ||= table.shapes[row] != null && fall();
             _mover.leaveTouches();
             _mover.end();
             table.endGuests();
             _moves.put(agent);
-            return write(stands, out || new Footing());
+            footing.stands = stands;
+            footing.on = stands ? table.agents[_mover.contactRow] : null;
+            if (!stands)
+            {
+                _normal.setTo(0, 0, 1);
+            }
+            footing.normal.copyFrom(_normal);
+            return footing;
         }
 
         // Goes the way, and down to the ground. Returns whether the agent stands at the end.
@@ -115,7 +133,7 @@ package starlogo.queries
             var stands:Boolean = findGround(_close);
             if (_mover.isDeep)
             {
-                goDown(-_options.stepHeight, Mover.SHORT);
+                goDown(-_options.stepHeight);
                 stands = findGround(_options.stepHeight);
                 if (stands)
                 {
@@ -129,20 +147,20 @@ package starlogo.queries
         private function slide(rise:Number):void
         {
             _way.setTo(_dx, _dy, rise);
-            _mover.go(_way, Mover.SLIDE, _cosine);
+            _mover.go(_way, Mover.SLIDE, _cosine, _whole);
         }
 
-        private function goDown(depth:Number, ending:int):void
+        private function goDown(depth:Number):void
         {
             _way.setTo(0, 0, -depth);
-            _mover.go(_way, ending);
+            _mover.go(_way, Mover.SHORT);
         }
 
         // Tries the same way a step higher, and goes down again. Returns whether the agent came farther than without the step, and stands.
         private function climb():Boolean
         {
             _mover.at.copyFrom(_start);
-            goDown(-_options.stepHeight, Mover.SHORT);
+            goDown(-_options.stepHeight);
             var height:Number = _mover.at.z - _start.z;
             if (height <= _close)
             {
@@ -150,14 +168,14 @@ package starlogo.queries
             }
             slide(0);
             var farther:Number = (_mover.at.x - _plain.x) * _dx + (_mover.at.y - _plain.y) * _dy;
-            return farther > _close * Math.sqrt(_dx * _dx + _dy * _dy) && findGround(height + Math.max(_options.snap, _close));
+            return farther > _close * _whole && findGround(height + Math.max(_options.snap, _close));
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. Returns whether there is such ground.
         private function findGround(depth:Number):Boolean
         {
             _above.copyFrom(_mover.at);
-            goDown(depth, Mover.SHORT);
+            goDown(depth);
             if (_mover.hasContact && isLevel(_mover.contact))
             {
                 return true;
@@ -180,14 +198,15 @@ package starlogo.queries
                     _mover.at.copyFrom(_above);
                     return false;
                 }
-                goDown(Math.min(left, piece), Mover.SHORT);
+                goDown(Math.min(left, piece));
                 left -= _mover.part * Math.min(left, piece);
             }
             if (!_mover.hasContact || isLevel(_mover.contact))
             {
                 return _mover.hasContact;
             }
-            goDown(Math.min(left, _extent), Mover.SLIDE);
+            _way.setTo(0, 0, -Math.min(left, _slide));
+            _mover.go(_way, Mover.SLIDE, -2, _slide / 2);
             return findGround(_close);
         }
 
@@ -218,22 +237,6 @@ package starlogo.queries
             }
             _normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
             return _normal.z >= _cosine;
-        }
-
-        private function write(stands:Boolean, out:Footing):Footing
-        {
-            var x:Number = _mover.at.x - _start.x;
-            var y:Number = _mover.at.y - _start.y;
-            var whole:Number = Math.sqrt(_dx * _dx + _dy * _dy);
-            out.stands = stands;
-            out.on = stands ? _seen.table.agents[_mover.contactRow] : null;
-            if (!stands)
-            {
-                _normal.setTo(0, 0, 1);
-            }
-            out.normal.copyFrom(_normal);
-            out.part = whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / whole) : 1;
-            return out;
         }
     }
 }

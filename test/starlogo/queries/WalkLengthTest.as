@@ -1,0 +1,203 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+
+    /** No walk goes farther on the ground plane than it is asked to: over rough ground, valleys, columns and turned cubes. */
+    public class WalkLengthTest
+    {
+        // Rounding, as a part of the way; and the gaps that a walk leaves, as a part of the extent.
+        private static const ROUNDING:Number = 1e-9;
+        private static const GAPS:Number = 1e-9;
+
+        private var _greatLand:GreatLand;
+        private var _random:SeededRandom = new SeededRandom(4703);
+        private var _wrong:Complaints = new Complaints();
+        private var _options:WalkOptions = new WalkOptions();
+        private var _footing:Footing = new Footing();
+        private var _terrain:Terrain;
+        private var _queries:AgentQueries;
+        private var _walker:Agent;
+
+        // The walks, those that came all the way, and those that fell.
+        private var _walks:int = 0;
+        private var _whole:int = 0;
+        private var _falls:int = 0;
+
+        [Before]
+        public function makeModels():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(BuiltInModel.cylinder());
+        }
+
+        [Test]
+        public function aWalkIsNeverLongerThanItsWay():void
+        {
+            _options.fall = 0;
+            walkInWorlds(false);
+            walkInWorlds(true);
+            assertTrue(String([_walks, _whole]), _walks > 400 && _whole > 0.3 * _walks && _whole < 0.95 * _walks);
+        }
+
+        [Test]
+        public function aFallGoesAtMostHalfAsFarSideways():void
+        {
+            _options.fall = 0.5;
+            walkInWorlds(false);
+            walkInWorlds(true);
+            assertTrue(String([_walks, _falls]), _walks > 400 && _falls > 0.02 * _walks && _falls < 0.5 * _walks);
+        }
+
+        [Test]
+        public function whatIsSteepMakesNoWayLongerIfItIsNotTooSteep():void
+        {
+            _options.slopeDegrees = 89;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var world:int = 0; world < Effort.choose(6, 100, 1); world++)
+                {
+                    makeWorld(name, world, false);
+                    _options.slopeDegrees = 89;
+                    _options.stepHeight = _options.snap = 1.5;
+                    walkAbout(name, 40, 0);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(String([_walks, _whole, _falls]), _walks > 200 && _whole > 0.3 * _walks && _falls == 0);
+        }
+
+        [Test]
+        public function whatIsInTheWayOfASlideDownStopsIt():void
+        {
+            _options.fall = 0.5;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var slope:Terrain = new Terrain(9, 9, 1, -4, -4);
+                for (var column:int = 0; column < 9; column++)
+                {
+                    for (var row:int = 0; row < 9; row++)
+                    {
+                        slope.setHeight(column, row, -2 * column);
+                    }
+                }
+                var walker:Agent = new Agent("sphere", "walkers");
+                walker.size = 0.5;
+                walker.moveTo(0, 0.1, -7.5);
+                var rock:Agent = new Agent("cube", "rocks");
+                rock.size = 4;
+                rock.moveTo(2.3, 0.1, -9.5);
+                rock.hierarchical = true;
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
+                queries.terrain = slope;
+                queries.update(new <Agent>[walker, rock]);
+                for (var i:int = 0; i < 5; i++)
+                {
+                    queries.walk(walker, 0, 0, _options, _footing);
+                    assertFalse(name + ": " + [i, walker.x, walker.z], queries.touchesAny(walker));
+                }
+                assertTrue(name + ": " + walker.x, walker.x > 0.04 && walker.x < 0.06);
+            }
+        }
+
+        private function walkInWorlds(isBlocky:Boolean):void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var world:int = 0; world < Effort.choose(12, 200, 1); world++)
+                {
+                    makeWorld(name, world, isBlocky);
+                    walkAbout(name + (isBlocky ? ", columns" : ", slopes"), 40, _options.fall / 2);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function makeWorld(name:String, world:int, isBlocky:Boolean):void
+        {
+            _terrain = new Terrain(24, 24, 1, -12, -12);
+            _terrain.isBlocky = isBlocky;
+            var rough:Number = _random.pick([0.3, 0.6, 1]);
+            var heights:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 24 * 24; i++)
+            {
+                heights.push(_random.between(-rough, rough));
+            }
+            _terrain.setHeights(0, 0, 24, 24, heights);
+            _options.slopeDegrees = _random.pick([30, 45, 60]);
+            _options.stepHeight = _random.pick([0, 0.1, 0.25, 0.5]);
+            _options.snap = _random.pick([0.1, 0.25, 0.5]);
+            _walker = new Agent(["sphere", "cube", "cylinder"][world % 3], "walkers");
+            _walker.size = _random.pick([0.2, 0.5, 1.2]);
+            _walker.heading = _random.between(0, 360);
+            _walker.z = 20;
+            var agents:Vector.<Agent> = new <Agent>[_walker];
+            for (i = 0; i < 40 && world % 2 == 0; i++)
+            {
+                var cube:Agent = new Agent("cube", "rocks");
+                cube.moveTo(_random.between(-10, 10), _random.between(-10, 10), _random.between(-1, 0.5));
+                cube.heading = _random.between(0, 360);
+                cube.pitch = _random.between(-40, 40);
+                cube.hierarchical = true;
+                agents.push(cube);
+            }
+            _queries = new AgentQueries(EachCollider.make(name, _greatLand));
+            _queries.terrain = _terrain;
+            _queries.update(agents);
+            _queries.moveUntilTouch(_walker, 0, 0, -40);
+        }
+
+        private function walkAbout(name:String, steps:int, sideways:Number):void
+        {
+            for (var i:int = 0; i < steps; i++)
+            {
+                if (Math.abs(_walker.x) > 10 || Math.abs(_walker.y) > 10)
+                {
+                    _walker.moveTo(-0.9 * _walker.x, -0.9 * _walker.y, 20);
+                    _queries.moved(_walker);
+                    _queries.moveUntilTouch(_walker, 0, 0, -40);
+                }
+                walk(name, sideways);
+                if (!_footing.stands)
+                {
+                    _falls++;
+                    _queries.moveUntilTouch(_walker, 0, 0, -0.1);
+                }
+            }
+        }
+
+        private function walk(name:String, sideways:Number):void
+        {
+            var way:Number = _random.pick([0, 0.05, 0.1, 0.3]);
+            var turn:Number = _random.between(0, 7);
+            var x:Number = _walker.x;
+            var y:Number = _walker.y;
+            var z:Number = _walker.z;
+            _queries.walk(_walker, way * Math.cos(turn), way * Math.sin(turn), _options, _footing);
+            var goneX:Number = _walker.x - x;
+            var goneY:Number = _walker.y - y;
+            var gone:Number = Math.sqrt(goneX * goneX + goneY * goneY);
+            var message:String = [x, y, z].join() + " to " + [_walker.x, _walker.y, _walker.z] + " " + gone + " of " + way + " " + _footing.part;
+            _walks++;
+            _whole += way > 0 && _footing.part > 1 - ROUNDING ? 1 : 0;
+            if (gone > (way + sideways) * (1 + ROUNDING) + GAPS * _walker.size)
+            {
+                _wrong.add(name + ": too far", message);
+            }
+            if (sideways == 0 && Math.abs(_footing.part * way - gone) > ROUNDING * way + GAPS * _walker.size)
+            {
+                _wrong.add(name + ": another part", message);
+            }
+        }
+    }
+}

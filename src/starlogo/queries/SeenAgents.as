@@ -90,7 +90,7 @@ package starlogo.queries
                 next = tableFor(collider);
             }
             next.check(agents);
-            next.readFixture(RowList.GROUND, terrain == null ? null : terrain.agent);
+            next.readGuest(RowList.GROUND, terrain == null ? null : terrain.agent);
             next.read(agents);
             if (next !== table || next.listNumber != _listNumber)
             {

@@ -158,43 +158,30 @@ package starlogo.search
         }
 
         /**
-         * Reads an agent as it is now into the row of a guest. The agent's own row, if it has one, does not change. Call
-         * <code>endGuests()</code> afterwards.
+         * Reads an agent as it is now into a row that is no row of the list: of a guest, of the ground or of the edges of the world. The
+         * agent's own row, if it has one, does not change. Call <code>endGuests()</code> after a question. The ground and the edges are read
+         * before the list, and stay.
          *
-         * @param guest the row: 0 or 1, or RowList.BOX. Its shape is null while the agent's model is loading
+         * @param guest the row: 0 or 1, or one from RowList.GROUND to RowList.BOX. Its shape is null while the agent's model is loading
+         * @param agent the agent; null to empty the row
          * @param shape the shape; null for the shape of the agent's model
          * @throws ArgumentError as readRow does
          */
         public function readGuest(guest:int, agent:Agent, shape:ModelShape = null):void
         {
-            agents[guest] = agent;
-            // a question that threw an error may have left a shape
-            shapes[guest] = null;
-            extentsRevisions[guest] = STALE;
+            if (agents[guest] !== agent || shape != null)
+            {
+                agents[guest] = agent;
+                shapes[guest] = null;
+                extentsRevisions[guest] = STALE;
+            }
             if (shape != null)
             {
                 setShape(guest, shape);
             }
-            readRow(guest);
-        }
-
-        /**
-         * Reads the agent of a fixture into the fixture's row. Call this before the list is read.
-         *
-         * @param row the row of the fixture
-         * @param agent stands for it; null if there is none
-         */
-        public function readFixture(row:int, agent:Agent):void
-        {
-            if (agents[row] !== agent)
-            {
-                agents[row] = agent;
-                shapes[row] = null;
-                extentsRevisions[row] = STALE;
-            }
             if (agent != null)
             {
-                readRow(row);
+                readRow(guest);
             }
         }
 

@@ -88,7 +88,7 @@ package starlogo.search
         {
             for (var row:int = RowList.GROUND; row < RowList.BOX; row++)
             {
-                table.readFixture(row, fixtures == null ? null : fixtures[row - RowList.GROUND]);
+                table.readGuest(row, fixtures == null ? null : fixtures[row - RowList.GROUND]);
             }
             table.read(agents);
             _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;

@@ -81,9 +81,9 @@ package starlogo.search
             var shape:ModelShape = table.shapes[a];
             var trees:TreePairs = _pairs.trees;
             var pair:TerrainPair = grid.pair;
-            pair.inset = (1 - table.sizes[b]) * grid.cellWidth / 2;
-            pair.setTo(grid, shape.hierarchy, shape.structure, table.placementOf(a, _placement), shape.hierarchy == null ? 1 : trees.depthOf(table, a),
-                    trees != null && trees.exact);
+            var inset:Number = (1 - table.sizes[b]) * grid.cellWidth / 2;
+            var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(table, a);
+            pair.setTo(grid, inset, shape.hierarchy, shape.structure, table.placementOf(a, _placement), depth, trees != null && trees.exact);
             return pair;
         }
     }

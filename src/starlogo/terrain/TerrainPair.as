@@ -38,9 +38,6 @@ package starlogo.terrain
 
         private static const NOWHERE:Placement = new Placement();
 
-        /** How far the surface of the ground is moved inwards. */
-        public var inset:Number = 0;
-
         private var _grid:HeightGrid;
         private var _tree:SolidHierarchy;
         private var _structure:BoundingStructure;
@@ -54,8 +51,7 @@ package starlogo.terrain
         private var _goal:int = 0;
         private var _motion:RelativeMotion;
 
-        // The results: whether anything was found; the time, the distance or the negative depth; the contact and the closest points. They are
-        // null if they are not needed.
+        // The results: whether anything was found; the time, the distance or the negative depth; the contact and the closest points.
         private var _isFound:Boolean = false;
         private var _best:Number = 0;
         private var _contact:ContactPoint = null;
@@ -78,13 +74,15 @@ package starlogo.terrain
          * Sets the model and the ground.
          *
          * @param grid the ground
+         * @param inset how far the ground's surface is moved inwards
          * @param tree the model's hierarchy; null if a structure represents it
          * @param structure the structure, or the one around the tree, in the model's space
          * @param placement where the model stands
          * @param depth how many levels of the tree are visited
          * @param exact whether triangles decide in place of depths, if the tree has triangles
          */
-        public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, inset:Number, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int,
+                exact:Boolean):void
         {
             _grid = grid;
             _tree = tree;
@@ -138,9 +136,8 @@ package starlogo.terrain
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            _contact = out;
             placeAt(motion, 0);
-            search(TIME, motion, 1);
+            search(TIME, motion, 1, out);
             motion.time = _isFound ? _best : RelativeMotion.NEVER;
             if (out != null)
             {
@@ -168,9 +165,8 @@ package starlogo.terrain
                     return;
                 }
             }
-            _contact = out;
             placeAt(motion, time);
-            search(DEPTH, RelativeMotion.NONE, Infinity);
+            search(DEPTH, RelativeMotion.NONE, Infinity, out);
             if (_isFound)
             {
                 moveToWorld(out);
@@ -214,7 +210,7 @@ package starlogo.terrain
             _closest = out;
             do
             {
-                search(DISTANCE, RelativeMotion.NONE, bound);
+                search(DISTANCE, RelativeMotion.NONE, bound, null);
                 bound *= 2;
             }
             while (!_isFound);
@@ -241,7 +237,7 @@ package starlogo.terrain
         private function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
             placeAt(motion, time);
-            search(TIME, RelativeMotion.NONE, 0);
+            search(TIME, RelativeMotion.NONE, 0, null);
             return _isFound;
         }
 
@@ -252,10 +248,11 @@ package starlogo.terrain
             out.z += _origin.z;
         }
 
-        // Looks for something that is better than a bound, or as good.
-        private function search(goal:int, motion:RelativeMotion, bound:Number):void
+        // Looks for something that is better than a bound, or as good. The contact is null if it is not needed.
+        private function search(goal:int, motion:RelativeMotion, bound:Number, contact:ContactPoint):void
         {
             _goal = goal;
+            _contact = contact;
             _motion = motion;
             _best = bound;
             _isFound = false;
@@ -417,16 +414,12 @@ package starlogo.terrain
                 _piece.findContact(_tried);
                 found = -_tried.depth;
             }
-            if (found < _best || found == _best && !_isFound)
+            if (!(found < _best || found == _best && !_isFound))
             {
-                _isFound = true;
-                _best = found;
-                keep();
+                return;
             }
-        }
-
-        private function keep():void
-        {
+            _isFound = true;
+            _best = found;
             if (_goal == DISTANCE)
             {
                 _piece.writeClosest(_closest);
@@ -437,8 +430,8 @@ package starlogo.terrain
             }
             else
             {
-                _faces.box.limit = _best;
-                if (_contact != null && _motion !== RelativeMotion.NONE)
+                _faces.box.limit = found;
+                if (_contact != null)
                 {
                     _piece.findContact(_contact);
                 }

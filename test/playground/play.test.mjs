@@ -121,7 +121,7 @@ test('a program does what its blocks say', async () => {
 	assert.equal((await agents(page, 'turtles'))[0].x, 0);
 	// a breed of one's own, that says something
 	const hello = { type: 'starlogo_say', inputs: { TEXT: { shadow: { type: 'text', fields: { TEXT: 'Hello!' } } } } };
-	await openProgram(page, program(start(create('turtles', 'turtle', hello))));
+	await openProgram(page, program(start(create('turtles', 'bear', hello))));
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('new breed', 'BREED'));
 	await page.locator('.ask input').fill('dogs');
 	await page.keyboard.press('Enter');
@@ -129,6 +129,12 @@ test('a program does what its blocks say', async () => {
 	await step(page, 1);
 	assert.equal((await agents(page, 'dogs')).length, 1);
 	assert.equal(await page.textContent('.bubble'), 'Hello!');
+	// the bear fills the picture, and its words stay in it
+	await page.getByLabel('Camera').selectOption({ index: 0 });
+	await page.waitForFunction(() => {
+		const [bubble, world] = ['.bubble', '.world'].map((name) => document.querySelector(name).getBoundingClientRect());
+		return bubble.height > 0 && bubble.top >= world.top && bubble.bottom < world.bottom;
+	});
 	await page.getByRole('button', { name: 'Full screen' }).click();
 	await page.waitForFunction(() => document.fullscreenElement?.className === 'theatre');
 	await page.locator('.theatre .controls').waitFor();

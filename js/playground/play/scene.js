@@ -264,10 +264,12 @@ export class Scene {
 		for (const agent of talking) {
 			if (!this.#said.has(agent)) this.#said.set(agent, this.bubbles.appendChild(h("p.bubble")));
 			const bubble = this.#said.get(agent);
-			const { x, y, isSeen } = this.stage.pixelOf(agent.x, agent.y, agent.z + this.#height(agent) + 0.2);
-			bubble.hidden = !isSeen;
+			const height = this.#height(agent);
+			const { x, y } = this.stage.pixelOf(agent.x, agent.y, agent.z + height + 0.2);
+			bubble.hidden = !this.stage.pixelOf(agent.x, agent.y, agent.z + height / 2).isSeen;
 			bubble.textContent = agent.said.text;
-			bubble.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -100%)`;
+			// no higher than the picture
+			bubble.style.transform = `translate(${x.toFixed(1)}px, max(${y.toFixed(1)}px, 100%)) translate(-50%, -100%)`;
 		}
 	}
 

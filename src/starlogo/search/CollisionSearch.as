@@ -39,6 +39,9 @@ package starlogo.search
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _indices:Vector.<int> = new Vector.<int>();
 
+        // The members that may touch a fixture.
+        private var _touching:Vector.<int> = new Vector.<int>();
+
         // The search under way. _interests is null if all pairs count. Found pairs go to _out as indices, or to _outAgents as agents if it is
         // not null. If an agent sweeps, _times has the time of each pair.
         private var _interests:BreedInterests;
@@ -314,27 +317,40 @@ package starlogo.search
             var numbers:Vector.<int> = interests.numbers;
             var areOfInterest:Vector.<Boolean> = interests.areOfInterest;
             var first:int = breed * interests.breedCount;
+            var count:int = 0;
             for (var i:int = 0; i < _memberCount; i++)
             {
-                var row:int = _memberRows[i];
-                var number:int = numbers[agents[row].breedNumber];
-                if (number < 0 || !areOfInterest[int(first + number)])
+                var number:int = numbers[agents[_memberRows[i]].breedNumber];
+                if (number >= 0 && areOfInterest[int(first + number)])
                 {
-                    continue;
+                    _touching[count] = i;
+                    count++;
                 }
-                var time:Number = impactTime(row, fixture, null);
-                if (time == RelativeMotion.NEVER)
-                {
-                    continue;
-                }
-                if (_isSwept)
-                {
-                    _times[_out.count] = time;
-                }
-                _out.indices[int(2 * _out.count)] = i;
+            }
+            count = _isSwept ? keepTouchingFixture(count, fixture) : _pairs.testsOf(table, fixture, fixture).keepMembers(table, _memberRows, _touching, count, fixture);
+            for (i = 0; i < count; i++)
+            {
+                _out.indices[int(2 * _out.count)] = _touching[i];
                 _out.indices[int(2 * _out.count + 1)] = index;
                 _out.count++;
             }
+        }
+
+        // Keeps the members that touch a fixture on their motions, and writes the times.
+        private function keepTouchingFixture(count:int, fixture:int):int
+        {
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var time:Number = impactTime(_memberRows[_touching[i]], fixture, null);
+                if (time != RelativeMotion.NEVER)
+                {
+                    _touching[kept] = _touching[i];
+                    _times[int(_out.count + kept)] = time;
+                    kept++;
+                }
+            }
+            return kept;
         }
 
         // Replaces the numbers of members by the indices of their agents in the list.

@@ -1,14 +1,12 @@
 package starlogo.search
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.HeightGrid;
     import starlogo.terrain.FixtureAgent;
+    import starlogo.terrain.HeightGrid;
     import starlogo.terrain.TerrainPair;
 
     use namespace engine;
@@ -21,6 +19,10 @@ package starlogo.search
     public final class GroundPairs extends PairTests
     {
         private var _pairs:RowPairs;
+
+        // A list with one member.
+        private var _row:Vector.<int> = new Vector.<int>(1, true);
+        private var _member:Vector.<int> = new Vector.<int>(1, true);
         private var _placement:Placement = new Placement();
 
         /** @param pairs knows how deep trees are visited */
@@ -32,15 +34,30 @@ package starlogo.search
         /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var ground:FixtureAgent = FixtureAgent(table.agents[b]);
-            var grid:HeightGrid = ground.terrain.grid;
-            var form:int = table.forms[a];
-            grid.look.gap = 4 * Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a]));
-            if (table.sizes[b] == 1 && grid.look.decide(grid, table.extents, a, form == BoundingStructure.SPHERE, form != ModelShape.TREE))
+            if (table.sizes[b] != 1)
             {
-                return grid.look.isTouching;
+                return pairOf(table, a, b).areOverlapping();
             }
-            return pairOf(table, a, b).areOverlapping();
+            _row[0] = a;
+            _member[0] = 0;
+            return keepMembers(table, _row, _member, 1, b) == 1;
+        }
+
+        /** @inheritDoc */
+        override public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:int):int
+        {
+            var grid:HeightGrid = gridOf(table, b);
+            var near:int = grid.look.keepNear(grid, table.extents, table.forms, rows, members, count);
+            var kept:int = 0;
+            for (var i:int = 0; i < near; i++)
+            {
+                if (grid.look.isTouching[i] || pairOf(table, rows[members[i]], b).areOverlapping())
+                {
+                    members[kept] = members[i];
+                    kept++;
+                }
+            }
+            return kept;
         }
 
         /** @inheritDoc */
@@ -73,12 +90,17 @@ package starlogo.search
             pairOf(table, a, b).findClosest(areTouching, out);
         }
 
+        private static function gridOf(table:AgentTable, ground:int):HeightGrid
+        {
+            var fixture:FixtureAgent = FixtureAgent(table.agents[ground]);
+            return fixture.terrain.grid;
+        }
+
         // The test of the ground, set to a row. If the ground is made narrower, its size in the table is smaller.
         private function pairOf(table:AgentTable, a:int, b:int):TerrainPair
         {
-            var ground:FixtureAgent = FixtureAgent(table.agents[b]);
-            var grid:HeightGrid = ground.terrain.grid;
             var shape:ModelShape = table.shapes[a];
+            var grid:HeightGrid = gridOf(table, b);
             var trees:TreePairs = _pairs.trees;
             var pair:TerrainPair = grid.pair;
             var inset:Number = (1 - table.sizes[b]) * grid.cellWidth / 2;

@@ -27,6 +27,28 @@ package starlogo.search
         }
 
         /**
+         * Keeps the members that touch a row, and moves them to the beginning of the list.
+         *
+         * @param rows the row of each member
+         * @param members the list of members
+         * @param count its length
+         * @return the number of members that it keeps
+         */
+        public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:int):int
+        {
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (areTouching(table, rows[members[i]], b))
+                {
+                    members[kept] = members[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /**
          * Finds the time at which two rows first touch, while the first one moves. It is the first moment at which <code>areTouching()</code>
          * would be true.
          *

@@ -11,6 +11,9 @@ package starlogo.terrain
         /** How many squares of a level a square of the next level is wide, as a shift. */
         public static const SHIFT:int = 3;
 
+        // The list of the first member, and the list of the first row.
+        private static const FIRST:Vector.<int> = new <int>[0];
+
         /** How many heights there are along x. */
         public var columns:int;
 
@@ -81,8 +84,30 @@ package starlogo.terrain
         /** How far it falls along y. */
         public var fallY:Number = 0;
 
+        /** The greatest height that <code>findRange()</code> has found, and the least one. */
+        public var greatest:Number = 0;
+
+        /** @copy #greatest */
+        public var least:Number = 0;
+
+        /** The greatest difference of two neighbours along x that <code>findRange()</code> has found, and the one along y. */
+        public var stepX:Number = 0;
+
+        /** @copy #stepX */
+        public var stepY:Number = 0;
+
+        // In cells: the way from the outer corner of the first column to a place. The height of the column there.
+        private var _toX:Number = 0;
+        private var _toY:Number = 0;
+        private var _top:Number = 0;
+
         // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
         private var _nothing:Number = NaN;
+
+        // A list with one place.
+        private var _placeX:Vector.<Number> = new <Number>[0];
+        private var _placeY:Vector.<Number> = new <Number>[0];
+        private var _found:Vector.<Number> = new <Number>[0];
 
         /** Creates flat ground. The caller has checked the numbers. */
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
@@ -120,34 +145,80 @@ package starlogo.terrain
         /** Finds the height at the place. */
         public function findHeight():void
         {
-            var toX:Number = (placeX - x) / cellWidth;
-            var toY:Number = (placeY - y) / cellWidth;
-            if (isBlocky)
+            _placeX[0] = placeX;
+            _placeY[0] = placeY;
+            findHeights(_placeX, _placeY, FIRST, FIRST, 1, _found);
+            height = _found[0];
+        }
+
+        /**
+         * Finds the heights at the places of members of a list. Nothing depends on a height while the next ones are read, so the processor
+         * waits for several at once.
+         *
+         * @param xs the places, by row
+         * @param rows the row of each member
+         * @param members the list
+         * @param count its length
+         * @param out receives the heights, in the order of the list
+         */
+        public function findHeights(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int, out:Vector.<Number>):void
+        {
+            var all:Vector.<Number> = heights;
+            var stride:int = columns;
+            var lastColumn:int = columns - 1;
+            var lastRow:int = this.rows - 1;
+            var left:Number = x;
+            var bottom:Number = y;
+            var width:Number = cellWidth;
+            for (var i:int = 0; i < count; i++)
             {
-                findTop();
-                return;
+                var at:int = rows[members[i]];
+                var toX:Number = (xs[at] - left) / width;
+                var toY:Number = (ys[at] - bottom) / width;
+                if (isBlocky)
+                {
+                    _toX = toX + 0.5;
+                    _toY = toY + 0.5;
+                    findTop();
+                    out[i] = _top;
+                    continue;
+                }
+                if (!(toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow))
+                {
+                    out[i] = _nothing;
+                    continue;
+                }
+                // The conversion to int rounds down, because the numbers are not negative.
+                var column:int = toX;
+                var row:int = toY;
+                if (column == lastColumn)
+                {
+                    column--;
+                }
+                if (row == lastRow)
+                {
+                    row--;
+                }
+                toX -= column;
+                toY -= row;
+                var corner:int = row * stride + column;
+                var near:Number = all[corner];
+                var far:Number = all[int(corner + stride + 1)];
+                if (toX >= toY)
+                {
+                    var side:Number = all[int(corner + 1)];
+                    out[i] = (1 - toX) * near + (toX - toY) * side + toY * far;
+                    fallX = near - side;
+                    fallY = side - far;
+                }
+                else
+                {
+                    side = all[int(corner + stride)];
+                    out[i] = (1 - toY) * near + (toY - toX) * side + toX * far;
+                    fallX = side - far;
+                    fallY = near - side;
+                }
             }
-            if (!(toX >= 0 && toY >= 0 && toX <= columns - 1 && toY <= rows - 1))
-            {
-                height = _nothing;
-                return;
-            }
-            // The conversion to int rounds down, because the numbers are not negative.
-            var column:int = Math.min(toX, columns - 2);
-            var row:int = Math.min(toY, rows - 2);
-            toX -= column;
-            toY -= row;
-            var corner:int = row * columns + column;
-            var isRight:Boolean = toX >= toY;
-            var more:Number = isRight ? toX : toY;
-            var less:Number = isRight ? toY : toX;
-            var near:Number = heights[corner];
-            var beside:int = isRight ? corner + 1 : corner + columns;
-            var side:Number = heights[beside];
-            var far:Number = heights[int(corner + columns + 1)];
-            height = (1 - more) * near + (more - less) * side + less * far;
-            fallX = isRight ? near - side : side - far;
-            fallY = isRight ? side - far : near - side;
         }
 
         /** Computes the bounds of all squares to which a range of heights belongs. */
@@ -171,65 +242,86 @@ package starlogo.terrain
             }
         }
 
+        /** Finds the least and the greatest height of a range, and how much neighbours differ. */
+        public function findRange(first:int, firstRow:int, last:int, lastRow:int):void
+        {
+            var all:Vector.<Number> = heights;
+            var low:Number = Infinity;
+            var high:Number = -Infinity;
+            var alongX:Number = 0;
+            var alongY:Number = 0;
+            for (var row:int = firstRow; row <= lastRow; row++)
+            {
+                for (var column:int = first; column <= last; column++)
+                {
+                    var at:int = row * columns + column;
+                    var here:Number = all[at];
+                    low = here < low ? here : low;
+                    high = here > high ? here : high;
+                    var step:Number = column == first ? 0 : here - all[int(at - 1)];
+                    alongX = step > alongX ? step : alongX;
+                    alongX = -step > alongX ? -step : alongX;
+                    step = row == firstRow ? 0 : here - all[int(at - columns)];
+                    alongY = step > alongY ? step : alongY;
+                    alongY = -step > alongY ? -step : alongY;
+                }
+            }
+            least = low;
+            greatest = high;
+            stepX = alongX;
+            stepY = alongY;
+        }
+
         // Computes the bounds of a square from the squares of the level before, or from the heights. Some rows and columns around count too.
         private function findBoundsOf(level:int, column:int, row:int, around:int):void
         {
-            var least:Number = Infinity;
-            var greatest:Number = -Infinity;
-            var difference:Number = 0;
             var stride:int = across[level - 1];
             var first:int = Math.max(0, (column << SHIFT) - around);
             var firstRow:int = Math.max(0, (row << SHIFT) - around);
-            var end:int = Math.min(stride, ((column + 1) << SHIFT) + around);
-            var endRow:int = Math.min(down[level - 1], ((row + 1) << SHIFT) + around);
-            for (var i:int = firstRow; i < endRow; i++)
+            var last:int = Math.min(stride, ((column + 1) << SHIFT) + around) - 1;
+            var lastRow:int = Math.min(down[level - 1], ((row + 1) << SHIFT) + around) - 1;
+            if (level == 1)
             {
-                for (var j:int = first; j < end; j++)
-                {
-                    var at:int = i * stride + j;
-                    if (level == 1)
-                    {
-                        var here:Number = heights[at];
-                        least = here < least ? here : least;
-                        greatest = here > greatest ? here : greatest;
-                        var alongX:Number = j == first ? 0 : here - heights[int(at - 1)];
-                        var alongY:Number = i == firstRow ? 0 : here - heights[int(at - columns)];
-                        difference = alongX > difference ? alongX : difference;
-                        difference = alongY > difference ? alongY : difference;
-                        difference = -alongX > difference ? -alongX : difference;
-                        difference = -alongY > difference ? -alongY : difference;
-                    }
-                    else
-                    {
-                        at = begins[level - 1] + 3 * at;
-                        least = Math.min(least, bounds[at]);
-                        greatest = Math.max(greatest, bounds[int(at + 1)]);
-                        difference = Math.max(difference, bounds[int(at + 2)]);
-                    }
-                }
+                findRange(first, firstRow, last, lastRow);
             }
-            at = begins[level] + 3 * (row * across[level] + column);
+            else
+            {
+                joinBounds(begins[level - 1], stride, first, firstRow, last, lastRow);
+            }
+            var at:int = begins[level] + 3 * (row * across[level] + column);
             bounds[at] = least;
             bounds[int(at + 1)] = greatest;
-            bounds[int(at + 2)] = difference;
+            bounds[int(at + 2)] = Math.max(stepX, stepY);
         }
 
-        // Finds the height at the place on a surface of columns. Where columns meet, it is the highest.
+        // Like findRange, from the bounds of squares.
+        private function joinBounds(begin:int, stride:int, first:int, firstRow:int, last:int, lastRow:int):void
+        {
+            least = Infinity;
+            greatest = -Infinity;
+            stepX = stepY = 0;
+            for (var row:int = firstRow; row <= lastRow; row++)
+            {
+                for (var column:int = first; column <= last; column++)
+                {
+                    var at:int = begin + 3 * (row * stride + column);
+                    least = Math.min(least, bounds[at]);
+                    greatest = Math.max(greatest, bounds[int(at + 1)]);
+                    stepX = Math.max(stepX, bounds[int(at + 2)]);
+                }
+            }
+        }
+
+        // Finds the height of the column at a place. Where columns meet, it is the highest.
         private function findTop():void
         {
-            var toX:Number = (placeX - x) / cellWidth + 0.5;
-            var toY:Number = (placeY - y) / cellWidth + 0.5;
-            if (!(toX >= 0 && toY >= 0 && toX <= columns && toY <= rows))
+            if (!(_toX >= 0 && _toY >= 0 && _toX <= columns && _toY <= rows))
             {
-                height = _nothing;
+                _top = _nothing;
                 return;
             }
-            var column:int = Math.min(toX, columns - 1);
-            var row:int = Math.min(toY, rows - 1);
-            var before:int = Math.max(0, Math.ceil(toX) - 1);
-            var below:int = columns * Math.max(0, Math.ceil(toY) - 1);
-            row *= columns;
-            height = Math.max(Math.max(heights[int(row + column)], heights[int(row + before)]), Math.max(heights[int(below + column)], heights[int(below + before)]));
+            findRange(Math.max(0, Math.ceil(_toX) - 1), Math.max(0, Math.ceil(_toY) - 1), Math.min(_toX, columns - 1), Math.min(_toY, rows - 1));
+            _top = greatest;
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.terrain
 {
-    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -15,97 +15,126 @@ package starlogo.terrain
      */
     public final class QuickLook
     {
-        /** The largest gap across which the agent and the ground still touch; a field, because V8 makes an object of each Number that it passes. */
-        public var gap:Number = 0;
+        // An agent is not decided about if it is over more cells than this, along x or along y.
+        private static const MOST_CELLS:int = 16;
 
-        /** Whether the agent is known to touch the ground. */
-        public var isTouching:Boolean = false;
+        /** By place in the list of near members: whether the member is known to touch the ground. */
+        public var isTouching:Vector.<Boolean> = new Vector.<Boolean>();
 
-        // The greatest height near the agent, and the greatest difference of two neighbouring heights.
-        private var _greatest:Number = 0;
-        private var _difference:Number = 0;
+        private var _grid:HeightGrid;
 
-        /** Creates a test without an agent. */
+        // By place in the list of members: how high the ground is.
+        private var _heights:Vector.<Number> = new Vector.<Number>();
+
+        // How high the current agent's middle is above the ground.
+        private var _above:Number = 0;
+
+        // The gap across which agents may still touch, because of rounding.
+        private var _gap:Number = 0;
+
+        /** Creates a test without ground. */
         public function QuickLook()
         {
         }
 
         /**
-         * Whether the answer is known. It is not known for agents whose middle is outside of the terrain.
+         * Removes members from a list that are known not to touch the ground. Nothing is known about agents whose middle is outside of the
+         * terrain.
          *
-         * @param extents of the agent, by row
-         * @param isSphere whether the agent is the sphere in its extents
-         * @param isSolid whether the agent contains its middle
+         * @param extents of the agents, by row
+         * @param forms of the agents, by row
+         * @param rows the row of each member
+         * @param members the list; the near ones are moved to its beginning
+         * @param count its length
+         * @return the number of near members
          */
-        public function decide(grid:HeightGrid, extents:Extents, row:int, isSphere:Boolean, isSolid:Boolean):Boolean
+        public function keepNear(grid:HeightGrid, extents:Extents, forms:Vector.<int>, rows:Vector.<int>, members:Vector.<int>, count:int):int
         {
-            var x:Number = extents.x[row];
-            var y:Number = extents.y[row];
-            var z:Number = extents.z[row];
-            var halfX:Number = extents.halfX[row];
-            var halfY:Number = extents.halfY[row];
-            var halfZ:Number = extents.halfZ[row];
-            var inner:Number = isSphere ? halfX : 0;
-            var outer:Number = isSphere ? halfX : Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
-            outer = outer * Tolerances.OUTER + gap;
-            grid.placeX = x;
-            grid.placeY = y;
-            grid.findHeight();
-            var above:Number = z - grid.height;
-            isTouching = isSolid && above <= inner;
-            if (isTouching || !(above > outer))
-            {
-                return isTouching;
-            }
-            // The distance from a sloped plane is the height above the plane times the cosine of its angle. The bounds of the whole terrain
-            // are looked at first, because they are in the processor's cache.
-            var width:Number = grid.cellWidth;
-            var lowest:Number = z - outer;
-            var slope:Number = grid.isBlocky ? 0 : width * Math.sqrt((above * above / outer / outer - 1) / 2);
             var whole:int = grid.bounds.length - 3;
-            if (lowest > grid.bounds[int(whole + 1)] || grid.bounds[int(whole + 2)] < slope)
+            var slope:Number = grid.isBlocky ? Infinity : grid.bounds[int(whole + 2)] / grid.cellWidth;
+            var gap:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(grid.bounds[whole])
+                    + Math.abs(grid.bounds[int(whole + 1)]));
+            var zs:Vector.<Number> = extents.z;
+            var halfXs:Vector.<Number> = extents.halfX;
+            var heights:Vector.<Number> = _heights;
+            var kept:int = 0;
+            _grid = grid;
+            _gap = gap;
+            grid.findHeights(extents.x, extents.y, rows, members, count, heights);
+            for (var i:int = 0; i < count; i++)
             {
-                return true;
+                var member:int = members[i];
+                var row:int = rows[member];
+                var isSphere:Boolean = forms[row] == BoundingStructure.SPHERE;
+                var above:Number = zs[row] - heights[i];
+                var inner:Number = isSphere ? halfXs[row] : 0;
+                // Nodes of a tree may extend beyond the tree's extents.
+                var isStructure:Boolean = forms[row] <= BoundingStructure.BOX;
+                var isKnown:Boolean = above <= inner && isStructure;
+                if (above > inner && isStructure)
+                {
+                    var reach:Number = isSphere ? inner + inner * slope * slope : extents.halfZ[row] + slope * (halfXs[row] + extents.halfY[row]);
+                    if (above > reach * Tolerances.OUTER + gap)
+                    {
+                        continue;
+                    }
+                    _above = above;
+                    if (isFar(extents, row, isSphere))
+                    {
+                        continue;
+                    }
+                    isKnown = isSphere && isBallBelow(extents, row);
+                }
+                isTouching[kept] = isKnown;
+                members[kept] = member;
+                kept++;
             }
+            return kept;
+        }
+
+        // Whether an agent is above all heights near it, or higher than the slopes between them allow. Few heights are read.
+        private function isFar(extents:Extents, row:int, isSphere:Boolean):Boolean
+        {
+            var grid:HeightGrid = _grid;
+            var width:Number = grid.cellWidth;
+            var x:Number = extents.x[row] - grid.x;
+            var y:Number = extents.y[row] - grid.y;
+            var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
+            var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
+            var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
+            var first:int = Math.max(0, (x - halfX) / width);
+            var firstRow:int = Math.max(0, (y - halfY) / width);
             // A column extends half a cell beyond the place of its height.
-            x -= grid.x;
-            y -= grid.y;
-            findBounds(grid, Math.max(0, (x - outer) / width), Math.max(0, (y - outer) / width), Math.min(grid.columns - 1, (x + outer) / width + 1),
-                    Math.min(grid.rows - 1, (y + outer) / width + 1));
-            if (lowest > _greatest || _difference < slope)
+            var last:int = Math.min(grid.columns - 1, (x + halfX) / width + 1);
+            var lastRow:int = Math.min(grid.rows - 1, (y + halfY) / width + 1);
+            if (last - first > MOST_CELLS || lastRow - firstRow > MOST_CELLS)
+            {
+                return false;
+            }
+            grid.findRange(first, firstRow, last, lastRow);
+            if (extents.z[row] - halfZ > grid.greatest)
             {
                 return true;
             }
-            // Look at the point of the inner ball that is nearest to the plane under its middle.
-            var step:Number = inner / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
+            var riseX:Number = grid.stepX * halfX / width;
+            var riseY:Number = grid.stepY * halfY / width;
+            var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
+            return !grid.isBlocky && _above > reach;
+        }
+
+        // Whether the ground reaches up to the point of a sphere that is nearest to the plane under its middle.
+        private function isBallBelow(extents:Extents, row:int):Boolean
+        {
+            var grid:HeightGrid = _grid;
+            var width:Number = grid.cellWidth;
+            grid.placeX = extents.x[row];
+            grid.placeY = extents.y[row];
+            grid.findHeight();
+            var step:Number = extents.halfX[row] / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
             grid.placeX -= step * grid.fallX;
             grid.placeY -= step * grid.fallY;
             grid.findHeight();
-            isTouching = isSolid && grid.height >= z - step * width;
-            return isTouching;
-        }
-
-        // Finds the bounds of some cells. It takes the smallest squares that are no smaller than the range of cells. The corners of the range
-        // are in all squares to which it extends.
-        private function findBounds(grid:HeightGrid, first:int, firstRow:int, last:int, lastRow:int):void
-        {
-            var level:int = 1;
-            var shift:int = HeightGrid.SHIFT;
-            while (Math.max(last - first, lastRow - firstRow) >= 1 << shift)
-            {
-                shift += HeightGrid.SHIFT;
-                level++;
-            }
-            _greatest = -Agent.LARGEST_COORDINATE;
-            _difference = 0;
-            for (var corner:int = 0; corner < 4; corner++)
-            {
-                var column:int = (corner & 1) == 0 ? first : last;
-                var row:int = corner < 2 ? firstRow : lastRow;
-                var at:int = grid.begins[level] + 3 * ((row >> shift) * grid.across[level] + (column >> shift));
-                _greatest = Math.max(_greatest, grid.bounds[int(at + 1)]);
-                _difference = Math.max(_difference, grid.bounds[int(at + 2)]);
-            }
+            return grid.height >= extents.z[row] - step * width;
         }
     }
 }

@@ -67,12 +67,10 @@ package starlogo.queries
             _structure ||= new AskedStructure();
             _point.center.setTo(point.x, point.y, point.z);
             answer(_seen.rowOfNow(agent, 1), _structure.readInto(_seen.table, _point), out, null);
-            if (out != null && closest.distance == 0)
+            if (closest.distance == 0)
             {
                 // without the rounding of the point that was found
-                out.x = point.x;
-                out.y = point.y;
-                out.z = point.z;
+                write(out, point.x, point.y, point.z);
             }
         }
 
@@ -124,25 +122,20 @@ package starlogo.queries
             if (table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
                 measure(_seen.pairs, table, rowA, rowB, pointA != null || pointB != null);
-                writePoints(pointA, pointB);
+                write(pointA, closest.aX, closest.aY, closest.aZ);
+                write(pointB, closest.bX, closest.bY, closest.bZ);
             }
             table.endGuests();
         }
 
-        private function writePoints(pointA:Vector3D, pointB:Vector3D):void
+        private static function write(out:Vector3D, x:Number, y:Number, z:Number):void
         {
-            // sets the fields one by one, because JavaScript callers may pass an object that is not a Vector3D
-            if (pointA != null)
+            if (out != null)
             {
-                pointA.x = closest.aX;
-                pointA.y = closest.aY;
-                pointA.z = closest.aZ;
-            }
-            if (pointB != null)
-            {
-                pointB.x = closest.bX;
-                pointB.y = closest.bY;
-                pointB.z = closest.bZ;
+                // sets the fields one by one, because JavaScript callers may pass an object that is not a Vector3D
+                out.x = x;
+                out.y = y;
+                out.z = z;
             }
         }
     }

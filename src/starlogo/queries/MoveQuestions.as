@@ -74,10 +74,7 @@ package starlogo.queries
         /** Puts an agent where the mover has come to. */
         public function put(agent:Agent):void
         {
-            if (mover.at.x != agent.x || mover.at.y != agent.y || mover.at.z != agent.z)
-            {
-                agent.moveTo(mover.at.x, mover.at.y, mover.at.z);
-            }
+            agent.moveTo(mover.at.x, mover.at.y, mover.at.z);
             if (_seen.table.rowOf(agent) >= 0)
             {
                 _seen.moved(agent);

@@ -58,8 +58,8 @@ package starlogo.queries
         public var wholeTime:Number = 0;
 
         /**
-         * The rows that it touched at the beginning, or on the last part of its way, whether it met them or not. The list may be longer than
-         * <code>touchedCount</code>.
+         * The rows that it touched at the beginning, or on the last part of its way, whether it met them or not. A row may be there twice. The
+         * list may be longer than <code>touchedCount</code>.
          */
         public var touched:Vector.<int> = new Vector.<int>();
 
@@ -291,16 +291,8 @@ package starlogo.queries
 
         private function addTouched(other:int):void
         {
-            var i:int = 0;
-            while (i < touchedCount && touched[i] != other)
-            {
-                i++;
-            }
-            if (i == touchedCount)
-            {
-                touched[i] = other;
-                touchedCount++;
-            }
+            touched[touchedCount] = other;
+            touchedCount++;
         }
 
         private function narrowOther(other:int):void

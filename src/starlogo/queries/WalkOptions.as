@@ -24,7 +24,7 @@ package starlogo.queries
 
         public function set stepHeight(value:Number):void
         {
-            _stepHeight = checked("stepHeight", value);
+            _stepHeight = checked("stepHeight", value, Infinity);
         }
 
         /**
@@ -40,11 +40,7 @@ package starlogo.queries
 
         public function set slopeDegrees(value:Number):void
         {
-            if (!(value < 90))
-            {
-                throw new RangeError("slopeDegrees must be less than 90: " + value);
-            }
-            _slopeDegrees = checked("slopeDegrees", value);
+            _slopeDegrees = checked("slopeDegrees", value, 90);
         }
 
         /**
@@ -60,7 +56,7 @@ package starlogo.queries
 
         public function set snap(value:Number):void
         {
-            _snap = checked("snap", value);
+            _snap = checked("snap", value, Infinity);
         }
 
         /**
@@ -76,14 +72,14 @@ package starlogo.queries
 
         public function set fall(value:Number):void
         {
-            _fall = value == Infinity ? value : checked("fall", value);
+            _fall = value == Infinity ? value : checked("fall", value, Infinity);
         }
 
-        private static function checked(name:String, value:Number):Number
+        private static function checked(name:String, value:Number, limit:Number):Number
         {
-            if (!(value >= 0 && value < Infinity))
+            if (!(value >= 0 && value < limit))
             {
-                throw new RangeError(name + " must not be negative, and finite: " + value);
+                throw new RangeError(name + " must be at least 0, and less than " + limit + ": " + value);
             }
             return value;
         }

@@ -75,7 +75,7 @@ function barChart(chart) {
 		options: {
 			...common(chart),
 			scales: {
-				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: document.body.clientWidth < 900 ? 60 : 0, font: { size: chart.labels.length > 10 ? 11 : 12 } } },
+				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: 60, font: { size: chart.labels.length > 10 ? 11 : 12 } } },
 				y: chart.linear
 					? { beginAtZero: true, title: { display: true, text: chart.unit, color: color('quiet') }, grid: { color: color('grid') }, ticks: { color: color('quiet') } }
 					: logarithmic(chart.unit, chart.series.flatMap((series) => series.values)),

@@ -145,18 +145,6 @@ package starlogo.intersection
             _structure.extentsInto(out);
         }
 
-        /** Writes the middle of the triangle's extents at the beginning, then half of their lengths. They do not include the margin. */
-        public function triangleExtentsInto(out:Vector.<Number>):void
-        {
-            for (var i:int = 0; i < 3; i++)
-            {
-                var low:Number = Math.min(_corners[i], Math.min(_corners[int(i + 3)], _corners[int(i + 6)]));
-                var high:Number = Math.max(_corners[i], Math.max(_corners[int(i + 3)], _corners[int(i + 6)]));
-                out[i] = (low + high) / 2;
-                out[int(i + 3)] = (high - low) / 2;
-            }
-        }
-
         /** Sets the other triangle: nine numbers of a list, from an index on. The list is kept. */
         public function setTriangle(corners:Vector.<Number>, at:int):void
         {

@@ -36,8 +36,6 @@ package starlogo.terrain
         private static const DEPTH:int = 1;
         private static const DISTANCE:int = 2;
 
-        private static const NOWHERE:Placement = new Placement();
-
         private var _grid:HeightGrid;
         private var _tree:SolidHierarchy;
         private var _structure:BoundingStructure;
@@ -273,44 +271,41 @@ package starlogo.terrain
                 return;
             }
             var structure:BoundingStructure = structureOf(node);
-            var isPiece:Boolean = node.cutoffLevel >= _depth;
-            if (isPiece && !_isExact)
+            if (node.cutoffLevel < _depth)
             {
-                meetStructure(structure);
-                return;
+                var box:PassingBox = beginFaces(structure);
+                if (_faces.next())
+                {
+                    visit(node.low);
+                    visit(node.high);
+                }
+                else
+                {
+                    meetInside(box.x, box.y, box.z);
+                }
             }
-            var box:PassingBox = boxOf(structure);
-            beginFaces();
-            if (!_faces.next())
+            else if (_isExact)
             {
-                meetInside(box.x, box.y, box.z);
-            }
-            else if (isPiece)
-            {
-                meetTriangles(node);
+                meetTriangles(node, structure);
             }
             else
             {
-                visit(node.low);
-                visit(node.high);
+                meetStructure(structure);
             }
         }
 
         private function meetStructure(structure:BoundingStructure):void
         {
-            boxOf(structure);
             _piece.begin(structure, _placed, _motion);
-            meet();
+            meet(structure);
         }
 
-        private function meetTriangles(node:HierarchyNode):void
+        private function meetTriangles(node:HierarchyNode, structure:BoundingStructure):void
         {
             for (var i:int = node.first; i < node.end && !isDone(); i++)
             {
                 _piece.beginTriangle(_tree.corners, 9 * i, _placed, _motion);
-                _piece.triangleExtentsInto(_extents);
-                takeBox(NOWHERE);
-                meet();
+                meet(structure);
             }
         }
 
@@ -337,28 +332,23 @@ package starlogo.terrain
         // The box around a structure of the model.
         private function boxOf(structure:BoundingStructure):PassingBox
         {
-            structure.turnedExtentsInto(_placed, _extents);
-            return takeBox(_placed);
-        }
-
-        // The box with the extents, moved to a place.
-        private function takeBox(to:Placement):PassingBox
-        {
             var box:PassingBox = _faces.box;
             var margin:Number = _piece.margin;
-            box.x = _extents[0] + to.x;
-            box.y = _extents[1] + to.y;
-            box.z = _extents[2] + to.z;
+            structure.turnedExtentsInto(_placed, _extents);
+            box.x = _extents[0] + _placed.x;
+            box.y = _extents[1] + _placed.y;
+            box.z = _extents[2] + _placed.z;
             box.halfX = _extents[3] + margin;
             box.halfY = _extents[4] + margin;
             box.halfZ = _extents[5] + margin;
             return box;
         }
 
-        // Begins with the standing box. Extends it along its way, or to all sides, as far as something better may be found.
-        private function beginFaces():void
+        // Begins with the triangles near the box around a structure of the model, on its way, or as far to all sides as something better may
+        // be found.
+        private function beginFaces(structure:BoundingStructure):PassingBox
         {
-            var box:PassingBox = _faces.box;
+            var box:PassingBox = boxOf(structure);
             box.wayX = _motion.x;
             box.wayY = _motion.y;
             box.wayZ = _motion.z;
@@ -370,13 +360,14 @@ package starlogo.terrain
                 box.halfZ += _best;
             }
             _faces.begin(_grid);
+            return box;
         }
 
-        // Tests the piece against the triangles near its box.
-        private function meet():void
+        // Tests the piece against the triangles near the structure around it.
+        private function meet(structure:BoundingStructure):void
         {
             var point:Vector3D = _piece.point;
-            beginFaces();
+            beginFaces(structure);
             while (!isDone() && _faces.next())
             {
                 _piece.setTriangle(_faces.corners, 0);

@@ -24,12 +24,11 @@ package starlogo.terrain
         private var _grid:HeightGrid;
         private var _revision:int = -1;
         private var _isBlocky:Boolean;
+        private var _faces:GroundFaces = new GroundFaces();
 
-        // The heights that are in the rectangle.
-        private var _first:int;
-        private var _firstRow:int;
-        private var _last:int;
-        private var _lastRow:int;
+        // Half the lengths of the box whose faces are drawn.
+        private var _halfX:Number;
+        private var _halfY:Number;
 
         /**
          * Begins without triangles. <code>update()</code> makes them. With a rectangle, the surface has only the cells of slopes that are
@@ -49,10 +48,16 @@ package starlogo.terrain
                 throw new ArgumentError("there is no terrain to draw: null");
             }
             _grid = terrain.grid;
-            _first = within(Math.ceil((minX - _grid.x) / _grid.cellWidth), 0, _grid.columns);
-            _firstRow = within(Math.ceil((minY - _grid.y) / _grid.cellWidth), 0, _grid.rows);
-            _last = within(Math.floor((maxX - _grid.x) / _grid.cellWidth), -1, _grid.columns - 1);
-            _lastRow = within(Math.floor((maxY - _grid.y) / _grid.cellWidth), -1, _grid.rows - 1);
+            var first:int = within(Math.ceil((minX - _grid.x) / _grid.cellWidth), 0, _grid.columns);
+            var firstRow:int = within(Math.ceil((minY - _grid.y) / _grid.cellWidth), 0, _grid.rows);
+            var last:int = within(Math.floor((maxX - _grid.x) / _grid.cellWidth), -1, _grid.columns - 1);
+            var lastRow:int = within(Math.floor((maxY - _grid.y) / _grid.cellWidth), -1, _grid.rows - 1);
+            // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the columns of these
+            // heights and over the cells between them, and over no other.
+            _faces.box.x = _grid.x + (first + last) / 2 * _grid.cellWidth;
+            _faces.box.y = _grid.y + (firstRow + lastRow) / 2 * _grid.cellWidth;
+            _halfX = ((last - first) / 2 - 0.25) * _grid.cellWidth;
+            _halfY = ((lastRow - firstRow) / 2 - 0.25) * _grid.cellWidth;
         }
 
         /**
@@ -69,23 +74,15 @@ package starlogo.terrain
             _revision = _grid.revision;
             _isBlocky = _grid.isBlocky;
             vertices.length = normals.length = triangles.length = 0;
-            var faces:GroundFaces = new GroundFaces();
+            _faces.box.halfX = _halfX;
+            _faces.box.halfY = _halfY;
+            _faces.box.halfZ = Infinity;
             // the last level is one square
-            faces.floor = _grid.bounds[_grid.begins[_grid.levels]];
-            faces.box.x = _grid.x + (_first + _last) / 2 * _grid.cellWidth;
-            faces.box.y = _grid.y + (_firstRow + _lastRow) / 2 * _grid.cellWidth;
-            // the box ends in the middles of cells. Those of slopes are between the heights
-            var fewer:int = _isBlocky ? 0 : 1;
-            faces.box.halfX = (_last - _first - fewer) / 2 * _grid.cellWidth;
-            faces.box.halfY = (_lastRow - _firstRow - fewer) / 2 * _grid.cellWidth;
-            faces.box.halfZ = Infinity;
-            if (faces.box.halfX >= 0 && faces.box.halfY >= 0)
+            _faces.floor = _grid.bounds[_grid.begins[_grid.levels]];
+            _faces.begin(_grid);
+            while (_faces.next())
             {
-                faces.begin(_grid);
-                while (faces.next())
-                {
-                    addTriangle(faces.corners);
-                }
+                addTriangle(_faces.corners);
             }
             return true;
         }

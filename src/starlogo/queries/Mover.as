@@ -31,9 +31,6 @@ package starlogo.queries
         /** An ending: the row slides along what it meets. */
         public static const SLIDE:int = 2;
 
-        // If an overlap is deeper than this fraction of the larger extent, the contact's plane stands for the other row.
-        private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
-
         // The number of places that are tried in order to find one at which the two touch. A sweep may end some 30 gaps before a triangle of
         // the ground.
         private static const STEPS_INTO_TOUCH:int = 64;
@@ -42,7 +39,7 @@ package starlogo.queries
         // edge does not show what stops the motion, the contact this distance farther along the way is used.
         private static const NEXT:Number = 1e-4;
 
-        // Between two walls the row may be lifted to and fro. After this many rounds, the planes of the remaining contacts stand for the walls.
+        // Between two walls the row may be lifted to and fro. After this many rounds it stays where it is.
         private static const LIFTING_ROUNDS:int = 6;
 
         // A motion ends after this many turns.
@@ -124,8 +121,17 @@ package starlogo.queries
         public function begin(table:AgentTable, row:int, others:Vector.<Agent>, longest:Vector3D):void
         {
             at.setTo(table.x[row], table.y[row], table.z[row]);
-            readOthers(table, others);
             _sweep.begin(table, row, longest);
+            _all = 0;
+            for (var i:int = 0; i < others.length; i++)
+            {
+                var other:int = table.rowOf(others[i]);
+                if (table.shapes[other] != null)
+                {
+                    _others[_all] = other;
+                    _all++;
+                }
+            }
         }
 
         /** Puts the row back. */
@@ -146,7 +152,7 @@ package starlogo.queries
             hasContact = metWall = isDeep = _isCareful = false;
             contact.setNormal(0, 0, 0);
             part = 1;
-            _sweep.forgetTouched();
+            _sweep.beginMotion();
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
                 _rest.advance(at, 1);
@@ -167,46 +173,40 @@ package starlogo.queries
             }
         }
 
-        private function readOthers(table:AgentTable, others:Vector.<Agent>):void
-        {
-            _all = 0;
-            for (var i:int = 0; i < others.length; i++)
-            {
-                var row:int = table.rowOf(others[i]);
-                if (table.shapes[row] != null)
-                {
-                    _others[_all] = row;
-                    _all++;
-                }
-            }
-        }
-
-        // Lifts the row out of rows that it goes into at its place. If it cannot be lifted out of one, the contact's plane stands for that one.
+        // Lifts the row out of rows that it overlaps a little at its place.
         private function liftOut():void
         {
             var isFree:Boolean = false;
-            for (var round:int = 1; !isFree && round <= LIFTING_ROUNDS; round++)
+            for (var round:int = 0; !isFree && round <= LIFTING_ROUNDS; round++)
             {
                 isFree = true;
                 for (var i:int = _count - 1; i >= 0; i--)
                 {
-                    if (!_sweep.meetsAt(_others[i], at))
+                    if (_sweep.meetsAt(_others[i], at))
                     {
-                        continue;
+                        isFree = false;
+                        liftOutOf(i, round < LIFTING_ROUNDS);
                     }
-                    isFree = false;
-                    _sweep.findContact(_others[i], at, _standing);
-                    if (round < LIFTING_ROUNDS && _standing.depth <= SHALLOW * _sweep.extent + _sweep.hair)
-                    {
-                        _standing.push(at, _standing.depth + _sweep.hair / 2);
-                        continue;
-                    }
-                    var deep:int = _others[i];
-                    _rest.add(_standing, deep);
-                    _count--;
-                    _others[i] = _others[_count];
-                    _others[_count] = deep;
                 }
+            }
+        }
+
+        // If the row overlaps another more deeply, the contact's plane stands for that one.
+        private function liftOutOf(i:int, mayLift:Boolean):void
+        {
+            var other:int = _others[i];
+            if (mayLift && _sweep.findContact(other, at, _standing))
+            {
+                _standing.push(at, _standing.depth + _sweep.hair / 2);
+                return;
+            }
+            if (!_sweep.widenFor(other, at))
+            {
+                _sweep.findContact(other, at, _standing, true);
+                _rest.add(_standing, other);
+                _count--;
+                _others[i] = _others[_count];
+                _others[_count] = other;
             }
         }
 

@@ -39,6 +39,9 @@ package starlogo.queries
         private static const SLIMMEST:Number = 10;
         private static const MOST_SHARE:Number = 0.5;
 
+        // An overlap is shallow if it is at most this part of the larger extent.
+        private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
+
         // A time after the end of the motion.
         private static const AFTER:Number = 1 + 1e-15;
 
@@ -75,6 +78,9 @@ package starlogo.queries
         private var _row:int;
         private var _moving:MovedRow = new MovedRow();
         private var _standing:MovedRow = new MovedRow();
+
+        // Whether rows lose more than a hair in a trial.
+        private var _isWide:Boolean = false;
 
         // The part of a hair that stands for rounding errors.
         private var _rounding:Number = 0;
@@ -147,19 +153,45 @@ package starlogo.queries
             return isMeeting;
         }
 
-        /** Finds the contact of the row at a place with another row that it touches there. */
-        public function findContact(other:int, at:Vector3D, out:ContactPoint):void
+        /**
+         * Finds the contact of the row at a place with another row that it touches there.
+         *
+         * @param isDeep whether the contact has to separate the two rows. Otherwise, a shallow contact of two of their parts may do, because the
+         *     ground can be a floor and a wall, and the contact with one of them does not lead away from the other
+         * @return whether the contact is shallow
+         */
+        public function findContact(other:int, at:Vector3D, out:ContactPoint, isDeep:Boolean = false):Boolean
         {
             measure(other);
             _moving.put(at, 0);
             RelativeMotion.NONE.time = 0;
             _pairs.testsOf(_table, _row, other).findContact(_table, _row, other, RelativeMotion.NONE, out);
-            _separation.find(_table, _row, other, RelativeMotion.NONE, out);
+            if (isDeep || out.depth > SHALLOW * extent)
+            {
+                _separation.find(_table, _row, other, RelativeMotion.NONE, out);
+            }
+            return out.depth <= SHALLOW * extent;
         }
 
-        /** Forgets all rows that it has touched. */
-        public function forgetTouched():void
+        /**
+         * From now on, rows also lose SHALLOW of the larger extent in trials, if the row at a place does not meet another then. Otherwise their
+         * overlap would hide what stops the row later.
+         *
+         * @return whether it does not
+         */
+        public function widenFor(other:int, at:Vector3D):Boolean
         {
+            var wasWide:Boolean = _isWide;
+            _isWide = true;
+            var isFree:Boolean = !meetsAt(other, at);
+            _isWide = wasWide || isFree;
+            return isFree;
+        }
+
+        /** Begins another motion: forgets all rows that it has touched. */
+        public function beginMotion():void
+        {
+            _isWide = false;
             touchedCount = _firstCount = 0;
         }
 
@@ -303,7 +335,8 @@ package starlogo.queries
 
         private function shareOf(row:MovedRow):Number
         {
-            var share:Number = hair / Math.max(row.leastHalf, row.largestHalf / SLIMMEST);
+            var width:Number = _isWide ? hair + SHALLOW * extent : hair;
+            var share:Number = width / Math.max(row.leastHalf, row.largestHalf / SLIMMEST);
             return share < MOST_SHARE ? share : MOST_SHARE;
         }
     }

@@ -250,7 +250,7 @@ package starlogo.terrain
             {
                 return false;
             }
-            low = Math.max(low, Math.min(_low, Math.min(top, endTop)) - _width);
+            low = isFinite(floor) ? low : Math.min(_low, Math.min(top, endTop)) - _width;
             if (Math.min(top, endTop) > _high + _width)
             {
                 top = endTop = _high + _width;

@@ -246,6 +246,53 @@ package starlogo.terrain
             assertTrue("stopped: " + stopped, stopped > 40 && stopped < 300);
         }
 
+        // The one ground is the floor and both walls. What hides one of them lets the agent through.
+        [Test]
+        public function whatOverlapsTheSidesOfACornerALittleStaysOutsideOfAll():void
+        {
+            var stopped:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var i:int = 0; i < 90; i++)
+                {
+                    var base:Number = i % 5 == 0 ? 100 : 0;
+                    var wall:Number = _random.pick([0.5, 1, 3]);
+                    var terrain:Terrain = new Terrain(9, 9, 1, base, base);
+                    terrain.isBlocky = true;
+                    for (var k:int = 0; k < 9; k++)
+                    {
+                        terrain.setHeight(5, k, wall);
+                        terrain.setHeight(k, 5, wall);
+                    }
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[]);
+                    var agent:Agent = new Agent("cube");
+                    agent.size = _random.pick([0.2, 0.6, 1]);
+                    agent.heading = 90 * (i % 4);
+                    var half:Number = agent.size / 2;
+                    agent.moveTo(base + 4.5 - half + aLittle(agent.size), base + 4.5 - half + aLittle(agent.size), -aLittle(agent.size));
+                    var dx:Number = _random.pick([0, 0.3, _random.between(-0.5, 0.5)]);
+                    var dy:Number = _random.pick([0, 0.3, _random.between(-0.5, 0.5)]);
+                    var dz:Number = _random.pick([0, -1, _random.between(-1, 0)]);
+                    stopped += i % 3 == 0 && queries.moveUntilTouch(agent, dx, dy, dz) < 1 ? 1 : 0;
+                    stopped += i % 3 == 1 && queries.slide(agent, dx, dy, dz) < 1 ? 1 : 0;
+                    stopped += i % 3 == 2 && queries.walk(agent, dx, dy).part < 1 ? 1 : 0;
+                    var message:String = [name, i, agent.x, agent.y, agent.z, dx, dy, dz].join(" ");
+                    var deepest:Number = 2e-6 * agent.size;
+                    assertTrue(message, agent.z > -deepest);
+                    assertTrue(message, agent.z > wall - deepest || Math.max(agent.x, agent.y) + half < base + 4.5 + deepest);
+                }
+            }
+            assertTrue("stopped: " + stopped, stopped > 200);
+        }
+
+        // An overlap from none to half of the largest that counts as a touch.
+        private function aLittle(size:Number):Number
+        {
+            return _random.pick([0, 1e-12, 1e-10, 1e-8, 5e-7]) * size;
+        }
+
         [Test]
         public function nothingSticksAtTheSeamsOfCells():void
         {

@@ -21,12 +21,17 @@ package support
      */
     public final class GroundReference
     {
+        // A rectangle as two triangles.
+        private static const CORNERS:Vector.<int> = new <int>[0, 1, 2, 0, 2, 3];
+
         /** All triangles of the surface: nine numbers each, counter-clockwise from outside. */
         public var surface:Vector.<Number> = new Vector.<Number>();
 
         private var _boxes:Vector.<Number> = new Vector.<Number>();
         private var _box:Vector.<Number> = new Vector.<Number>(6);
         private var _all:Vector.<int> = new Vector.<int>();
+        private var _over:Vector.<int> = new Vector.<int>();
+        private var _close:Vector.<int> = new Vector.<int>();
         private var _near:Vector.<int> = new Vector.<int>();
         private var _nearest:Vector.<int> = new Vector.<int>();
         private var _moved:Vector.<Number> = new Vector.<Number>();
@@ -58,21 +63,6 @@ package support
             }
         }
 
-        /** Whether the ground is solid at a place, its surface included. */
-        public function isSolid(x:Number, y:Number, z:Number):Boolean
-        {
-            for (var at:int = 0; at < surface.length; at += 9)
-            {
-                var box:int = at / 9 * 6;
-                var isOver:Boolean = x >= _boxes[box] && x <= _boxes[box + 3] && y >= _boxes[box + 1] && y <= _boxes[box + 4];
-                if (isOver && !isUpright(at) && heightOn(at, x, y) >= z)
-                {
-                    return true;
-                }
-            }
-            return false;
-        }
-
         /**
          * How far pieces that are moved are from the surface, less than 0 if they are known to be deeper; -1 if one is under the ground.
          *
@@ -81,26 +71,22 @@ package support
         public function gapOf(pieces:Array, dx:Number = 0, dy:Number = 0, dz:Number = 0, most:Number = Infinity):Number
         {
             var least:Number = most;
+            var from:int = 0;
+            findClose(pieces, dx, dy, dz, most);
             for each (var piece:Object in pieces)
             {
-                var points:Vector.<Number> = piece.points;
-                for (var i:int = 0; i < points.length; i += 3)
-                {
-                    _moved[i] = points[i] + dx;
-                    _moved[i + 1] = points[i + 1] + dy;
-                    _moved[i + 2] = points[i + 2] + dz;
-                }
-                if (isSolid(_moved[0], _moved[1], _moved[2]))
+                var to:int = from + piece.points.length;
+                if (isSolid(_moved[from], _moved[from + 1], _moved[from + 2], _over))
                 {
                     return -1;
                 }
-                findNear(0, points.length, least + piece.radius, _all, _near);
-                for (i = 0; i < points.length && _near.length > 0; i += 9)
+                findNear(from, to, least + piece.radius, _close, _near);
+                for (; from < to; from += 9)
                 {
-                    findNear(i, i + 9, least + piece.radius, _near, _nearest);
+                    findNear(from, from + 9, least + piece.radius, _near, _nearest);
                     for (var k:int = 0; k < _nearest.length; k++)
                     {
-                        least = Math.min(least, PlainDistance.ofTriangles(_moved, i, surface, _nearest[k]) - piece.radius);
+                        least = Math.min(least, PlainDistance.ofTriangles(_moved, from, surface, _nearest[k]) - piece.radius);
                     }
                 }
                 if (least <= 0 && piece.radius == 0)
@@ -137,7 +123,7 @@ package support
         /** Where a ray first meets the ground; Infinity for never. */
         public function rayTo(origin:Vector3D, direction:Vector3D):Number
         {
-            if (isSolid(origin.x, origin.y, origin.z))
+            if (isSolid(origin.x, origin.y, origin.z, _all))
             {
                 return 0;
             }
@@ -157,7 +143,7 @@ package support
                 case "bins":
                     return [pieceOf(new Sphere(new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2))];
                 case "hierarchies":
-                    return piecesOfTree(agent, land.hierarchies.root(agent.shape), 5);
+                    return piecesOfTree(agent.worldPlacement(), land.hierarchies.root(agent.shape), 5);
                 case "triangles":
                     return piecesOfTriangles(agent.worldPlacement(), model);
                 default:
@@ -166,13 +152,13 @@ package support
         }
 
         // Its nodes at a depth.
-        private static function piecesOfTree(agent:Agent, root:HierarchyNode, depth:int):Array
+        private static function piecesOfTree(placement:Placement, root:HierarchyNode, depth:int):Array
         {
             if (root.level >= depth || root.isLeaf)
             {
-                return [pieceOf(root.bounds.place(agent.worldPlacement()))];
+                return [pieceOf(root.bounds.place(placement))];
             }
-            return piecesOfTree(agent, root.left, depth).concat(piecesOfTree(agent, root.right, depth));
+            return piecesOfTree(placement, root.left, depth).concat(piecesOfTree(placement, root.right, depth));
         }
 
         private static function piecesOfTriangles(placement:Placement, model:Model):Array
@@ -207,21 +193,21 @@ package support
             }
             var box:Box = Box(structure);
             var points:Vector.<Number> = new Vector.<Number>();
+            var signs:Vector.<Number> = new Vector.<Number>(3);
             // by side: the axis across it, and its four corners round
-            for (var side:int = 0; side < 6; side++)
+            for (var i:int = 0; i < 36; i++)
             {
-                for each (var corner:int in [0, 1, 2, 0, 2, 3])
-                {
-                    var signs:Array = [];
-                    signs[side >> 1] = side % 2 == 0 ? -1 : 1;
-                    signs[((side >> 1) + 1) % 3] = corner == 1 || corner == 2 ? 1 : -1;
-                    signs[((side >> 1) + 2) % 3] = corner >= 2 ? 1 : -1;
-                    for each (var axis:String in ["x", "y", "z"])
-                    {
-                        points.push(box.center[axis] + signs[0] * box.halfX * box.axisX[axis] + signs[1] * box.halfY * box.axisY[axis]
-                                + signs[2] * box.halfZ * box.axisZ[axis]);
-                    }
-                }
+                var side:int = i / 6;
+                var corner:int = CORNERS[i % 6];
+                signs[side >> 1] = side % 2 == 0 ? -1 : 1;
+                signs[((side >> 1) + 1) % 3] = corner == 1 || corner == 2 ? 1 : -1;
+                signs[((side >> 1) + 2) % 3] = corner >= 2 ? 1 : -1;
+                var x:Number = signs[0] * box.halfX;
+                var y:Number = signs[1] * box.halfY;
+                var z:Number = signs[2] * box.halfZ;
+                points.push(box.center.x + x * box.axisX.x + y * box.axisY.x + z * box.axisZ.x,
+                        box.center.y + x * box.axisX.y + y * box.axisY.y + z * box.axisZ.y,
+                        box.center.z + x * box.axisX.z + y * box.axisY.z + z * box.axisZ.z);
             }
             return {radius: 0, points: points};
         }
@@ -314,12 +300,7 @@ package support
             putBox(surface, surface.length - 9, surface.length, _boxes, _boxes.length - 6);
         }
 
-        private function isUpright(at:int):Boolean
-        {
-            return (surface[at + 3] - surface[at]) * (surface[at + 7] - surface[at + 1]) - (surface[at + 4] - surface[at + 1]) * (surface[at + 6] - surface[at]) == 0;
-        }
-
-        // NaN if the place is not over the triangle.
+        // NaN if the place is not over the triangle, or the triangle is upright.
         private function heightOn(at:int, x:Number, y:Number):Number
         {
             var sum:Number = 0;
@@ -339,10 +320,54 @@ package support
             return weighted / sum;
         }
 
+        // Whether the ground is solid at a place, its surface included.
+        private function isSolid(x:Number, y:Number, z:Number, among:Vector.<int>):Boolean
+        {
+            for (var i:int = 0; i < among.length; i++)
+            {
+                if (heightOn(among[i], x, y) >= z)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Moves pieces. Finds the triangles whose boxes are within a distance of all of them, and those above and below them.
+        private function findClose(pieces:Array, dx:Number, dy:Number, dz:Number, distance:Number):void
+        {
+            var radius:Number = 0;
+            var to:int = 0;
+            for each (var piece:Object in pieces)
+            {
+                var points:Vector.<Number> = piece.points;
+                radius = Math.max(radius, piece.radius);
+                for (var i:int = 0; i < points.length; i += 3)
+                {
+                    _moved[to++] = points[i] + dx;
+                    _moved[to++] = points[i + 1] + dy;
+                    _moved[to++] = points[i + 2] + dz;
+                }
+            }
+            findNear(0, to, distance + radius, _all, _close);
+            _box[2] = -Infinity;
+            _box[5] = Infinity;
+            keepNear(0, _all, _over);
+        }
+
         // Those triangles whose boxes are within a distance of the box of some moved points, along each axis.
         private function findNear(from:int, to:int, distance:Number, among:Vector.<int>, out:Vector.<int>):void
         {
-            putBox(_moved, from, to, _box, 0);
+            out.length = 0;
+            if (among.length > 0)
+            {
+                putBox(_moved, from, to, _box, 0);
+                keepNear(distance, among, out);
+            }
+        }
+
+        private function keepNear(distance:Number, among:Vector.<int>, out:Vector.<int>):void
+        {
             out.length = 0;
             for (var i:int = 0; i < among.length; i++)
             {

@@ -17,6 +17,11 @@ package support
             {
                 var p:int = atA + 3 * i;
                 var q:int = atA + 3 * ((i + 1) % 3);
+                if (i > 0 && a[p] == a[q] && a[p + 1] == a[q + 1] && a[p + 2] == a[q + 2])
+                {
+                    // a point or a segment, so the edge before ends here
+                    continue;
+                }
                 least = Math.min(least, ofPoint(a, p, b, atB), ofPoint(b, atB + 3 * i, a, atA));
                 if (crosses(a, p, q, b, atB) || crosses(b, atB + 3 * i, atB + 3 * ((i + 1) % 3), a, atA))
                 {

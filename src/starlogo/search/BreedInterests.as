@@ -42,7 +42,7 @@ package starlogo.search
         private var _added:Vector.<String> = new Vector.<String>();
 
         // By row of the table that was read last: the number of its breed, or -1.
-        private var _ofRows:Vector.<int> = new Vector.<int>();
+        internal var ofRows:Vector.<int> = new Vector.<int>();
 
         /** Begins without pairs. */
         public function BreedInterests()
@@ -114,32 +114,34 @@ package starlogo.search
         }
 
         /**
-         * Reads the breed of each agent in a table. It reads nothing if all pairs of all breeds are of interest.
+         * Reads the breed of each agent in a table. It reads nothing if all pairs of all breeds are of interest, and there is
+         * neither ground nor edges.
          *
          * @return the number of agents whose breed is in no pair; 0 if nothing was read
          */
         internal function read(table:AgentTable):int
         {
-            if (_hasAny && areAll)
+            var hasFixture:Boolean = table.agents[RowList.GROUND] != null || table.agents[RowList.GROUND + 1] != null;
+            if (_hasAny && areAll && !hasFixture)
             {
                 return 0;
             }
             follow();
-            var ofRows:Vector.<int> = _ofRows;
+            var numbersOfRows:Vector.<int> = ofRows;
             var agents:Vector.<Agent> = table.agents;
             var rows:Vector.<int> = table.rows;
             var ofNames:Vector.<int> = numbers;
             var end:int = table.count;
-            if (ofRows.length < agents.length)
+            if (numbersOfRows.length < agents.length)
             {
-                ofRows.length = agents.length;
+                numbersOfRows.length = agents.length;
             }
             var outsiders:int = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
                 var number:int = ofNames[agents[row].breedNumber];
-                ofRows[row] = number;
+                numbersOfRows[row] = number;
                 if (number < 0)
                 {
                     outsiders++;
@@ -151,7 +153,7 @@ package starlogo.search
         /** Whether the breed of a row is in a pair. The row must have been read. */
         internal function hasBreedOf(row:int):Boolean
         {
-            return _ofRows[row] >= 0;
+            return ofRows[row] >= 0;
         }
 
         /**
@@ -163,14 +165,14 @@ package starlogo.search
          */
         internal function keepOfInterest(bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
-            var ofRows:Vector.<int> = _ofRows;
+            var numbersOfRows:Vector.<int> = ofRows;
             var rowAt:Vector.<int> = bins.rowAt;
-            var first:int = ofRows[rowAt[slot]] * breedCount;
+            var first:int = numbersOfRows[rowAt[slot]] * breedCount;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                if (areOfInterest[first + ofRows[rowAt[other]]])
+                if (areOfInterest[first + numbersOfRows[rowAt[other]]])
                 {
                     others[kept] = other;
                     kept++;

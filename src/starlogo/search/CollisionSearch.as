@@ -314,13 +314,13 @@ package starlogo.search
             {
                 return;
             }
-            var numbers:Vector.<int> = interests.numbers;
+            var numbers:Vector.<int> = interests.ofRows;
             var areOfInterest:Vector.<Boolean> = interests.areOfInterest;
             var first:int = breed * interests.breedCount;
             var count:int = 0;
             for (var i:int = 0; i < _memberCount; i++)
             {
-                var number:int = numbers[agents[_memberRows[i]].breedNumber];
+                var number:int = numbers[_memberRows[i]];
                 if (number >= 0 && areOfInterest[int(first + number)])
                 {
                     _touching[count] = i;

@@ -104,6 +104,12 @@ package starlogo.terrain
         // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
         private var _nothing:Number = NaN;
 
+        // The triangles of places: see findCorners.
+        private var _corners:Vector.<int> = new <int>[0];
+        private var _sides:Vector.<int> = new <int>[0];
+        private var _mores:Vector.<Number> = new <Number>[0];
+        private var _lesses:Vector.<Number> = new <Number>[0];
+
         // A list with one place.
         private var _placeX:Vector.<Number> = new <Number>[0];
         private var _placeY:Vector.<Number> = new <Number>[0];
@@ -151,9 +157,19 @@ package starlogo.terrain
             height = _found[0];
         }
 
+        /** Finds the fall of sloping ground at the place. <code>findHeight()</code> comes before. */
+        public function findFall():void
+        {
+            var near:Number = heights[_corners[0]];
+            var side:Number = heights[_sides[0]];
+            var far:Number = heights[int(_corners[0] + columns + 1)];
+            var isRight:Boolean = _sides[0] == _corners[0] + 1;
+            fallX = isRight ? near - side : side - far;
+            fallY = isRight ? side - far : near - side;
+        }
+
         /**
-         * Finds the heights at the places of members of a list. Nothing depends on a height while the next ones are read, so the processor
-         * waits for several at once.
+         * Finds the heights at the places of members of a list.
          *
          * @param xs the places, by row
          * @param rows the row of each member
@@ -163,29 +179,43 @@ package starlogo.terrain
          */
         public function findHeights(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int, out:Vector.<Number>):void
         {
+            if (isBlocky)
+            {
+                findTops(xs, ys, rows, members, count, out);
+                return;
+            }
+            findCorners(xs, ys, rows, members, count);
+            // This loop is short, so the processor waits for the heights of several places at once.
             var all:Vector.<Number> = heights;
-            var stride:int = columns;
+            var corners:Vector.<int> = _corners;
+            var sides:Vector.<int> = _sides;
+            var mores:Vector.<Number> = _mores;
+            var lesses:Vector.<Number> = _lesses;
+            var toFar:int = columns + 1;
+            for (var i:int = 0; i < count; i++)
+            {
+                var corner:int = corners[i];
+                var more:Number = mores[i];
+                var less:Number = lesses[i];
+                out[i] = (1 - more) * all[corner] + (more - less) * all[sides[i]] + less * all[int(corner + toFar)];
+            }
+        }
+
+        // Finds the triangles of places: the corner of the cell with the least x and y, the corner beside the diagonal, and the place in the
+        // cell. The shares of a place outside are NaN.
+        private function findCorners(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int):void
+        {
             var lastColumn:int = columns - 1;
             var lastRow:int = this.rows - 1;
-            var left:Number = x;
-            var bottom:Number = y;
-            var width:Number = cellWidth;
             for (var i:int = 0; i < count; i++)
             {
                 var at:int = rows[members[i]];
-                var toX:Number = (xs[at] - left) / width;
-                var toY:Number = (ys[at] - bottom) / width;
-                if (isBlocky)
-                {
-                    _toX = toX + 0.5;
-                    _toY = toY + 0.5;
-                    findTop();
-                    out[i] = _top;
-                    continue;
-                }
+                var toX:Number = (xs[at] - x) / cellWidth;
+                var toY:Number = (ys[at] - y) / cellWidth;
                 if (!(toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow))
                 {
-                    out[i] = _nothing;
+                    _corners[i] = _sides[i] = 0;
+                    _mores[i] = _lesses[i] = _nothing;
                     continue;
                 }
                 // The conversion to int rounds down, because the numbers are not negative.
@@ -201,23 +231,12 @@ package starlogo.terrain
                 }
                 toX -= column;
                 toY -= row;
-                var corner:int = row * stride + column;
-                var near:Number = all[corner];
-                var far:Number = all[int(corner + stride + 1)];
-                if (toX >= toY)
-                {
-                    var side:Number = all[int(corner + 1)];
-                    out[i] = (1 - toX) * near + (toX - toY) * side + toY * far;
-                    fallX = near - side;
-                    fallY = side - far;
-                }
-                else
-                {
-                    side = all[int(corner + stride)];
-                    out[i] = (1 - toY) * near + (toY - toX) * side + toX * far;
-                    fallX = side - far;
-                    fallY = near - side;
-                }
+                var corner:int = row * columns + column;
+                var isRight:Boolean = toX >= toY;
+                _corners[i] = corner;
+                _sides[i] = isRight ? corner + 1 : corner + columns;
+                _mores[i] = isRight ? toX : toY;
+                _lesses[i] = isRight ? toY : toX;
             }
         }
 
@@ -309,6 +328,18 @@ package starlogo.terrain
                     greatest = Math.max(greatest, bounds[int(at + 1)]);
                     stepX = Math.max(stepX, bounds[int(at + 2)]);
                 }
+            }
+        }
+
+        private function findTops(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int, out:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                var at:int = rows[members[i]];
+                _toX = (xs[at] - x) / cellWidth + 0.5;
+                _toY = (ys[at] - y) / cellWidth + 0.5;
+                findTop();
+                out[i] = _top;
             }
         }
 

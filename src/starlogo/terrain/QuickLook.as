@@ -130,6 +130,7 @@ package starlogo.terrain
             grid.placeX = extents.x[row];
             grid.placeY = extents.y[row];
             grid.findHeight();
+            grid.findFall();
             var step:Number = extents.halfX[row] / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
             grid.placeX -= step * grid.fallX;
             grid.placeY -= step * grid.fallY;

@@ -278,6 +278,7 @@ package starlogo.terrain
             normal.setTo(0, 0, 1);
             if (!isBlocky)
             {
+                grid.findFall();
                 normal.setTo(grid.fallX, grid.fallY, grid.cellWidth);
                 normal.scaleBy(1 / normal.length);
             }

@@ -99,7 +99,7 @@ package starlogo.terrain
             box.halfX += rounding;
             box.halfY += rounding;
             box.halfZ += rounding;
-            var length:Number = Math.max(2 * box.halfX + wayX, 2 * box.halfY + wayY);
+            var length:Number = Math.max(2 * box.halfX + wayX, 2 * box.halfY + wayY) + 2 * box.reach;
             var level:int = 0;
             while (level < grid.levels && length > FIRST_SQUARES * grid.widths[level])
             {
@@ -133,7 +133,7 @@ package starlogo.terrain
             _width = _grid.widths[level];
             box.from = 0;
             box.to = box.limit;
-            findRange(box.y - _y, box.halfY, box.wayY, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            findRange(box.y - _y, box.halfY + box.reach, box.wayY, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
             var step:int = box.wayY < 0 ? 1 : -1;
             var row:int = step > 0 ? _first : _last;
             for (var rows:int = _last - _first + 1; rows > 0; rows--)
@@ -141,7 +141,7 @@ package starlogo.terrain
                 _row = row;
                 row += step;
                 cutToRow();
-                findRange(box.x - _x, box.halfX, box.wayX, first, last);
+                findRange(box.x - _x, box.halfX + box.reach, box.wayX, first, last);
                 for (var i:int = _first; i <= _last && box.from <= box.to; i++)
                 {
                     _squares[_top] = level;
@@ -182,12 +182,26 @@ package starlogo.terrain
         private function isOver():Boolean
         {
             cutToRow();
-            box.cut(box.x, box.halfX, box.wayX, _x + _column * _width, _x + (_column + 1) * _width);
+            box.cut(box.x, box.halfX + box.reach, box.wayX, _x + _column * _width, _x + (_column + 1) * _width);
             var start:Number = box.z + box.from * box.wayZ;
             var end:Number = box.z + box.to * box.wayZ;
-            _low = Math.min(start, end) - box.halfZ;
-            _high = Math.max(start, end) + box.halfZ;
+            var reach:Number = box.reach;
+            if (reach > 0)
+            {
+                // what is to the side of the box is less far above or below it
+                var x:Number = gapOf(box.x - _x, box.halfX, _column);
+                var y:Number = gapOf(box.y - _y, box.halfY, _row);
+                reach = Math.sqrt(Math.max(0, reach * reach - x * x - y * y));
+            }
+            _low = Math.min(start, end) - box.halfZ - reach;
+            _high = Math.max(start, end) + box.halfZ + reach;
             return box.from <= box.to;
+        }
+
+        // How far the box is from the current square along one axis.
+        private function gapOf(place:Number, half:Number, square:int):Number
+        {
+            return Math.max(0, Math.abs(place - (square + 0.5) * _width) - _width / 2 - half);
         }
 
         // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
@@ -285,7 +299,7 @@ package starlogo.terrain
         {
             box.from = 0;
             box.to = box.limit;
-            box.cut(box.y, box.halfY, box.wayY, _y + _row * _width, _y + (_row + 1) * _width);
+            box.cut(box.y, box.halfY + box.reach, box.wayY, _y + _row * _width, _y + (_row + 1) * _width);
         }
 
         // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.

@@ -33,6 +33,9 @@ package starlogo.terrain
         /** @copy #wayX */
         public var wayZ:Number = 0;
 
+        /** How far from the standing box something still counts. It may be reduced during a walk, as the limit may. */
+        public var reach:Number = 0;
+
         /** How much of the way counts, as a multiple of the way. It may be reduced during a walk. */
         public var limit:Number = 0;
 

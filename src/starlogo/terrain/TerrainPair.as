@@ -204,7 +204,7 @@ package starlogo.terrain
             var box:PassingBox = boxOf(_structure);
             var height:Number = heightAt(box.x, box.y);
             var above:Number = isNaN(height) ? _grid.cellWidth : Math.abs(height - box.z);
-            var bound:Number = box.halfX + box.halfY + box.halfZ + above;
+            var bound:Number = Math.max(box.halfX + box.halfY + box.halfZ + above, Tolerances.SURFACES * _grid.cellWidth);
             _closest = out;
             do
             {
@@ -353,12 +353,7 @@ package starlogo.terrain
             box.wayY = _motion.y;
             box.wayZ = _motion.z;
             box.limit = _goal == TIME ? _best : 0;
-            if (_goal == DISTANCE)
-            {
-                box.halfX += _best;
-                box.halfY += _best;
-                box.halfZ += _best;
-            }
+            box.reach = _goal == DISTANCE ? _best : 0;
             _faces.begin(_grid);
             return box;
         }
@@ -414,6 +409,7 @@ package starlogo.terrain
             if (_goal == DISTANCE)
             {
                 _piece.writeClosest(_closest);
+                _faces.box.reach = found;
             }
             else if (_goal == DEPTH)
             {

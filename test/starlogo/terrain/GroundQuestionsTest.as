@@ -83,7 +83,7 @@ package starlogo.terrain
                 for each (var name:String in EachCollider.NAMES)
                 {
                     var agent:Agent = agentAbout(terrain);
-                    agent.z -= i % 3 * agent.size;
+                    agent.z += i % 5 == 4 ? 40 * terrain.cellWidth : -(i % 3) * agent.size;
                     var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
                     var a:Vector3D = new Vector3D();
                     var b:Vector3D = new Vector3D();

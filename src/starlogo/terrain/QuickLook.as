@@ -38,8 +38,8 @@ package starlogo.terrain
         }
 
         /**
-         * Removes members from a list that are known not to touch the ground. Nothing is known about agents whose middle is outside of the
-         * terrain.
+         * Removes members from a list that are known not to touch the ground. Nothing is known about trees, and about agents whose middle is
+         * outside of the terrain.
          *
          * @param extents of the agents, by row
          * @param forms of the agents, by row

@@ -137,7 +137,7 @@ package starlogo.terrain
             placeAt(motion, 0);
             search(TIME, motion, 1, out);
             motion.time = _isFound ? _best : RelativeMotion.NEVER;
-            if (out != null)
+            if (_isFound && out != null)
             {
                 moveToWorld(out);
             }
@@ -394,11 +394,16 @@ package starlogo.terrain
                 _piece.measure();
                 found = _piece.distance;
             }
-            else if (_piece.touches())
+            else
             {
-                _piece.time = 0;
-                _piece.findContact(_tried);
-                found = -_tried.depth;
+                // A piece deep under the ground touches no triangle. Then the first one near it gives a direction.
+                var isTouching:Boolean = _piece.touches();
+                if (isTouching || !_isFound)
+                {
+                    _piece.time = 0;
+                    _piece.findContact(_tried);
+                    found = isTouching ? -_tried.depth : Infinity;
+                }
             }
             if (!(found < _best || found == _best && !_isFound))
             {

@@ -219,6 +219,29 @@ package starlogo.terrain
         }
 
         [Test]
+        public function anAgentInsideAColumnLeavesItByASide():void
+        {
+            _terrain = new Terrain(3, 3, 4, -4, -4);
+            _terrain.isBlocky = true;
+            _terrain.setHeight(1, 1, 10);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                _collision = new Collision(EachCollider.make(name, _land));
+                _collision.terrain = _terrain;
+                var depth:Number = 0;
+                _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
+                    {
+                        depth = contact.depth;
+                    });
+                for (var i:int = 0; i < 9; i++)
+                {
+                    _collision.update(new <Agent>[cubeAt(0.3 * (i % 3 - 1), 0.3 * (int(i / 3) - 1), 5)]);
+                    assertTrue(name + ": " + depth, depth > 1 && depth < 2.9);
+                }
+            }
+        }
+
+        [Test]
         public function pairsOfAFrameThatSweepsAreInTheOrderOfTheirTimes():void
         {
             var late:Agent = cubeAt(-2, 0, 4);

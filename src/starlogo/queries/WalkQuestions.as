@@ -22,6 +22,10 @@ package starlogo.queries
         private static const CLOSE:Number = 1e-6;
         private static const BEHIND_EDGE:Number = 1e-4;
 
+        // A walk that is longer than the agent goes in pieces of the agent's size, because the ground may be even only so far. Endless walks have
+        // no more pieces than this.
+        private static const MOST_PIECES:int = 64;
+
         private var _seen:SeenAgents;
         private var _moves:MoveQuestions;
         private var _mover:Mover;
@@ -69,27 +73,34 @@ package starlogo.queries
             var cosine:Number = Trigonometry.cosine(asked.slopeDegrees);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             var slide:Number = Math.min(asked.fall, _seen.placeOf(agent).size);
+            var pieces:int = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / _seen.placeOf(agent).size)));
             // on the steepest slope the way is this long
             var reach:Number = whole / cosine + slide / 2;
-            var row:int = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, asked.stepHeight, asked.snap + asked.fall);
+            var row:int = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, pieces * asked.stepHeight, pieces * asked.snap + asked.fall);
             var table:AgentTable = _seen.table;
             // the filter may have asked for other walks, which set these fields
             _options = asked;
             _cosine = cosine;
-            _dx = dx;
-            _dy = dy;
-            _whole = whole;
+            _dx = dx / pieces;
+            _dy = dy / pieces;
+            _whole = whole / pieces;
             _slide = slide;
             _extent = 2 * table.extents.largestHalf(row);
             _close = CLOSE * _extent;
-            _highest = table.extents.z[row] - table.extents.halfZ[row] + asked.stepHeight + _close;
             _mover = _moves.mover;
             _mover.begin(table, row, _moves.agents, _moves.way);
-            _start.copyFrom(_mover.at);
             var footing:Footing = out || new Footing();
-            var stands:Boolean = goOnGround();
-            var x:Number = _mover.at.x - _start.x;
-            var y:Number = _mover.at.y - _start.y;
+            var x:Number = _mover.at.x;
+            var y:Number = _mover.at.y;
+            var bottom:Number = table.extents.z[row] - table.extents.halfZ[row] - _mover.at.z;
+            for (var i:int = 0; i < pieces; i++)
+            {
+                _start.copyFrom(_mover.at);
+                _highest = _start.z + bottom + asked.stepHeight + _close;
+                var stands:Boolean = goOnGround();
+            }
+            x = _mover.at.x - x;
+            y = _mover.at.y - y;
             footing.part = whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / whole) : 1;
             stands ||= table.shapes[row] != null && fall();
             _mover.leaveTouches();

@@ -59,6 +59,42 @@ package starlogo.queries
             assertTrue(String([_walks, _falls]), _walks > 400 && _falls > 0.02 * _walks && _falls < 0.5 * _walks);
         }
 
+        // On the edge of a low column the ground's normal is tilted. The plane of such a place would lead a long walk over any wall.
+        [Test]
+        public function aLongWalkGoesOverNoWall():void
+        {
+            _options.fall = Infinity;
+            var far:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var world:int = 0; world < 4; world++)
+                {
+                    _terrain = new Terrain(21, 21, 1, -10, -10);
+                    _terrain.isBlocky = world % 2 == 0;
+                    for (var i:int = 0; i < 441; i++)
+                    {
+                        var fromMiddle:int = Math.max(Math.abs(i % 21 - 10), Math.abs(int(i / 21) - 10));
+                        _terrain.setHeight(i % 21, i / 21, fromMiddle == 8 ? 4 : _random.between(-0.1, 0.1));
+                    }
+                    _queries = new AgentQueries(EachCollider.make(name, _greatLand));
+                    _queries.terrain = _terrain;
+                    _queries.update(new <Agent>[]);
+                    _walker = new Agent(_random.pick(["sphere", "cube", "cylinder"]));
+                    _walker.moveTo(0, 0, 0.2);
+                    for (var k:int = 0; k < 20; k++)
+                    {
+                        var angle:Number = _random.between(0, 2 * Math.PI);
+                        var way:Number = _random.between(1, 40);
+                        _queries.walk(_walker, way * Math.cos(angle), way * Math.sin(angle), _options, _footing);
+                        var message:String = name + " " + world + ", walk " + k + " of " + way + ": " + [_walker.x, _walker.y, _walker.z];
+                        assertTrue(message, Math.abs(_walker.x) < 8 && Math.abs(_walker.y) < 8 && _walker.z < 3.5);
+                        far += Math.max(Math.abs(_walker.x), Math.abs(_walker.y)) > 5 ? 1 : 0;
+                    }
+                }
+            }
+            assertTrue("at the wall: " + far, far > 100);
+        }
+
         [Test]
         public function whatIsSteepMakesNoWayLongerIfItIsNotTooSteep():void
         {

@@ -92,8 +92,9 @@ package starlogo.queries
         private var _middleZ:Number = 0;
         private var _loss:Number = 0;
 
-        // The motion, and the row's place at its end.
+        // The motion, and the row's places at its beginning and at its end.
         private var _motion:RelativeMotion = new RelativeMotion();
+        private var _start:Vector3D = new Vector3D();
         private var _end:Vector3D = new Vector3D();
 
         // When the row in its whole size touches the row that was found.
@@ -198,6 +199,7 @@ package starlogo.queries
         /** Sets the motion for the next tests. It forgets what was found on the way before. */
         public function aim(at:Vector3D, motion:Vector3D):void
         {
+            _start.copyFrom(at);
             _end.copyFrom(at);
             _end.incrementBy(motion);
             _motion.endAfter(motion.x, motion.y, motion.z);
@@ -213,8 +215,21 @@ package starlogo.queries
             wholeTime = RelativeMotion.NEVER;
             if (isNear(other, _motion))
             {
-                _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, null);
+                findImpact(other, 0, null);
                 wholeTime = _motion.time;
+            }
+        }
+
+        // Finds when the row first touches another. A sheet may be wholly under the ground at the beginning, and then it touches no surface.
+        private function findImpact(other:int, share:Number, out:ContactPoint):void
+        {
+            _moving.put(_end, share);
+            _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, out);
+            if (_motion.time == RelativeMotion.NEVER && _table.forms[other] == ModelShape.GROUND)
+            {
+                _moving.put(_start, share);
+                _motion.time = _pairs.areTouching(_table, _row, other) ? 0 : RelativeMotion.NEVER;
+                _moving.put(_end, share);
             }
         }
 
@@ -245,8 +260,7 @@ package starlogo.queries
                 return false;
             }
             var share:Number = shareOf(_moving);
-            _moving.put(_end, share);
-            _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, _tried);
+            findImpact(other, share, _tried);
             var first:Number = _motion.time;
             if (!(first < time))
             {

@@ -372,10 +372,21 @@ package starlogo.terrain
             meetInside(point.x, point.y, point.z);
         }
 
-        // A standing piece with a point that is under the ground overlaps it.
+        // A standing piece with a point that is under the ground overlaps it. If the ground is narrower, this is also so as seen from its sides.
         private function meetInside(x:Number, y:Number, z:Number):void
         {
-            _isFound ||= _goal == TIME && _motion === RelativeMotion.NONE && heightAt(x, y) >= z;
+            if (_goal == TIME && _motion === RelativeMotion.NONE && !_isFound)
+            {
+                var inset:Number = _faces.inset;
+                var lowest:Number = heightAt(x - inset, y - inset);
+                if (inset > 0)
+                {
+                    lowest = Math.min(lowest, heightAt(x + inset, y - inset));
+                    lowest = Math.min(lowest, heightAt(x - inset, y + inset));
+                    lowest = Math.min(lowest, heightAt(x + inset, y + inset));
+                }
+                _isFound = lowest - inset >= z;
+            }
         }
 
         // Tests the piece against a triangle. Keeps the result if it is better than all before it. The first one may also be only as good as

@@ -41,7 +41,7 @@ package starlogo.search
         // breed, otherBreed, breed, otherBreed, ...
         private var _added:Vector.<String> = new Vector.<String>();
 
-        // By row of the table that was read last: the number of its breed, or -1.
+        /** By row of the table that was read last: the number of its breed, or -1. */
         internal var ofRows:Vector.<int> = new Vector.<int>();
 
         /** Begins without pairs. */

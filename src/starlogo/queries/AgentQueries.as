@@ -570,6 +570,8 @@ package starlogo.queries
          * <code>dx</code> and <code>dy</code>, except for a slide after a fall. Such a slide goes at most half as far sideways as the agent
          * may fall. The agent ends a hair above the ground, as with <code>slide()</code>.</p>
          *
+         * <p>A walk that is longer than the agent goes in pieces of the agent's size, 64 at most.</p>
+         *
          * @param agent the agent that walks. While its model is loading it touches nothing
          * @param dx how far along x, in patches
          * @param dy how far along y

@@ -195,14 +195,14 @@ package starlogo.queries
         private function liftOutOf(i:int, mayLift:Boolean):void
         {
             var other:int = _others[i];
-            if (mayLift && _sweep.findContact(other, at, _standing))
+            var isShallow:Boolean = _sweep.findContact(other, at, _standing, !mayLift);
+            if (mayLift && isShallow)
             {
                 _standing.push(at, _standing.depth + _sweep.hair / 2);
                 return;
             }
             if (!_sweep.widenFor(other, at))
             {
-                _sweep.findContact(other, at, _standing, true);
                 _rest.add(_standing, other);
                 _count--;
                 _others[i] = _others[_count];

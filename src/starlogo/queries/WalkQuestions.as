@@ -32,8 +32,8 @@ package starlogo.queries
         private var _rays:RowRays = new RowRays();
         private var _defaults:WalkOptions = new WalkOptions();
 
-        // The walk: its options, and the cosine of the steepest slope; the way, its length, and the place where it begins; the size of the agent; the
-        // depth of ground that is close; and the greatest height of an edge that the agent can stand on.
+        // The walk: its options, and the cosine of the steepest slope; the way of a piece, its length, and the place where it begins; how far the
+        // agent slides down after a fall; its size; the depth of ground that is close; and the greatest height of an edge that it can stand on.
         private var _options:WalkOptions;
         private var _cosine:Number = 0;
         private var _dx:Number = 0;
@@ -72,8 +72,9 @@ package starlogo.queries
             var asked:WalkOptions = options || _defaults;
             var cosine:Number = Trigonometry.cosine(asked.slopeDegrees);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
-            var slide:Number = Math.min(asked.fall, _seen.placeOf(agent).size);
-            var pieces:int = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / _seen.placeOf(agent).size)));
+            var size:Number = _seen.placeOf(agent).size;
+            var slide:Number = Math.min(asked.fall, size);
+            var pieces:int = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
             // on the steepest slope the way is this long
             var reach:Number = whole / cosine + slide / 2;
             var row:int = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, pieces * asked.stepHeight, pieces * asked.snap + asked.fall);

@@ -96,11 +96,6 @@ package starlogo.terrain
         /** @copy #stepX */
         public var stepY:Number = 0;
 
-        // In cells: the way from the outer corner of the first column to a place. The height of the column there.
-        private var _toX:Number = 0;
-        private var _toY:Number = 0;
-        private var _top:Number = 0;
-
         // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
         private var _nothing:Number = NaN;
 
@@ -331,28 +326,22 @@ package starlogo.terrain
             }
         }
 
+        // Finds the heights of columns. Where columns meet, it is the highest.
         private function findTops(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int, out:Vector.<Number>):void
         {
             for (var i:int = 0; i < count; i++)
             {
                 var at:int = rows[members[i]];
-                _toX = (xs[at] - x) / cellWidth + 0.5;
-                _toY = (ys[at] - y) / cellWidth + 0.5;
-                findTop();
-                out[i] = _top;
+                // in cells, from the outer corner of the first column
+                var toX:Number = (xs[at] - x) / cellWidth + 0.5;
+                var toY:Number = (ys[at] - y) / cellWidth + 0.5;
+                out[i] = _nothing;
+                if (toX >= 0 && toY >= 0 && toX <= columns && toY <= this.rows)
+                {
+                    findRange(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, this.rows - 1));
+                    out[i] = greatest;
+                }
             }
-        }
-
-        // Finds the height of the column at a place. Where columns meet, it is the highest.
-        private function findTop():void
-        {
-            if (!(_toX >= 0 && _toY >= 0 && _toX <= columns && _toY <= rows))
-            {
-                _top = _nothing;
-                return;
-            }
-            findRange(Math.max(0, Math.ceil(_toX) - 1), Math.max(0, Math.ceil(_toY) - 1), Math.min(_toX, columns - 1), Math.min(_toY, rows - 1));
-            _top = greatest;
         }
     }
 }

@@ -56,6 +56,13 @@ package starlogo.blocks
             }
             _greatLand = greatLand;
             _agents = agents;
+            var exact:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            exact.exact = true;
+            _systems[UNIT_SPHERES] = new BinCollider(greatLand);
+            _systems[TIGHTEST_FITS] = new TightestFitCollider(greatLand);
+            _systems[HIERARCHIES] = new HierarchicalCollider(greatLand);
+            _systems[COMBINATION] = new CombinationCollider(greatLand);
+            _systems[EXACT] = exact;
             _collision = new Collision(systemNamed(_systemName));
         }
 
@@ -99,10 +106,6 @@ package starlogo.blocks
             if (NAMES.indexOf(name) < 0)
             {
                 throw new BlockError("use collision system", "does not know " + BlockSubject.nameOf(name) + ". Choose one of these: " + NAMES.join(", ") + ".");
-            }
-            if (_systems[name] == null)
-            {
-                _systems[name] = makeSystem(name);
             }
             return _systems[name];
         }
@@ -178,23 +181,6 @@ package starlogo.blocks
             if (script == null)
             {
                 throw new BlockError(block, "has nothing to do: put blocks into it.");
-            }
-        }
-
-        private function makeSystem(name:String):CollisionSystem
-        {
-            switch (name)
-            {
-                case UNIT_SPHERES:
-                    return new BinCollider(_greatLand);
-                case TIGHTEST_FITS:
-                    return new TightestFitCollider(_greatLand);
-                case COMBINATION:
-                    return new CombinationCollider(_greatLand);
-                default:
-                    var collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
-                    collider.exact = name == EXACT;
-                    return collider;
             }
         }
     }

@@ -2,7 +2,6 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
-    import starlogo.queries.AgentFilter;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -15,7 +14,6 @@ package starlogo.blocks
     {
         private var _collisions:CollisionBlocks;
         private var _detection:DetectionBlocks;
-        private var _ground:AgentFilter = AgentFilter.ofBreeds(Collision.TERRAIN);
 
         /**
          * Creates blocks for the ground and the edges of a game.
@@ -105,7 +103,7 @@ package starlogo.blocks
         public function isTouchingGround(agent:Agent):Boolean
         {
             BlockSubject.checkAgent("touching ground?", agent);
-            return _detection.queries.touchesAny(agent, _ground);
+            return _detection.isTouching(agent, Collision.TERRAIN);
         }
 
         /**

@@ -123,19 +123,11 @@ package starlogo.collision
             measure(agents, interests, takePart, fixtures, out, null);
         }
 
-        /** @private The engine's collider that works for a collision system, or null. */
-        engine static function behind(system:Object):Collider
-        {
-            var base:BaseCollider = system as BaseCollider;
-            return base == null ? null : base.collider;
-        }
-
         private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs,
                 outAgents:Vector.<Agent>):void
         {
             var start:Number = getTimer();
             search.find(agents, interests, takePart, out, _statistics, outAgents, fixtures);
-            _statistics.handlerCalls = _statistics.frameMs = 0;
             _statistics.findMs = getTimer() - start;
         }
 

@@ -11,7 +11,6 @@ package starlogo.collision
     import starlogo.handlers.HandlerCalls;
     import starlogo.handlers.HandlerTable;
     import starlogo.search.BreedInterests;
-    import starlogo.search.CollisionSearch;
     import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -304,8 +303,8 @@ package starlogo.collision
                 throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
             }
             readHandlers();
-            var search:CollisionSearch = _searched == null ? null : _searched.search;
-            return _snapshots.write(_calls.tracker, search, _lastAgents, _searched == _system.collider, terrain);
+            var searched:Collider = _searched || _system.collider;
+            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain);
         }
 
         /**

@@ -6,6 +6,7 @@ package starlogo.collision
     import flash.utils.Endian;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.engine;
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
@@ -13,13 +14,18 @@ package starlogo.collision
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
+    use namespace engine;
+
     /**
      * Writes and reads the snapshots of one Collision. A snapshot has what the next frame needs besides the agents' traits. Agents are numbers
      * in it: their indices in the last frame's list.
      *
      * <p>The bytes are: a mark; the number of agents, and for each whether it may have a motion from its last position, and that position; the
      * number of breeds' names, and the names; the number of touching pairs, and for each its agents, their breeds, and whether it touches both
-     * ways; the heights, if there is ground (SnapshotHeights); the agents' ids (SnapshotAgents).</p>
+     * ways; the ground, if there is one; the agents' ids (SnapshotAgents).</p>
+     *
+     * <p>The ground's bytes are: the number of columns; the number of rows; whether the surface is columns; then the heights. After a height
+     * of 0 comes the number of heights that are 0 from there on, and only the first of them is written.</p>
      */
     internal final class Snapshots
     {
@@ -31,7 +37,10 @@ package starlogo.collision
         // Receives the touching pairs when a snapshot is read; otherwise empty.
         private var _read:TouchTracker = new TouchTracker();
         private var _who:SnapshotAgents = new SnapshotAgents();
-        private var _heights:SnapshotHeights = new SnapshotHeights();
+
+        // The ground of the snapshot that is being read.
+        private var _isBlocky:Boolean;
+        private var _heights:Vector.<Number>;
 
         /** Creates it for a new Collision. */
         public function Snapshots()
@@ -42,33 +51,25 @@ package starlogo.collision
          * Returns the bytes of a snapshot.
          *
          * @param tracker knows the touching pairs
-         * @param search the last frame's search; null if there was none
-         * @param agents the last frame's list
-         * @param keepsMotions whether the agents' next motions begin at their positions in the search
+         * @param table has the last frame's agents
+         * @param agents the last frame's list. It is empty if there was no frame
+         * @param keepsMotions whether the agents' next motions begin at their positions in the table
+         * @param terrain the ground, or null
          * @throws IllegalOperationError if the collision system has searched another list
          */
-        public function write(tracker:TouchTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain):ByteArray
+        public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain):ByteArray
         {
-            if (search != null && !search.table.isListed(agents))
+            if (agents.length > 0 && !table.isListed(agents))
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
             bytes.writeInt(agents.length);
-            if (search == null)
-            {
-                // no names, no pairs
-                bytes.writeInt(0);
-                bytes.writeInt(0);
-            }
-            else
-            {
-                writePairs(bytes, tracker, search.table, search.table.writePositions(bytes, keepsMotions));
-            }
+            writePairs(bytes, tracker, table, agents.length == 0 ? null : table.writePositions(bytes, keepsMotions));
             if (terrain != null)
             {
-                _heights.write(bytes, terrain);
+                writeGround(bytes, terrain);
             }
             _who.write(bytes, agents);
             bytes.position = 0;
@@ -98,12 +99,13 @@ package starlogo.collision
             try
             {
                 search.table.check(agents);
-                check(readAll(copy, agents, found, terrain, bounds));
+                readAll(copy, agents, terrain, bounds);
                 copy.position = AGENTS_AT;
                 search.restorePositions(agents, copy);
                 if (terrain != null)
                 {
-                    _heights.restore(terrain);
+                    terrain.isBlocky = _isBlocky;
+                    terrain.setHeights(0, 0, terrain.columns, terrain.rows, _heights);
                 }
                 _read = tracker;
             }
@@ -114,6 +116,7 @@ package starlogo.collision
             finally
             {
                 _read.clear();
+                _heights = null;
             }
             return found;
         }
@@ -144,47 +147,63 @@ package starlogo.collision
             bytes.writeBytes(pairs);
         }
 
-        // Checks all bytes, and reads the pairs into a tracker without pairs. If the bytes are no snapshot, it returns false or throws an
-        // EOFError.
-        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker, terrain:Terrain, bounds:WorldBounds):Boolean
+        private static function writeGround(bytes:ByteArray, terrain:Terrain):void
         {
-            var count:int = bytes.readInt();
-            if (count < 0 || count > (bytes.length - AGENTS_AT) / BYTES_PER_AGENT)
+            bytes.writeInt(terrain.columns);
+            bytes.writeInt(terrain.rows);
+            bytes.writeBoolean(terrain.isBlocky);
+            var heights:Vector.<Number> = terrain.grid.heights;
+            for (var at:int = 0; at < heights.length; at += count)
             {
-                return false;
-            }
-            var end:int = bytes.length - SnapshotAgents.lengthOf(count);
-            bytes.position = Math.max(AGENTS_AT, end);
-            _who.check(bytes, count, agents);
-            bytes.position = AGENTS_AT;
-            // the ground and the edges have the indices after the agents
-            var all:Vector.<Agent> = agents.concat(new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent]);
-            return arePositions(bytes, count) && readPairs(bytes, all, count, tracker) && _heights.read(bytes, end, terrain) && bytes.position == end;
-        }
-
-        private static function arePositions(bytes:ByteArray, count:int):Boolean
-        {
-            for (var i:int = 0; i < count; i++)
-            {
-                if (bytes.readUnsignedByte() > 1 || !isCoordinate(bytes.readDouble()) || !isCoordinate(bytes.readDouble())
-                        || !isCoordinate(bytes.readDouble()))
+                var count:int = 1;
+                bytes.writeDouble(heights[at]);
+                if (heights[at] == 0)
                 {
-                    return false;
+                    while (at + count < heights.length && heights[at + count] == 0)
+                    {
+                        count++;
+                    }
+                    bytes.writeInt(count);
                 }
             }
-            return true;
         }
 
-        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, tracker:TouchTracker):Boolean
+        // Checks all bytes. Reads the pairs into the tracker without pairs, and the ground.
+        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, bounds:WorldBounds):void
+        {
+            var count:uint = bytes.readUnsignedInt();
+            check(count <= (bytes.length - AGENTS_AT) / BYTES_PER_AGENT);
+            var end:int = bytes.length - SnapshotAgents.lengthOf(count);
+            check(end >= AGENTS_AT);
+            bytes.position = end;
+            _who.check(bytes, count, agents);
+            bytes.position = AGENTS_AT;
+            for (var i:int = 0; i < count; i++)
+            {
+                check(bytes.readUnsignedByte() <= 1 && isCoordinate(bytes.readDouble()) && isCoordinate(bytes.readDouble()) && isCoordinate(bytes.readDouble()));
+            }
+            // the ground and the edges have the indices after the agents
+            readPairs(bytes, agents.concat(new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent]), count);
+            var hasGround:Boolean = bytes.position < end;
+            if (hasGround != (terrain != null))
+            {
+                var which:String = hasGround ? "without" : "with";
+                throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
+            }
+            if (hasGround)
+            {
+                readGround(bytes, terrain);
+            }
+            check(bytes.position == end);
+        }
+
+        private function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int):void
         {
             var breeds:Vector.<int> = new Vector.<int>();
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
             {
                 var name:String = bytes.readUTFBytes(bytes.readUnsignedInt());
-                if (name == "")
-                {
-                    return false;
-                }
+                check(name != "");
                 breeds.push(Breeds.numberOf(name));
             }
             var pairs:uint = bytes.readUnsignedInt();
@@ -195,19 +214,34 @@ package starlogo.collision
                 var firstBreed:uint = bytes.readUnsignedInt();
                 var secondBreed:uint = bytes.readUnsignedInt();
                 var flag:int = bytes.readUnsignedByte();
-                if (first >= count || second >= agents.length || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
-                {
-                    return false;
-                }
+                check(first < count && second < agents.length && first != second && firstBreed < breeds.length && secondBreed < breeds.length && flag <= 1);
                 if (agents[second] == null)
                 {
                     var missing:String = second == count ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                tracker.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
+                _read.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
             }
             // each agent is there once
-            return tracker.count == pairs;
+            check(_read.count == pairs);
+        }
+
+        private function readGround(bytes:ByteArray, terrain:Terrain):void
+        {
+            var columns:int = bytes.readInt();
+            var rows:int = bytes.readInt();
+            if (columns != terrain.columns || rows != terrain.rows)
+            {
+                throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights");
+            }
+            _isBlocky = bytes.readBoolean();
+            _heights = new Vector.<Number>(columns * rows);
+            for (var at:uint = 0; at < _heights.length; at += count)
+            {
+                _heights[at] = bytes.readDouble();
+                var count:uint = _heights[at] == 0 ? bytes.readUnsignedInt() : 1;
+                check(isCoordinate(_heights[at]) && count <= _heights.length - at);
+            }
         }
 
         private static function check(isSnapshot:Boolean):void

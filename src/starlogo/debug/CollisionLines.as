@@ -5,6 +5,7 @@ package starlogo.debug
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
+    import starlogo.collision.BaseCollider;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.CollisionSystem;
@@ -54,7 +55,7 @@ package starlogo.debug
          */
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
-            var collider:Collider = Collider.behind(system);
+            var collider:Collider = BaseCollider.of(system).collider;
             if (collider is BinCollider)
             {
                 var radius:Number = agent.size / 2;
@@ -110,15 +111,10 @@ package starlogo.debug
         // A Matrix3D is not used, because it has single precision.
         private static function placed(lines:Vector.<Number>, placement:Placement, out:Vector.<Number>):Vector.<Number>
         {
-            var size:Number = placement.size;
-            for (var i:int = 0; i < lines.length; i += 3)
+            var moved:Vector.<Number> = placement.movePoints(lines, 0, lines.length, new Vector.<Number>());
+            for (var i:int = 0; i < moved.length; i++)
             {
-                var x:Number = lines[i];
-                var y:Number = lines[i + 1];
-                var z:Number = lines[i + 2];
-                out.push(placement.x + size * (placement.r00 * x + placement.r01 * y + placement.r02 * z),
-                        placement.y + size * (placement.r10 * x + placement.r11 * y + placement.r12 * z),
-                        placement.z + size * (placement.r20 * x + placement.r21 * y + placement.r22 * z));
+                out.push(moved[i]);
             }
             return out;
         }

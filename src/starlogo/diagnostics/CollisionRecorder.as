@@ -80,10 +80,7 @@ package starlogo.diagnostics
         /** @inheritDoc */
         override public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            var start:Number = getTimer();
-            out = _system.findCollisions(agents, out);
-            countPairs(out, getTimer() - start);
-            return out;
+            return findCollisionsAmong(agents, null, out);
         }
 
         /** @inheritDoc */
@@ -91,7 +88,12 @@ package starlogo.diagnostics
         {
             var start:Number = getTimer();
             out = _system.findCollisionsAmong(agents, interests, out);
-            countPairs(out, getTimer() - start);
+            _findTimes.add(getTimer() - start);
+            for (var i:int = 0; i < out.length; i += 2)
+            {
+                countPair(out[i], out[i + 1]);
+            }
+            endFrame(out.length >> 1);
             return out;
         }
 
@@ -164,16 +166,6 @@ package starlogo.diagnostics
         public function toText():String
         {
             return JSON.stringify(toObject(), null, 2);
-        }
-
-        private function countPairs(pairs:Vector.<Agent>, milliseconds:Number):void
-        {
-            _findTimes.add(milliseconds);
-            for (var i:int = 0; i < pairs.length; i += 2)
-            {
-                countPair(pairs[i], pairs[i + 1]);
-            }
-            endFrame(pairs.length >> 1);
         }
 
         private function countPair(a:Agent, b:Agent):void

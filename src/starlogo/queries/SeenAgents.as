@@ -3,6 +3,7 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
+    import starlogo.collision.BaseCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.engine;
@@ -216,13 +217,13 @@ package starlogo.queries
         {
             var collision:Collision = _source as Collision;
             var system:Object = collision == null ? _source : collision.collisionSystem;
-            var collider:Collider = Collider.behind(system);
-            if (collider == null)
+            var base:BaseCollider = system as BaseCollider;
+            if (base == null || base.collider == null)
             {
                 throw new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
                         + textOf(system, "a Collision or a Collider"));
             }
-            return collider;
+            return base.collider;
         }
 
         private static function tableFor(collider:Collider):AgentTable

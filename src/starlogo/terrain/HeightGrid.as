@@ -66,7 +66,7 @@ package starlogo.terrain
         /** Finds where rays meet the ground. */
         public var rays:GroundRay = new GroundRay();
 
-        /** How often heights have changed. */
+        /** How often the surface has changed. */
         public var revision:int = 0;
 
         /** The place for <code>findHeight()</code>. */

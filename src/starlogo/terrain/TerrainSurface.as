@@ -23,7 +23,6 @@ package starlogo.terrain
 
         private var _grid:HeightGrid;
         private var _revision:int = -1;
-        private var _isBlocky:Boolean;
         private var _faces:GroundFaces = new GroundFaces();
 
         // Half the lengths of the box whose faces are drawn.
@@ -67,12 +66,11 @@ package starlogo.terrain
          */
         public function update():Boolean
         {
-            if (_grid.revision == _revision && _grid.isBlocky == _isBlocky)
+            if (_grid.revision == _revision)
             {
                 return false;
             }
             _revision = _grid.revision;
-            _isBlocky = _grid.isBlocky;
             vertices.length = normals.length = triangles.length = 0;
             _faces.box.halfX = _halfX;
             _faces.box.halfY = _halfY;
@@ -120,8 +118,8 @@ package starlogo.terrain
             var column:int = Math.round(x);
             var row:int = Math.round(y);
             var at:int = row * _grid.columns + column;
-            var slopeX:Number = _isBlocky ? 0 : slopeAt(at, 1, column, _grid.columns - 1);
-            var slopeY:Number = _isBlocky ? 0 : slopeAt(at, _grid.columns, row, _grid.rows - 1);
+            var slopeX:Number = _grid.isBlocky ? 0 : slopeAt(at, 1, column, _grid.columns - 1);
+            var slopeY:Number = _grid.isBlocky ? 0 : slopeAt(at, _grid.columns, row, _grid.rows - 1);
             var length:Number = Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1);
             normals.push(-slopeX / length, -slopeY / length, 1 / length);
         }

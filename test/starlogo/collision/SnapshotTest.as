@@ -14,6 +14,7 @@ package starlogo.collision
     import starlogo.queries.AgentQueries;
     import support.EachCollider;
     import support.Effort;
+    import support.OwnVectorSystem;
     import support.SolidModels;
     import support.assertThrows;
 
@@ -157,6 +158,18 @@ package starlogo.collision
             assertEquals(2, calls);
             assertThrows(ArgumentError, /twice/, collision.update, new <Agent>[a, a]);
             assertThrows(IllegalOperationError, /refused its list/, collision.snapshot);
+        }
+
+        [Test]
+        public function aFrameOfAnotherKindOfSystemHasNone():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("sphere")];
+            var collision:Collision = new Collision(new OwnVectorSystem(new <Agent>[]));
+            collision.update(agents);
+            collision.collisionSystem = new BinCollider(_greatLand);
+            assertThrows(IllegalOperationError, /another list since the last frame/, collision.snapshot);
+            collision.update(agents);
+            collision.restore(collision.snapshot(), agents);
         }
 
         [Test]

@@ -243,7 +243,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _touches.touching(agent, filter, out);
+            return _touches.list(agent, null, filter, out);
         }
 
         /**
@@ -308,7 +308,8 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _touches.overlapping(structure, filter, out);
+            AskedStructure.require(structure);
+            return _touches.list(null, structure, filter, out);
         }
 
         /**

@@ -13,10 +13,9 @@ package starlogo.queries
      *
      * @private
      */
-    public final class Cone extends RowTest
+    public final class Cone
     {
         private var _table:AgentTable;
-        private var _test:RowTest;
         private var _placement:Placement;
 
         // The angle between the axis and the border, in degrees below 180, with its sine and cosine.
@@ -35,14 +34,12 @@ package starlogo.queries
          * @param placement the place and the rotation of the cone
          * @param angle the angle between the axis and the border, in degrees below 180
          * @param table has the rows
-         * @param test a test that rows must pass too; null for none
-         * @return this test
+         * @return this cone
          */
-        public function setTo(placement:Placement, angle:Number, table:AgentTable, test:RowTest):RowTest
+        public function setTo(placement:Placement, angle:Number, table:AgentTable):Cone
         {
             _placement = placement;
             _table = table;
-            _test = test;
             if (angle != _angle)
             {
                 _angle = angle;
@@ -52,13 +49,9 @@ package starlogo.queries
             return this;
         }
 
-        /** @inheritDoc */
-        override public function accepts(row:int):Boolean
+        /** Whether a row is in the cone. */
+        public function contains(row:int):Boolean
         {
-            if (_test != null && !_test.accepts(row))
-            {
-                return false;
-            }
             var axisX:Number = _placement.r00;
             var axisY:Number = _placement.r10;
             var axisZ:Number = _placement.r20;

@@ -11,7 +11,6 @@ package starlogo.queries
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
-    import starlogo.search.AskedStructure;
     import starlogo.search.ModelShape;
     import starlogo.search.RowPairs;
 
@@ -29,7 +28,6 @@ package starlogo.queries
         public var closest:ClosestPair = new ClosestPair();
 
         private var _seen:SeenAgents;
-        private var _structure:AskedStructure = null;
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** @param seen the agents that questions are about */
@@ -64,9 +62,8 @@ package starlogo.queries
         /** Finds the distance between an agent and a point, and writes it to <code>closest</code>. See AgentQueries.distanceToPoint. */
         public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):void
         {
-            _structure ||= new AskedStructure();
             _point.center.setTo(point.x, point.y, point.z);
-            answer(_seen.rowOfNow(agent, 1), _structure.readInto(_seen.table, _point), out, null);
+            answer(_seen.rowOfNow(agent, 1), _seen.rowOfEither(null, _point), out, null);
             if (closest.distance == 0)
             {
                 // without the rounding of the point that was found

@@ -12,7 +12,7 @@ package starlogo.queries
      *
      * @private
      */
-    public final class FilteredRows extends RowTest
+    public final class FilteredRows
     {
         private var _seen:SeenAgents;
         private var _agents:Vector.<Agent>;
@@ -26,7 +26,6 @@ package starlogo.queries
         // The number of the question, from 1 on. If a filter has breeds, the marked breeds count. Else the marked breeds do not count.
         private var _question:int = 0;
         private var _marksChosen:Boolean = false;
-        private var _excepts:Boolean = false;
 
         /** @param seen the agents that questions are about */
         public function FilteredRows(seen:SeenAgents)
@@ -40,7 +39,7 @@ package starlogo.queries
          * @param filter not null
          * @return this test, or null if all rows count
          */
-        public function of(filter:AgentFilter):RowTest
+        public function of(filter:AgentFilter):FilteredRows
         {
             if (filter.breeds == null && filter.exceptBreeds == null && filter.except == null)
             {
@@ -48,7 +47,6 @@ package starlogo.queries
             }
             _agents = _seen.table.agents;
             _question++;
-            _excepts = filter.except != null;
             _marksChosen = filter.breeds != null;
             if (_marksChosen)
             {
@@ -64,7 +62,7 @@ package starlogo.queries
                 _excepted.length = _agents.length;
             }
             var except:Vector.<Agent> = filter.except;
-            for (var i:int = 0; _excepts && i < except.length; i++)
+            for (var i:int = 0; except != null && i < except.length; i++)
             {
                 var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);
                 if (row >= 0)
@@ -75,15 +73,12 @@ package starlogo.queries
             return this;
         }
 
-        /** @inheritDoc */
-        override public function accepts(row:int):Boolean
+        /** Whether a row counts. */
+        public function accepts(row:int):Boolean
         {
-            if (_excepts)
+            if (_excepted[row] == _question)
             {
-                if (_excepted[row] == _question)
-                {
-                    return false;
-                }
+                return false;
             }
             return _marks[_agents[row].breedNumber] == _question ? _marksChosen : !_marksChosen;
         }

@@ -37,8 +37,11 @@ package starlogo.queries
         /** The square of the largest distance at which rows are still wanted. */
         public var limit:Number = Infinity;
 
-        /** Tests whether a row counts; null if all rows count. */
-        public var test:RowTest = null;
+        /** Tests whether a row passes the filter; null if all rows do. */
+        public var test:FilteredRows = null;
+
+        /** The cone that rows must be in too; null for none. */
+        public var cone:Cone = null;
 
         /** A row that is left out, or -1. */
         public var skipped:int = -1;
@@ -70,18 +73,27 @@ package starlogo.queries
          *
          * @param most how many of the nearest rows are wanted, or ALL, or NUMBER
          * @param limit the square of the largest distance
-         * @param skipped a row that does not count, or -1
+         * @param asker the agent that asks, which does not count; or null
          * @param filter the agents that count; null for all
          */
-        public function begin(most:int, limit:Number, skipped:int, filter:AgentFilter):void
+        public function begin(most:int, limit:Number, asker:Agent, filter:AgentFilter):void
         {
             this.most = most;
             this.limit = limit;
-            this.skipped = skipped;
+            skipped = asker == null ? -1 : _seen.table.rowOf(asker);
             test = filter == null ? null : _filtered.of(filter);
             _accepts = filter == null ? null : filter.accepts;
+            cone = null;
             count = 0;
             _room = most < 1 || most > ALL / 2 ? ALL : 2 * most;
+        }
+
+        /**
+         * How many rows a search has to find if this many are wanted. If a filter's <code>accepts</code> may refuse some, it has to find all.
+         */
+        public static function toFind(most:int, filter:AgentFilter):int
+        {
+            return filter == null || filter.accepts == null ? most : ALL;
         }
 
         /** Whether a row counts: it passes the filter and is not the skipped row. */
@@ -136,6 +148,17 @@ package starlogo.queries
             }
             shorten(accepted, 0);
             return listed;
+        }
+
+        /** The number of rows that <code>accepts</code> does not refuse. It begins with the nearest, and counts to this number at most. */
+        public function countAccepted(most:int):int
+        {
+            if (_accepts == null)
+            {
+                return count;
+            }
+            sort();
+            return keepAccepted(0, most).length;
         }
 
         /**

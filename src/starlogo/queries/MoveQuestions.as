@@ -8,7 +8,6 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
-    import starlogo.search.AskedStructure;
 
     use namespace engine;
 
@@ -29,7 +28,6 @@ package starlogo.queries
         public var agents:Vector.<Agent> = new Vector.<Agent>();
 
         private var _seen:SeenAgents;
-        private var _structure:AskedStructure = null;
 
         // Hits that no list needs at present.
         private var _spare:Vector.<ShapeHit> = new Vector.<ShapeHit>();
@@ -101,7 +99,7 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             var row:int = begin(agent, structure, dx, dy, dz, filter);
-            _found.begin(FoundRows.ALL, Infinity, -1, null);
+            _found.begin(FoundRows.ALL, Infinity, null, null);
             for (var i:int = 0; i < agents.length; i++)
             {
                 moveAmong(row, agents[i]);
@@ -119,7 +117,7 @@ package starlogo.queries
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    hits[i] = takeSpare();
+                    hits[i] = _spare.pop() || new ShapeHit();
                 }
                 moveAmong(row, agents[i]);
                 write(hits[i]);
@@ -142,12 +140,12 @@ package starlogo.queries
             {
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
             }
-            if (structure == null && agent != null && Breeds.isReserved(agent.breedNumber))
+            if (agent != null && Breeds.isReserved(agent.breedNumber))
             {
                 throw new ArgumentError(agent + " does not move: it stands for the ground or the edges of the world");
             }
-            var row:int = readRow(agent, structure);
-            _found.begin(FoundRows.ALL, Infinity, structure == null ? _seen.rowOf(agent) : -1, filter);
+            var row:int = _seen.rowOfEither(agent, structure);
+            _found.begin(FoundRows.ALL, Infinity, agent, filter);
             if (_seen.table.shapes[row] != null)
             {
                 _seen.beginWay(_search, row);
@@ -166,17 +164,7 @@ package starlogo.queries
             {
                 mover = new Mover(_seen.pairs);
             }
-            return readRow(agent, structure);
-        }
-
-        private function readRow(agent:Agent, structure:BoundingStructure):int
-        {
-            if (structure == null)
-            {
-                return _seen.rowOfNow(agent);
-            }
-            _structure ||= new AskedStructure();
-            return _structure.readInto(_seen.table, structure);
+            return _seen.rowOfEither(agent, structure);
         }
 
         private function findNear():void
@@ -194,12 +182,6 @@ package starlogo.queries
         {
             _single[0] = other;
             mover.move(_seen.table, row, _single, way, Mover.SHORT);
-        }
-
-        private function takeSpare():ShapeHit
-        {
-            var spare:ShapeHit = _spare.length > 0 ? _spare.pop() : null;
-            return spare || new ShapeHit();
         }
 
         // Writes how the last row that moved touches the agent that stopped it.

@@ -201,7 +201,8 @@ package starlogo.queries
             var atY:Number = _y;
             var atZ:Number = _z;
             var rows:Vector.<int> = _tree.rows;
-            var test:RowTest = found.test;
+            var test:FilteredRows = found.test;
+            var cone:Cone = found.cone;
             var skipped:int = found.skipped;
             var countsAll:Boolean = _countsNodes;
             var limit:Number = found.limit;
@@ -236,6 +237,10 @@ package starlogo.queries
                     {
                         continue;
                     }
+                }
+                if (cone != null && !cone.contains(row))
+                {
+                    continue;
                 }
                 if (most == 1)
                 {

@@ -55,14 +55,8 @@ package starlogo.queries
         /** Counts the agents near a place. The parameters are those of <code>list()</code>. */
         public function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
-            var asks:Boolean = filter != null && filter.accepts != null;
-            find(asker, x, y, z, radius, asks ? FoundRows.ALL : FoundRows.NUMBER, filter);
-            if (!asks)
-            {
-                return _found.count;
-            }
-            _found.sort();
-            return _found.keepAccepted(0, FoundRows.ALL).length;
+            find(asker, x, y, z, radius, FoundRows.toFind(FoundRows.NUMBER, filter), filter);
+            return _found.countAccepted(FoundRows.ALL);
         }
 
         /** The agent nearest to a place, or null. The parameters are those of <code>list()</code>. */
@@ -88,7 +82,7 @@ package starlogo.queries
             begin(agent, radius, FoundRows.ALL, filter);
             if (degrees < 360)
             {
-                _found.test = _cone.setTo(agent.worldPlacement(), degrees / 2, _seen.table, _found.test);
+                _found.cone = _cone.setTo(agent.worldPlacement(), degrees / 2, _seen.table);
             }
             _search.find(_seen.findPlaces(), at.x, at.y, at.z, _found);
             return _found.list(out);
@@ -106,7 +100,7 @@ package starlogo.queries
             {
                 throw new RangeError("radius must not be negative: " + radius);
             }
-            _found.begin(most, radius * radius, asker == null ? -1 : _seen.rowOf(asker), filter);
+            _found.begin(most, radius * radius, asker, filter);
         }
 
         // Calls accepts for some of the nearest agents, then for the next nearest, until enough are accepted. accepts may ask questions itself.

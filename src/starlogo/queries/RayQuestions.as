@@ -31,11 +31,9 @@ package starlogo.queries
         // The hits for which accepts is called, by the number of questions under way; and hits that no list needs at present.
         private var _asked:Vector.<Vector.<RayHit>> = new Vector.<Vector.<RayHit>>();
         private var _spare:Vector.<RayHit> = new Vector.<RayHit>();
-        private var _spareCount:int = 0;
 
-        private var _blocking:RayHit = new RayHit();
-        private var _middle:Vector3D = new Vector3D();
-        private var _towards:Vector3D = new Vector3D();
+        private var _middleA:Vector3D = new Vector3D();
+        private var _middleB:Vector3D = new Vector3D();
 
         /** @param seen the agents that questions are about */
         public function RayQuestions(seen:SeenAgents)
@@ -74,7 +72,7 @@ package starlogo.queries
             list(hits);
             if (filter != null && filter.accepts != null)
             {
-                setLength(hits, keepAccepted(hits, FoundRows.ALL));
+                keepAccepted(hits, FoundRows.ALL);
             }
             return hits;
         }
@@ -82,32 +80,28 @@ package starlogo.queries
         /** See AgentQueries.canSee. */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter):Boolean
         {
-            findMiddle(a, _middle);
-            findMiddle(b, _towards);
-            if (a.number > b.number)
-            {
-                // the ray always starts at the same agent of the two, because rounding may let a ray that grazes something pass in one direction
-                // only
-                findMiddle(b, _middle);
-                findMiddle(a, _towards);
-            }
-            _towards.decrementBy(_middle);
-            var distance:Number = Math.sqrt(_towards.x * _towards.x + _towards.y * _towards.y + _towards.z * _towards.z);
+            findMiddle(a, _middleA);
+            findMiddle(b, _middleB);
+            // the ray always starts at the same agent of the two, because rounding may let a ray that grazes something pass in one direction only
+            var isTurned:Boolean = a.number > b.number;
+            var from:Vector3D = isTurned ? _middleB : _middleA;
+            var towards:Vector3D = isTurned ? _middleA : _middleB;
+            towards.decrementBy(from);
+            var distance:Number = Math.sqrt(towards.x * towards.x + towards.y * towards.y + towards.z * towards.z);
             if (distance == 0)
             {
                 // any direction will do
-                _towards.z = 1;
+                towards.z = 1;
             }
-            begin(_middle, _towards, distance, filter);
+            begin(from, towards, distance, filter);
             _found.skipped = _seen.rowOf(a);
             _skippedToo = _seen.rowOf(b);
-            if (filter != null && filter.accepts != null)
+            var most:int = FoundRows.toFind(1, filter);
+            for (var row:int = next(); row >= 0; row = _found.count < most ? next() : -1)
             {
-                var isBlocked:Boolean = findAccepted(_blocking) != null;
-                _blocking.agent = null;
-                return !isBlocked;
+                _found.add(row, _rays.distance);
             }
-            return next() < 0;
+            return _found.countAccepted(1) == 0;
         }
 
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
@@ -132,7 +126,7 @@ package starlogo.queries
             ray.aim(origin, direction);
             _rays.limit = maxDistance;
             _rays.begin(_seen.table, _seen.pairs.trees);
-            _found.begin(FoundRows.ALL, Infinity, -1, filter);
+            _found.begin(FoundRows.ALL, Infinity, null, filter);
             _skippedToo = -1;
             _search.begin(_seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
             _search.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
@@ -194,27 +188,16 @@ package starlogo.queries
                 if (hit != null)
                 {
                     hit.agent = null;
-                    _spare[_spareCount] = hit;
-                    _spareCount++;
+                    _spare.push(hit);
                 }
             }
             for (var i:int = 0; i < length; i++)
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    hits[i] = takeSpare();
+                    hits[i] = _spare.pop() || new RayHit();
                 }
             }
-        }
-
-        private function takeSpare():RayHit
-        {
-            if (_spareCount > 0)
-            {
-                _spareCount--;
-                return _spare[_spareCount];
-            }
-            return new RayHit();
         }
 
         // Calls accepts for the hits, beginning with the nearest, until one is accepted. Copies that hit.
@@ -226,19 +209,19 @@ package starlogo.queries
             }
             var hits:Vector.<RayHit> = _asked[_seen.asking];
             list(hits);
-            var isAccepted:Boolean = keepAccepted(hits, 1) > 0;
-            if (isAccepted)
+            keepAccepted(hits, 1);
+            if (hits.length == 0)
             {
-                hit ||= new RayHit();
-                copy(hits[0], hit);
+                return null;
             }
+            var nearest:RayHit = hit || new RayHit();
+            copy(hits[0], nearest);
             setLength(hits, 0);
-            return isAccepted ? hit : null;
+            return nearest;
         }
 
-        // Calls accepts for the hits of the list that was made last, until enough are accepted. Moves the accepted hits to the front, and
-        // returns their number.
-        private function keepAccepted(hits:Vector.<RayHit>, most:int):int
+        // Calls accepts for the hits of the list that was made last, until enough are accepted. Keeps only the accepted hits.
+        private function keepAccepted(hits:Vector.<RayHit>, most:int):void
         {
             var accepted:Vector.<Agent> = _found.keepAccepted(0, most);
             var kept:int = 0;
@@ -252,7 +235,7 @@ package starlogo.queries
                     kept++;
                 }
             }
-            return kept;
+            setLength(hits, kept);
         }
 
         private static function copy(from:RayHit, to:RayHit):void

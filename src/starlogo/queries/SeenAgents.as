@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
     import starlogo.collision.BaseCollider;
     import starlogo.collision.Collider;
@@ -9,6 +10,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.search.AgentTable;
+    import starlogo.search.AskedStructure;
     import starlogo.search.ModelShape;
     import starlogo.search.ModelShapes;
     import starlogo.search.RowList;
@@ -43,6 +45,7 @@ package starlogo.queries
         private var _terrain:Terrain = null;
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
+        private var _structure:AskedStructure = null;
 
         // The number of the list for which ranks was made.
         private var _listNumber:int = -1;
@@ -200,6 +203,17 @@ package starlogo.queries
             }
             table.readGuest(guest, asker);
             return guest;
+        }
+
+        /** A row with a structure, or with an agent as <code>rowOfNow()</code> has it if the structure is null. */
+        public function rowOfEither(agent:Agent, structure:BoundingStructure):int
+        {
+            if (structure == null)
+            {
+                return rowOfNow(agent);
+            }
+            _structure ||= new AskedStructure();
+            return _structure.readInto(table, structure);
         }
 
         private function findRanks(of:AgentTable):void

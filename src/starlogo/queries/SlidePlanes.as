@@ -45,7 +45,6 @@ package starlogo.queries
 
         // The rest of the motion when the corner began; a projection that is tried; and the plane that does not count for it.
         private var _whole:Vector3D = new Vector3D();
-        private var _wholeLength:Number = 0;
         private var _tried:Vector3D = new Vector3D();
         private var _without:int = -1;
 
@@ -75,7 +74,6 @@ package starlogo.queries
         {
             corner = count;
             _whole.copyFrom(motion);
-            _wholeLength = length;
         }
 
         /** Moves a place by a part of the rest, from 0 to 1, and takes this part off the rest. Returns the length of the part. */
@@ -89,7 +87,6 @@ package starlogo.queries
             motion.scaleBy(1 - part);
             _whole.scaleBy(1 - part);
             length *= 1 - part;
-            _wholeLength *= 1 - part;
             return gone;
         }
 
@@ -118,7 +115,6 @@ package starlogo.queries
         {
             motion.z = _whole.z = 0;
             length = motion.length;
-            _wholeLength = _whole.length;
         }
 
         /** Removes a plane. */
@@ -172,7 +168,7 @@ package starlogo.queries
                 tryCreases(i);
             }
             keepWithinWidest();
-            return length > STUCK * _wholeLength;
+            return length > STUCK * _whole.length;
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean

@@ -5,7 +5,6 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
-    import starlogo.search.AskedStructure;
     import starlogo.search.MovedRow;
     import starlogo.search.RowList;
     import starlogo.terrain.WorldBounds;
@@ -22,7 +21,6 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
-        private var _structure:AskedStructure = null;
         private var _moved:MovedRow = new MovedRow();
         private var _place:Vector3D = new Vector3D();
 
@@ -33,34 +31,25 @@ package starlogo.queries
             _found = new FoundRows(seen);
         }
 
-        /** See AgentQueries.touching. */
-        public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        /** Lists the agents that touch an agent or a structure. See AgentQueries.touching and AgentQueries.overlapping. */
+        public function list(agent:Agent, structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            findTouching(agent, null, filter, FoundRows.ALL);
+            find(agent, structure, null, FoundRows.ALL, filter);
             return _found.list(out);
         }
 
-        /** See AgentQueries.touchesAny. */
-        public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
+        /** See AgentQueries.touchesAny. The search ends at the first row that counts. */
+        public function touchesAny(agent:Agent, filter:AgentFilter, place:Vector3D = null):Boolean
         {
-            return isAnyTouched(agent, null, filter);
+            find(agent, null, place, FoundRows.toFind(1, filter), filter);
+            return _found.countAccepted(1) > 0;
         }
 
         /** See AgentQueries.overlapsAgent. */
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
             _place.setTo(x, y, z);
-            return isAnyTouched(agent, _place, filter);
-        }
-
-        /** See AgentQueries.overlapping. */
-        public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
-        {
-            _structure ||= new AskedStructure();
-            _found.begin(FoundRows.ALL, Infinity, -1, filter);
-            collectNear(_structure.readInto(_seen.table, structure));
-            _seen.table.endGuests();
-            return _found.list(out);
+            return touchesAny(agent, filter, _place);
         }
 
         /** See AgentQueries.touchesEdge. */
@@ -78,12 +67,12 @@ package starlogo.queries
             return touches;
         }
 
-        // Finds the rows that touch an agent, or would touch it at a place if there is one.
-        private function findTouching(agent:Agent, place:Vector3D, filter:AgentFilter, most:int):void
+        // Finds the rows that touch an agent or a structure, or would touch the agent at a place if there is one.
+        private function find(agent:Agent, structure:BoundingStructure, place:Vector3D, most:int, filter:AgentFilter):void
         {
             var table:AgentTable = _seen.table;
-            var row:int = _seen.rowOfNow(agent);
-            _found.begin(most, Infinity, _seen.rowOf(agent), filter);
+            var row:int = _seen.rowOfEither(agent, structure);
+            _found.begin(most, Infinity, agent, filter);
             if (table.shapes[row] != null)
             {
                 if (place != null)
@@ -98,19 +87,6 @@ package starlogo.queries
                 }
             }
             table.endGuests();
-        }
-
-        // The search ends at the first row. But if accepts has to be called, all rows must be found.
-        private function isAnyTouched(agent:Agent, place:Vector3D, filter:AgentFilter):Boolean
-        {
-            if (filter == null || filter.accepts == null)
-            {
-                findTouching(agent, place, filter, 1);
-                return _found.count > 0;
-            }
-            findTouching(agent, place, filter, FoundRows.ALL);
-            _found.sort();
-            return _found.keepAccepted(0, 1).length > 0;
         }
 
         // Collects the rows that count and touch a row. Each gets its distance from the row's place.

@@ -4,13 +4,22 @@ package starlogo.queries
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
+    import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
     import starlogo.collision.BinCollider;
+    import starlogo.engine;
+    import starlogo.models.BuiltInModel;
+    import starlogo.search.RowList;
+
+    use namespace engine;
 
     /** Searches in trees of places and of boxes against loops over all of them. */
     public class RowTreeTest
     {
+        private static const MOST_ROWS:int = 400;
+
         private var _random:SeededRandom;
+        private var _filter:AgentFilter = AgentFilter.ofBreeds("thirds");
         private var _x:Vector.<Number>;
         private var _y:Vector.<Number>;
         private var _z:Vector.<Number>;
@@ -27,8 +36,16 @@ package starlogo.queries
         {
             _random = new SeededRandom(811);
             _tree = new RowTree();
-            _seen = new SeenAgents(new BinCollider(new GreatLand()));
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.sphere());
+            _seen = new SeenAgents(new BinCollider(greatLand));
             _found = new FoundRows(_seen);
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < MOST_ROWS; i++)
+            {
+                agents.push(new Agent("sphere", i % 3 == 1 ? "thirds" : "others"));
+            }
+            _seen.update(agents);
         }
 
         [Test]
@@ -44,10 +61,10 @@ package starlogo.queries
                 {
                     var message:String = "world " + world + ", " + i;
                     assertNear(message, world, -1, null) ? foundSome++ : foundNone++;
-                    assertNear(message + ", some", world, -1, new ThirdsTest());
+                    assertNear(message + ", some", world, -1, _filter);
                     if (_rows.length > 0)
                     {
-                        assertNear(message + ", beside one", world, anyRow(), i % 2 == 0 ? null : new ThirdsTest());
+                        assertNear(message + ", beside one", world, anyRow(), i % 2 == 0 ? null : _filter);
                         moveOne(world);
                     }
                 }
@@ -80,13 +97,13 @@ package starlogo.queries
 
         private function makeWorld(world:int):void
         {
-            _x = new Vector.<Number>();
-            _y = new Vector.<Number>();
-            _z = new Vector.<Number>();
+            _x = new Vector.<Number>(RowList.GUESTS);
+            _y = new Vector.<Number>(RowList.GUESTS);
+            _z = new Vector.<Number>(RowList.GUESTS);
             _sizes = new Extents();
             _rows = new Vector.<int>();
-            var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, 400);
-            for (var row:int = 0; row < count; row++)
+            var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, MOST_ROWS);
+            for (var row:int = RowList.GUESTS; row < RowList.GUESTS + count; row++)
             {
                 _x[row] = coordinate(world);
                 _y[row] = coordinate(world);
@@ -94,8 +111,7 @@ package starlogo.queries
                 _sizes.halfX[row] = _sizes.halfY[row] = _random.logBetween(0.01, 10);
                 _sizes.halfZ[row] = _random.pick([0, 0.5, 2]);
             }
-            _seen.ranks.length = count;
-            for (row = count - 1; row >= 0; row--)
+            for (row = RowList.GUESTS + count - 1; row >= RowList.GUESTS; row--)
             {
                 if (row % 5 > 0 || count < 10)
                 {
@@ -145,7 +161,7 @@ package starlogo.queries
             }
         }
 
-        private function assertNear(message:String, world:int, skipped:int, test:RowTest):Boolean
+        private function assertNear(message:String, world:int, skipped:int, filter:AgentFilter):Boolean
         {
             var x:Number = skipped < 0 ? coordinate(world) : _x[skipped];
             var y:Number = skipped < 0 ? coordinate(world) : _y[skipped];
@@ -158,7 +174,7 @@ package starlogo.queries
                 var toY:Number = _y[row] - y;
                 var toZ:Number = _z[row] - z;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square <= limit && row != skipped && (test == null || test.accepts(row)))
+                if (square <= limit && row != skipped && (filter == null || filter.admits(_seen.table.agents[row])))
                 {
                     near.push({row: row, rank: _seen.ranks[row], square: square});
                 }
@@ -169,8 +185,8 @@ package starlogo.queries
                 });
             for each (var most:int in [FoundRows.ALL, 1, 2, 10, 150, 0])
             {
-                _found.begin(most, limit, skipped, null);
-                _found.test = test;
+                _found.begin(most, limit, null, filter);
+                _found.skipped = skipped;
                 _near.find(_tree, x, y, z, _found);
                 _found.sort();
                 assertEquals(message + ": " + most + ", how many", Math.min(most, near.length), _found.count);
@@ -180,8 +196,8 @@ package starlogo.queries
                     assertEquals(message + ": " + most + ", distance " + i, near[i].square, _found.squares[i]);
                 }
             }
-            _found.begin(FoundRows.NUMBER, limit, skipped, null);
-            _found.test = test;
+            _found.begin(FoundRows.NUMBER, limit, null, filter);
+            _found.skipped = skipped;
             _near.find(_tree, x, y, z, _found);
             assertEquals(message + ": count", near.length, _found.count);
             return near.length > 0;
@@ -244,15 +260,5 @@ package starlogo.queries
             }
             return first <= last;
         }
-    }
-}
-
-import starlogo.queries.RowTest;
-
-class ThirdsTest extends RowTest
-{
-    override public function accepts(row:int):Boolean
-    {
-        return row % 3 == 1;
     }
 }

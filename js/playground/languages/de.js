@@ -184,7 +184,7 @@ export const texts = {
 		differences: (frames) => `Sie unterscheiden sich in ${count(frames, "Bild", "Bildern")}.`,
 		firstDifference: (seconds, system, a, b) => `Zum ersten Mal nach ${seconds} s: Nur bei „${system}“ berührte ${a} ${b}.`,
 		sees: "Was die Engine sieht",
-		seesNote: { hit: "berühren sich", wrong: "falsch: die Modelle berühren sich nicht", missed: "verpasst: die Modelle berühren sich", none: "berührt nichts" },
+		seesNote: { hit: "berühren sich", wrong: "falsch: die Modelle berühren sich nicht", missed: "verpasst: die Modelle berühren sich", none: "berührt keinen Agenten" },
 		program: "Programm",
 		own: "Deine Programme", brought: "Knapp daneben", fromLink: "Aus einem Link",
 		copyOf: (name) => `${name} (meins)`,

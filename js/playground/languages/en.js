@@ -189,7 +189,7 @@ export const texts = {
 		differences: (frames) => `They differ in ${count(frames, "frame", "frames")}.`,
 		firstDifference: (seconds, system, a, b) => `The first time, after ${seconds} s, only ${lower(system)} had ${a} touch ${b}.`,
 		sees: "What the engine sees",
-		seesNote: { hit: "touching", wrong: "false: the models do not touch", missed: "missed: the models touch", none: "touching nothing" },
+		seesNote: { hit: "touching", wrong: "false: the models do not touch", missed: "missed: the models touch", none: "touching no agent" },
 		program: "Program",
 		own: "Your programs", brought: "Near misses", fromLink: "From a link",
 		copyOf: (name) => `${name} (mine)`,

@@ -68,15 +68,15 @@ export class Scene {
 
 	/**
 	 * Points the camera at a new program's game: over the shoulder of its main character, otherwise at all of its agents. If they are all over
-	 * the ground, at the whole ground.
+	 * the ground, or if there are hills, at the whole ground.
 	 *
 	 * @returns {string} the name of the camera
 	 */
 	lookAt(program) {
-		const { agents } = this.world;
+		const { agents, terrain } = this.world;
 		this.#mainBreed = mainBreedOf(program, agents);
 		this.camera = this.#mainBreed === null ? "all" : "follow";
-		this.stage.showAll(this.#partOf(agents));
+		this.stage.showAll(terrain ? null : this.#partOf(agents));
 		return this.camera;
 	}
 

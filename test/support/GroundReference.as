@@ -1,29 +1,14 @@
 package support
 {
     import flash.geom.Vector3D;
-    import starlogo.GreatLand;
-    import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
-    import starlogo.engine;
-    import starlogo.geometry.Placement;
-    import starlogo.hierarchy.HierarchyNode;
-    import starlogo.models.Model;
     import starlogo.terrain.Terrain;
 
-    use namespace engine;
-
     /**
-     * The ground as a list of all its triangles, and agents as lists of triangles with a radius around them: how far apart they are, found with every
-     * triangle against every other, in other ways than the engine's.
+     * The ground as a list of all its triangles: how far the pieces of agents (AgentPieces) are from it, found with every triangle against every
+     * other, in other ways than the engine's.
      */
     public final class GroundReference
     {
-        // A rectangle as two triangles.
-        private static const CORNERS:Vector.<int> = new <int>[0, 1, 2, 0, 2, 3];
-
         /** All triangles of the surface: nine numbers each, counter-clockwise from outside. */
         public var surface:Vector.<Number> = new Vector.<Number>();
 
@@ -133,97 +118,6 @@ package support
                 least = Math.min(least, PlainDistance.alongRay(origin, direction, surface, at));
             }
             return least;
-        }
-
-        /** The pieces that an agent is in a collision system of <code>EachCollider</code>. */
-        public static function piecesOf(name:String, agent:Agent, land:GreatLand, model:Model):Array
-        {
-            switch (name)
-            {
-                case "bins":
-                    return [pieceOf(new Sphere(new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2))];
-                case "hierarchies":
-                    return piecesOfTree(agent.worldPlacement(), land.hierarchies.root(agent.shape), 5);
-                case "triangles":
-                    return piecesOfTriangles(agent.worldPlacement(), model);
-                default:
-                    return [pieceOf(land.boundingStructures.tightestFit(agent.shape).place(agent.worldPlacement()))];
-            }
-        }
-
-        // Its nodes at a depth.
-        private static function piecesOfTree(placement:Placement, root:HierarchyNode, depth:int):Array
-        {
-            if (root.level >= depth || root.isLeaf)
-            {
-                return [pieceOf(root.bounds.place(placement))];
-            }
-            return piecesOfTree(placement, root.left, depth).concat(piecesOfTree(placement, root.right, depth));
-        }
-
-        private static function piecesOfTriangles(placement:Placement, model:Model):Array
-        {
-            var pieces:Array = [];
-            for (var i:int = 0; i < model.triangles.length; i += 3)
-            {
-                var points:Vector.<Number> = new Vector.<Number>();
-                for (var k:int = 0; k < 3; k++)
-                {
-                    var at:int = 3 * model.triangles[i + k];
-                    points.push(model.vertices[at], model.vertices[at + 1], model.vertices[at + 2]);
-                }
-                pieces.push({radius: 0, points: placed(points, placement)});
-            }
-            return pieces;
-        }
-
-        // Of a structure in the world.
-        private static function pieceOf(structure:BoundingStructure):Object
-        {
-            if (structure is Sphere)
-            {
-                var center:Vector3D = Sphere(structure).center;
-                return {radius: Sphere(structure).radius, points: new <Number>[center.x, center.y, center.z, center.x, center.y, center.z, center.x, center.y, center.z]};
-            }
-            if (structure is Capsule)
-            {
-                var start:Vector3D = Capsule(structure).start;
-                var end:Vector3D = Capsule(structure).end;
-                return {radius: Capsule(structure).radius, points: new <Number>[start.x, start.y, start.z, end.x, end.y, end.z, end.x, end.y, end.z]};
-            }
-            var box:Box = Box(structure);
-            var points:Vector.<Number> = new Vector.<Number>();
-            var signs:Vector.<Number> = new Vector.<Number>(3);
-            // by side: the axis across it, and its four corners round
-            for (var i:int = 0; i < 36; i++)
-            {
-                var side:int = i / 6;
-                var corner:int = CORNERS[i % 6];
-                signs[side >> 1] = side % 2 == 0 ? -1 : 1;
-                signs[((side >> 1) + 1) % 3] = corner == 1 || corner == 2 ? 1 : -1;
-                signs[((side >> 1) + 2) % 3] = corner >= 2 ? 1 : -1;
-                var x:Number = signs[0] * box.halfX;
-                var y:Number = signs[1] * box.halfY;
-                var z:Number = signs[2] * box.halfZ;
-                points.push(box.center.x + x * box.axisX.x + y * box.axisY.x + z * box.axisZ.x,
-                        box.center.y + x * box.axisX.y + y * box.axisY.y + z * box.axisZ.y,
-                        box.center.z + x * box.axisX.z + y * box.axisY.z + z * box.axisZ.z);
-            }
-            return {radius: 0, points: points};
-        }
-
-        private static function placed(points:Vector.<Number>, placement:Placement):Vector.<Number>
-        {
-            for (var i:int = 0; i < points.length; i += 3)
-            {
-                var x:Number = points[i] * placement.size;
-                var y:Number = points[i + 1] * placement.size;
-                var z:Number = points[i + 2] * placement.size;
-                points[i] = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
-                points[i + 1] = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
-                points[i + 2] = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
-            }
-            return points;
         }
 
         private function addSlopes():void

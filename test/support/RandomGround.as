@@ -18,13 +18,10 @@ package support
             var far:Number = kind == "far out" ? random.integer(-1000000, 1000000) : 0;
             var terrain:Terrain = new Terrain(columns, rows, width, far - columns * width / 2, far - rows * width / 2);
             terrain.isBlocky = random.chance(0.5);
-            for (var row:int = 0; row < rows; row++)
-            {
-                for (var column:int = 0; column < columns; column++)
+            fillHeights(terrain, function(column:int, row:int):Number
                 {
-                    terrain.setHeight(column, row, heightOf(kind, column, row, width, random));
-                }
-            }
+                    return heightOf(kind, column, row, width, random);
+                });
             if (kind == "needle")
             {
                 terrain.setHeight(random.integer(0, columns - 1), random.integer(0, rows - 1), random.between(50, 1000));

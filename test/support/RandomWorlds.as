@@ -30,6 +30,30 @@ package support
             return agents;
         }
 
+        /**
+         * Makes agents of several shapes about the origin: upright or not, with their structures or their trees.
+         *
+         * @param reach how far away they are along each axis, at most
+         */
+        public static function mixed(count:int, shapes:Array, reach:Number, random:SeededRandom):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                var agent:Agent = agentAt(random.pick(shapes), random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach));
+                agent.heading = random.pick([0, 90, random.between(0, 360)]);
+                agent.size = random.logBetween(0.3, 4);
+                agent.hierarchical = random.chance();
+                if (random.chance())
+                {
+                    agent.pitch = random.between(-90, 90);
+                    agent.roll = random.between(-90, 90);
+                }
+                agents.push(agent);
+            }
+            return agents;
+        }
+
         private static function placers():Object
         {
             return {

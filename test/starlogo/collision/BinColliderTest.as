@@ -11,6 +11,7 @@ package starlogo.collision
     import support.RandomWorlds;
     import evaluation.pairs.SeededRandom;
     import starlogo.search.BreedInterests;
+    import support.agentAt;
     import support.assertThrows;
 
     public class BinColliderTest
@@ -31,11 +32,11 @@ package starlogo.collision
         [Test]
         public function isAUnitSphereOnTheGround():void
         {
-            var a:Agent = agentAt(0, 0, 0);
-            assertTrue("touching along x", _collider.areColliding(a, agentAt(1, 0, 0)));
-            assertFalse("just apart along x", _collider.areColliding(a, agentAt(1.000001, 0, 0)));
-            assertTrue("touching along z", _collider.areColliding(a, agentAt(0, 0, -1)));
-            assertFalse("corner of the cube, outside of the sphere", _collider.areColliding(a, agentAt(0.8, 0.8, 0)));
+            var a:Agent = agentAt("cube", 0, 0, 0);
+            assertTrue("touching along x", _collider.areColliding(a, agentAt("cube", 1, 0, 0)));
+            assertFalse("just apart along x", _collider.areColliding(a, agentAt("cube", 1.000001, 0, 0)));
+            assertTrue("touching along z", _collider.areColliding(a, agentAt("cube", 0, 0, -1)));
+            assertFalse("corner of the cube, outside of the sphere", _collider.areColliding(a, agentAt("cube", 0.8, 0.8, 0)));
         }
 
         [Test]
@@ -94,7 +95,7 @@ package starlogo.collision
         {
             var interests:BreedInterests = new BreedInterests();
             interests.add("bears", "bears");
-            var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(0, 0, 0)];
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), agentAt("cube", 0, 0, 0)];
             agents[0].size = agents[1].size = 1e-6;
             var pairs:Vector.<Agent> = new Vector.<Agent>();
             for (var far:Number = 1e4; far <= Agent.LARGEST_COORDINATE; far *= 10)
@@ -118,7 +119,7 @@ package starlogo.collision
         [Test]
         public function whoSweptFarAndStandsFarOutIsFoundThere():void
         {
-            var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(0, 0, 0)];
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), agentAt("cube", 0, 0, 0)];
             agents[0].size = agents[1].size = 1e-6;
             for (var far:Number = 1e4; far <= Agent.LARGEST_COORDINATE; far *= 10)
             {
@@ -144,7 +145,7 @@ package starlogo.collision
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < 1000; i++)
             {
-                agents.push(agentAt(7.5, -3.25, i * 1.5));
+                agents.push(agentAt("cube", 7.5, -3.25, i * 1.5));
             }
             assertEquals("stacked, no two touch", 0, _collider.findCollisions(agents).length);
             assertEquals(1000 * 999 / 2, _collider.statistics.candidatePairs);
@@ -158,8 +159,8 @@ package starlogo.collision
         [Test]
         public function badAgentsAreNamedAndChangeNothing():void
         {
-            var a:Agent = agentAt(0, 0, 0);
-            var b:Agent = agentAt(0.5, 0, 0);
+            var a:Agent = agentAt("cube", 0, 0, 0);
+            var b:Agent = agentAt("cube", 0.5, 0, 0);
             var out:Vector.<Agent> = new <Agent>[a];
             var unknown:Agent = new Agent("unicorn", "horses");
             assertThrows(ArgumentError, /agents\[1\] is null/, _collider.findCollisions, new <Agent>[a, null], out);
@@ -176,7 +177,7 @@ package starlogo.collision
         [Test]
         public function countsWhatItDoes():void
         {
-            var agents:Vector.<Agent> = new <Agent>[agentAt(1, 1, 0), agentAt(1.2, 1, 0), agentAt(1, 1, 4), agentAt(9, 9, 0)];
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 1, 1, 0), agentAt("cube", 1.2, 1, 0), agentAt("cube", 1, 1, 4), agentAt("cube", 9, 9, 0)];
             _collider.findCollisions(agents);
             var statistics:CollisionStatistics = _collider.statistics;
             assertEquals(4, statistics.agents);
@@ -211,22 +212,15 @@ package starlogo.collision
 
         private function entriesOf(x:Number, y:Number):int
         {
-            return entriesOfAgent(agentAt(x, y, 0));
+            return entriesOfAgent(agentAt("cube", x, y, 0));
         }
 
         private function entriesOfAgent(agent:Agent):int
         {
             // another one far away: bins of a single agent are not worth making
-            var far:Agent = agentAt(1e4 + 1, 1, 0);
+            var far:Agent = agentAt("cube", 1e4 + 1, 1, 0);
             _collider.findCollisions(new <Agent>[agent, far]);
             return _collider.statistics.binEntries - 1;
-        }
-
-        private static function agentAt(x:Number, y:Number, z:Number):Agent
-        {
-            var agent:Agent = new Agent("cube");
-            agent.moveTo(x, y, z);
-            return agent;
         }
     }
 }

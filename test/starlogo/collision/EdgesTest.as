@@ -10,22 +10,19 @@ package starlogo.collision
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
-    import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.queries.AgentQueries;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
+    import support.AgentPieces;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
     import support.OwnVectorSystem;
+    import support.RandomWorlds;
     import support.SolidModels;
-    import support.TransformedStructure;
+    import support.agentAt;
     import support.assertThrows;
 
     /** The edges of the world: which agents touch them, when and how, against all corners of all shapes. */
@@ -83,7 +80,7 @@ package starlogo.collision
                 for (var i:int = Effort.choose(20, 1500); i > 0; i--)
                 {
                     _bounds = anyBounds();
-                    var agents:Vector.<Agent> = anyAgents(8);
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(8, SHAPES, 10, _random);
                     var collision:Collision = makeCollision(name);
                     collision.update(agents);
                     var queries:AgentQueries = new AgentQueries(collision);
@@ -126,7 +123,7 @@ package starlogo.collision
                 for (var i:int = Effort.choose(40, 3000); i > 0; i--)
                 {
                     _bounds = anyBounds();
-                    var agent:Agent = anyAgents(1)[0];
+                    var agent:Agent = RandomWorlds.mixed(1, SHAPES, 10, _random)[0];
                     agent.sweeps = true;
                     var collision:Collision = makeCollision(name);
                     var way:Vector3D = new Vector3D(_random.between(-9, 9), _random.between(-9, 9), _random.between(-9, 9));
@@ -154,8 +151,7 @@ package starlogo.collision
         {
             for each (var name:String in EachCollider.NAMES)
             {
-                var ball:Agent = new Agent("sphere", "balls");
-                ball.moveTo(49, 3, 0);
+                var ball:Agent = agentAt("sphere", 49, 3, 0, "balls");
                 var speed:Vector3D = new Vector3D(0.75, 0.5, 0);
                 var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
                 collision.bounds = new WorldBounds(-50.5, -50.5, -Infinity, 50.5, 50.5, Infinity);
@@ -229,16 +225,14 @@ package starlogo.collision
                 var collider:Collider = EachCollider.make(name, sGreatLand);
                 var collision:Collision = new Collision(collider);
                 collision.bounds = new WorldBounds(0, -Infinity, 0, 9, Infinity, 9);
-                var cube:Agent = new Agent("cube", "cubes");
-                cube.moveTo(0.25, 0, 3);
+                var cube:Agent = agentAt("cube", 0.25, 0, 3, "cubes");
                 collision.update(new <Agent>[cube]);
                 assertTrue(name, collider.areColliding(cube, collision.bounds.agent) && collider.areColliding(collision.bounds.agent, cube));
                 var contact:Contact = collider.contactOf(cube, collision.bounds.agent);
                 assertTrue(name + contact.normal, contact.normal.x == 1 && Math.abs(contact.depth - 0.25) < NEAR && contact.time == 1);
                 assertTrue(name + contact.point, Math.abs(contact.point.x + 0.125) < NEAR && Math.abs(contact.point.y) < 0.5 + NEAR);
                 assertEquals(name, -1, collider.contactOf(collision.bounds.agent, cube).normal.x);
-                var far:Agent = new Agent("cube");
-                far.moveTo(5, 0, 4);
+                var far:Agent = agentAt("cube", 5, 0, 4);
                 assertFalse(name, collider.areColliding(far, collision.bounds.agent));
                 assertEquals(name + ": nearest", 0, collider.contactOf(far, collision.bounds.agent).depth);
                 // it is larger than the world: it cannot get free, and is led to the side where it is less far beyond
@@ -257,10 +251,8 @@ package starlogo.collision
             {
                 var collider:Collider = EachCollider.make(name, sGreatLand);
                 var bounds:WorldBounds = new WorldBounds(-9, -9, -9, 9, 9, Infinity);
-                var inside:Agent = new Agent("cube");
-                inside.moveTo(6, 2, 0);
-                var outside:Agent = new Agent("cube");
-                outside.moveTo(0, -9, 0);
+                var inside:Agent = agentAt("cube", 6, 2, 0);
+                var outside:Agent = agentAt("cube", 0, -9, 0);
                 var queries:AgentQueries = new AgentQueries(collider);
                 queries.terrain = new Terrain(3, 3, 1, -1, -1);
                 queries.update(new <Agent>[inside, outside]);
@@ -450,80 +442,20 @@ package starlogo.collision
         {
             var least:Vector3D = new Vector3D(Infinity, Infinity, Infinity);
             var most:Vector3D = new Vector3D(-Infinity, -Infinity, -Infinity);
-            for each (var ball:Array in ballsOf(name, agent))
+            for each (var piece:Object in AgentPieces.of(name, agent, sGreatLand, sModels[agent.shape]))
             {
-                var at:Vector3D = ball[0];
-                var radius:Number = ball[1];
-                least.setTo(Math.min(least.x, at.x - radius), Math.min(least.y, at.y - radius), Math.min(least.z, at.z - radius));
-                most.setTo(Math.max(most.x, at.x + radius), Math.max(most.y, at.y + radius), Math.max(most.z, at.z + radius));
+                var radius:Number = piece.radius;
+                for (var i:int = 0; i < piece.points.length; i += 3)
+                {
+                    var x:Number = piece.points[i];
+                    var y:Number = piece.points[i + 1];
+                    var z:Number = piece.points[i + 2];
+                    least.setTo(Math.min(least.x, x - radius), Math.min(least.y, y - radius), Math.min(least.z, z - radius));
+                    most.setTo(Math.max(most.x, x + radius), Math.max(most.y, y + radius), Math.max(most.z, z + radius));
+                }
             }
             _size = Math.max(most.x - least.x, most.y - least.y, most.z - least.z);
             return [_bounds.minX - least.x, most.x - _bounds.maxX, _bounds.minY - least.y, most.y - _bounds.maxY, _bounds.minZ - least.z, most.z - _bounds.maxZ];
-        }
-
-        // Balls whose hull is an agent's shape, in the world.
-        private function ballsOf(name:String, agent:Agent):Array
-        {
-            if (name == "bins")
-            {
-                return [[new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2]];
-            }
-            var isTree:Boolean = name != "tightest fits" && (agent.hierarchical || name.indexOf("combinations") < 0);
-            if (!isTree)
-            {
-                return ballsOfStructure(TransformedStructure.of(sGreatLand.boundingStructures.tightestFit(agent.shape), agent));
-            }
-            var balls:Array = [];
-            if (name == "triangles" || name == "combinations, exact")
-            {
-                var vertices:Vector.<Number> = sModels[agent.shape].vertices;
-                for (var i:int = 0; i < vertices.length; i += 3)
-                {
-                    var point:Sphere = new Sphere(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2]), 0);
-                    balls.push([Sphere(TransformedStructure.of(point, agent)).center, 0]);
-                }
-                return balls;
-            }
-            addNodes(sGreatLand.hierarchies.root(agent.shape), 5, agent, balls);
-            return balls;
-        }
-
-        private function addNodes(node:HierarchyNode, depth:int, agent:Agent, balls:Array):void
-        {
-            if (depth > 1 && !node.isLeaf)
-            {
-                addNodes(node.left, depth - 1, agent, balls);
-                addNodes(node.right, depth - 1, agent, balls);
-                return;
-            }
-            for each (var ball:Array in ballsOfStructure(TransformedStructure.of(node.bounds, agent)))
-            {
-                balls.push(ball);
-            }
-        }
-
-        private static function ballsOfStructure(structure:BoundingStructure):Array
-        {
-            if (structure is Sphere)
-            {
-                return [[Sphere(structure).center, Sphere(structure).radius]];
-            }
-            if (structure is Capsule)
-            {
-                return [[Capsule(structure).start, Capsule(structure).radius], [Capsule(structure).end, Capsule(structure).radius]];
-            }
-            var box:Box = Box(structure);
-            var balls:Array = [];
-            for (var i:int = 0; i < 8; i++)
-            {
-                var x:Number = i % 2 == 0 ? box.halfX : -box.halfX;
-                var y:Number = i % 4 < 2 ? box.halfY : -box.halfY;
-                var z:Number = i < 4 ? box.halfZ : -box.halfZ;
-                balls.push([new Vector3D(box.center.x + x * box.axisX.x + y * box.axisY.x + z * box.axisZ.x,
-                                box.center.y + x * box.axisX.y + y * box.axisY.y + z * box.axisZ.y,
-                                box.center.z + x * box.axisX.z + y * box.axisY.z + z * box.axisZ.z), 0]);
-            }
-            return balls;
         }
 
         private function anyBounds():WorldBounds
@@ -531,26 +463,6 @@ package starlogo.collision
             var size:Number = _random.pick([6, 9, 12]);
             return new WorldBounds(_random.chance(0.2) ? -Infinity : -size, _random.chance(0.2) ? -Infinity : -size, _random.chance(0.5) ? -Infinity : -size,
                     _random.chance(0.2) ? Infinity : size, _random.chance(0.2) ? Infinity : size + 1, _random.chance(0.5) ? Infinity : size);
-        }
-
-        private function anyAgents(count:int):Vector.<Agent>
-        {
-            var agents:Vector.<Agent> = new Vector.<Agent>();
-            for (var i:int = 0; i < count; i++)
-            {
-                var agent:Agent = new Agent(_random.pick(SHAPES));
-                agent.moveTo(_random.between(-10, 10), _random.between(-10, 10), _random.between(-10, 10));
-                agent.heading = _random.pick([0, 90, _random.between(0, 360)]);
-                agent.size = _random.logBetween(0.3, 4);
-                agent.hierarchical = _random.chance();
-                if (_random.chance())
-                {
-                    agent.pitch = _random.between(-90, 90);
-                    agent.roll = _random.between(-90, 90);
-                }
-                agents.push(agent);
-            }
-            return agents;
         }
     }
 }

@@ -13,6 +13,7 @@ package starlogo.collision
     import evaluation.pairs.SeededRandom;
     import starlogo.search.StructureTests;
     import support.TransformedStructure;
+    import support.agentAt;
     import support.assertThrows;
 
     public class TightestFitColliderTest
@@ -180,13 +181,6 @@ package starlogo.collision
             collider.findCollisions(agents);
             var statistics:CollisionStatistics = collider.statistics;
             return [statistics.sphereSphereTests, statistics.capsuleCapsuleTests, statistics.boxBoxTests].join(" ");
-        }
-
-        private static function agentAt(shape:String, x:Number, y:Number, z:Number):Agent
-        {
-            var agent:Agent = new Agent(shape);
-            agent.moveTo(x, y, z);
-            return agent;
         }
 
         private static function box(name:String, x:Number, y:Number, z:Number):Model

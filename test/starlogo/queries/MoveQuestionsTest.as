@@ -12,7 +12,9 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.RandomWorlds;
     import support.SolidModels;
+    import support.agentAt;
     import support.assertThrows;
 
     /** How far agents go until they touch, against fine steps; and what stops nothing. */
@@ -94,7 +96,7 @@ package starlogo.queries
                 var queries:AgentQueries = new AgentQueries(collider);
                 for (var i:int = Effort.choose(200, 5000); i > 0; i--)
                 {
-                    var agents:Vector.<Agent> = anyAgents(6, 1.5);
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 1.5, _random);
                     var mover:Agent = agents[0];
                     if (_random.chance())
                     {
@@ -140,7 +142,7 @@ package starlogo.queries
                 var queries:AgentQueries = new AgentQueries(collider);
                 for (var i:int = Effort.choose(100, 3000); i > 0; i--)
                 {
-                    var agents:Vector.<Agent> = anyAgents(6, 3);
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 3, _random);
                     queries.update(agents);
                     var mover:Agent = agents[0];
                     if (touchesAny(collider, mover, agents))
@@ -195,8 +197,8 @@ package starlogo.queries
             for each (var name:String in EachCollider.NAMES)
             {
                 var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
-                var mover:Agent = cubeAt(0.7, 0.02, 0);
-                queries.update(new <Agent>[mover, cubeAt(0, 0, 0)]);
+                var mover:Agent = agentAt("cube", 0.7, 0.02, 0);
+                queries.update(new <Agent>[mover, agentAt("cube", 0, 0, 0)]);
                 var contact:Contact = new Contact();
                 assertEquals(name, 0, queries.moveUntilTouch(mover, -0.1, 0, 0, null, contact));
                 assertNear(name, mover, 0.7, 0.02, 0);
@@ -214,8 +216,8 @@ package starlogo.queries
         public function motionsMustBeNumbersAndNoneIsNone():void
         {
             var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
-            var mover:Agent = cubeAt(0, 0, 0);
-            queries.update(new <Agent>[cubeAt(0.5, 0, 0), cubeAt(3, 0, 0)]);
+            var mover:Agent = agentAt("cube", 0, 0, 0);
+            queries.update(new <Agent>[agentAt("cube", 0.5, 0, 0), agentAt("cube", 3, 0, 0)]);
             assertThrows(RangeError, /NaN/, queries.moveUntilTouch, mover, NaN, 0, 0);
             assertThrows(RangeError, /Infinity/, queries.slide, mover, 0, 0, Infinity);
             assertThrows(ArgumentError, /null/, queries.slide, null, 0, 0, 1);
@@ -229,10 +231,10 @@ package starlogo.queries
         public function filtersLetThrough():void
         {
             var queries:AgentQueries = new AgentQueries(EachCollider.make("hierarchies", sGreatLand));
-            var mover:Agent = cubeAt(0, 0, 0);
-            var ghost:Agent = cubeAt(2, 0, 0);
+            var mover:Agent = agentAt("cube", 0, 0, 0);
+            var ghost:Agent = agentAt("cube", 2, 0, 0);
             ghost.breed = "ghosts";
-            queries.update(new <Agent>[mover, ghost, cubeAt(4, 0, 0)]);
+            queries.update(new <Agent>[mover, ghost, agentAt("cube", 4, 0, 0)]);
             var filter:AgentFilter = new AgentFilter();
             filter.exceptBreeds = new <String>["ghosts"];
             assertTrue(Math.abs(queries.moveUntilTouch(mover, 8, 0, 0, filter) - 3 / 8) < 1e-9);
@@ -240,18 +242,11 @@ package starlogo.queries
             filter.accepts = function(agent:Agent):Boolean
             {
                 // a question of its own
-                queries.moveUntilTouch(cubeAt(0, 50, 0), 1, 0, 0);
+                queries.moveUntilTouch(agentAt("cube", 0, 50, 0), 1, 0, 0);
                 return agent.x < 0;
             };
             assertEquals(1, queries.moveUntilTouch(mover, 8, 0, 0, filter));
-            assertEquals(1, queries.countNear(cubeAt(8, 0, 0), 0.1));
-        }
-
-        private static function cubeAt(x:Number, y:Number, z:Number):Agent
-        {
-            var cube:Agent = new Agent("cube");
-            cube.moveTo(x, y, z);
-            return cube;
+            assertEquals(1, queries.countNear(agentAt("cube", 8, 0, 0), 0.1));
         }
 
         private static function assertNear(message:String, agent:Agent, x:Number, y:Number, z:Number):void
@@ -283,22 +278,6 @@ package starlogo.queries
                 }
             }
             return false;
-        }
-
-        private function anyAgents(count:int, reach:Number):Vector.<Agent>
-        {
-            var agents:Vector.<Agent> = new Vector.<Agent>();
-            for (var i:int = 0; i < count; i++)
-            {
-                var agent:Agent = new Agent(_random.pick(SHAPES));
-                agent.size = _random.logBetween(0.3, 2);
-                agent.hierarchical = _random.chance();
-                agent.heading = _random.chance() ? 0 : _random.between(0, 360);
-                agent.pitch = _random.chance() ? 0 : _random.between(0, 360);
-                agent.moveTo(_random.between(-reach, reach), _random.between(-reach, reach), _random.between(-1, 1));
-                agents.push(agent);
-            }
-            return agents;
         }
     }
 }

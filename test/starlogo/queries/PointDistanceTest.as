@@ -12,6 +12,7 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.RandomWorlds;
     import support.SolidModels;
     import support.TriangleDistance;
     import support.assertThrows;
@@ -53,7 +54,7 @@ package starlogo.queries
                 var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
                 for (var i:int = Effort.choose(120, 10000); i > 0; i--)
                 {
-                    var agent:Agent = anyAgent();
+                    var agent:Agent = RandomWorlds.mixed(1, SHAPES, 0, _random)[0];
                     queries.update(new <Agent>[agent]);
                     var point:Vector3D = new Vector3D(_random.between(-1.2, 1.2), _random.between(-1.2, 1.2), _random.between(-0.5, 1.5));
                     var out:Vector3D = new Vector3D(NaN, NaN, NaN);
@@ -116,7 +117,7 @@ package starlogo.queries
                 var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
                 for (var i:int = Effort.choose(100, 5000); i > 0; i--)
                 {
-                    var agent:Agent = anyAgent();
+                    var agent:Agent = RandomWorlds.mixed(1, SHAPES, 0, _random)[0];
                     agent.hierarchical = true;
                     queries.update(new <Agent>[agent]);
                     var from:Vector3D = new Vector3D(_random.between(-4, 4), _random.between(-4, 4), _random.between(-4, 4));
@@ -150,20 +151,6 @@ package starlogo.queries
                 corners.push(corner.x, corner.y, corner.z);
             }
             return corners;
-        }
-
-        private function anyAgent():Agent
-        {
-            var agent:Agent = new Agent(_random.pick(SHAPES));
-            agent.size = _random.logBetween(0.5, 3);
-            agent.heading = _random.between(0, 360);
-            agent.hierarchical = _random.chance();
-            if (_random.chance())
-            {
-                agent.pitch = _random.between(-90, 90);
-                agent.roll = _random.between(-90, 90);
-            }
-            return agent;
         }
     }
 }

@@ -22,6 +22,7 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.RandomWorlds;
     import support.SolidModels;
     import support.SurfaceDistance;
     import support.TransformedStructure;
@@ -78,7 +79,7 @@ package starlogo.queries
                 for (var i:int = Effort.choose(60, 5000); i > 0; i--)
                 {
                     // half of the worlds begin with overlaps
-                    var agents:Vector.<Agent> = anyAgents(8, i % 2 == 0 ? 1.5 : 4);
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(8, SHAPES, i % 2 == 0 ? 1.5 : 4, _random);
                     queries.update(i % 3 == 0 ? agents.slice(1) : agents);
                     var agent:Agent = agents[0];
                     var way:Vector3D = anyWay(5);
@@ -118,7 +119,7 @@ package starlogo.queries
                 var found:Vector.<Agent> = new Vector.<Agent>();
                 for (var i:int = Effort.choose(90, 6000); i > 0; i--)
                 {
-                    queries.update(anyAgents(9, 2.5));
+                    queries.update(RandomWorlds.mixed(9, SHAPES, 2.5, _random));
                     var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.05, 1), 4);
                     var way:Vector3D = anyWay(5);
                     if (queries.overlapping(structure, null, found).length > 0)
@@ -159,7 +160,7 @@ package starlogo.queries
             var queries:AgentQueries = new AgentQueries(EachCollider.make("tightest fits", sGreatLand));
             for (var i:int = Effort.choose(150, 10000); i > 0; i--)
             {
-                var agents:Vector.<Agent> = anyAgents(6, 3);
+                var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 3, _random);
                 queries.update(agents);
                 var structure:BoundingStructure = TransformedStructure.of(sGreatLand.boundingStructures.tightestFit(agents[0].shape), agents[0]);
                 stopped += assertCastAlike("fit " + i, queries, structure, agents[0]);
@@ -176,7 +177,7 @@ package starlogo.queries
                 var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
                 for (var i:int = Effort.choose(100, 10000); i > 0; i--)
                 {
-                    var agents:Vector.<Agent> = anyAgents(5, 4);
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(5, SHAPES, 4, _random);
                     agents[0].shape = "cube";
                     for each (var agent:Agent in agents)
                     {
@@ -310,7 +311,7 @@ package starlogo.queries
                 var queries:AgentQueries = new AgentQueries(collider);
                 for (var i:int = Effort.choose(60, 5000); i > 0; i--)
                 {
-                    var agents:Vector.<Agent> = anyAgents(4, 2);
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(4, SHAPES, 2, _random);
                     queries.update(i % 3 == 0 ? agents.slice(1) : agents);
                     var agent:Agent = agents[0];
                     var before:String = traitsOf(agent);
@@ -426,26 +427,6 @@ package starlogo.queries
         private function anyWay(most:Number):Vector3D
         {
             return new Vector3D(_random.between(-most, most), _random.between(-most, most), _random.between(-most, most));
-        }
-
-        private function anyAgents(count:int, spread:Number):Vector.<Agent>
-        {
-            var agents:Vector.<Agent> = new Vector.<Agent>();
-            for (var i:int = 0; i < count; i++)
-            {
-                var agent:Agent = new Agent(_random.pick(SHAPES));
-                agent.moveTo(_random.between(-spread, spread), _random.between(-spread, spread), _random.between(-spread, spread) / 2);
-                agent.heading = _random.between(0, 360);
-                agent.size = _random.logBetween(0.5, 3);
-                agent.hierarchical = _random.chance();
-                if (_random.chance())
-                {
-                    agent.pitch = _random.between(-90, 90);
-                    agent.roll = _random.between(-90, 90);
-                }
-                agents.push(agent);
-            }
-            return agents;
         }
     }
 }

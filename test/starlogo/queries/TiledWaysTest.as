@@ -11,6 +11,7 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.agentAt;
 
     /**
      * Ways among things that touch exactly, in every system: floors, corridors and mazes of cubes side by side. A motion is stopped by what it would go into,
@@ -135,17 +136,17 @@ package starlogo.queries
         private function expectCorridor(shape:String, way:Array, pairs:int, isBins:Boolean):void
         {
             var mover:Agent = put(shape, 0, 0, 0, 0);
-            if (!isBins && _collider.areColliding(mover, cube(0, 1 + 1e-6, 0)))
+            if (!isBins && _collider.areColliding(mover, agentAt("cube", 0, 1 + 1e-6, 0)))
             {
                 // wider than the corridor
                 return;
             }
             for (var i:int = -2; i < pairs; i++)
             {
-                add(cube(i, 1, 0), cube(i, -1, 0));
+                add(agentAt("cube", i, 1, 0), agentAt("cube", i, -1, 0));
             }
             var last:Number = pairs - 2;
-            add(cube(last + 1, 0, 0));
+            add(agentAt("cube", last + 1, 0, 0));
             var steps:int = Math.min(pairs / 0.3 + 5, 40);
             step(mover, way, steps);
             expect(isBins || Math.abs(mover.x - Math.min(steps * way[0], last)) < 0.01, "stuck", mover, way);
@@ -170,7 +171,7 @@ package starlogo.queries
                     for each (var shape:String in some(MOVERS.concat("plate", "board"), 1))
                     {
                         var mover:Agent = put(shape, 0, 0, 0, _random.pick([0, 30]));
-                        var wall:Agent = cube(5, 0, -2);
+                        var wall:Agent = agentAt("cube", 5, 0, -2);
                         wall.size = 6;
                         add(wall);
                         var way:Array = _random.pick([[0.5, 0, 0], [0.5, 0, -1e-3], [0.01, 0.001, 0]]);
@@ -195,7 +196,7 @@ package starlogo.queries
                         mover.size = tile * _random.pick([1, 1, 0.5, 2]);
                         for (var k:int = 0; k < 40; k++)
                         {
-                            var other:Agent = cube(tile * _random.integer(-4, 4), tile * _random.integer(-4, 4), tile * _random.integer(-1, 1));
+                            var other:Agent = agentAt("cube", tile * _random.integer(-4, 4), tile * _random.integer(-4, 4), tile * _random.integer(-1, 1));
                             other.size = tile;
                             add(other);
                             if (_collider.areColliding(mover, other) && _collider.contactOf(mover, other).depth > 1e-12)
@@ -241,8 +242,7 @@ package starlogo.queries
 
         private function put(shape:String, x:Number, y:Number, z:Number, heading:Number):Agent
         {
-            var mover:Agent = new Agent(shape);
-            mover.moveTo(x, y, z);
+            var mover:Agent = agentAt(shape, x, y, z);
             mover.heading = heading;
             _agents = new Vector.<Agent>();
             _queries = new AgentQueries(_collider);
@@ -260,13 +260,6 @@ package starlogo.queries
             }
         }
 
-        private static function cube(x:Number, y:Number, z:Number):Agent
-        {
-            var made:Agent = new Agent("cube");
-            made.moveTo(x, y, z);
-            return made;
-        }
-
         // Cubes below z = 0.
         private function floor(length:int, side:int):void
         {
@@ -274,7 +267,7 @@ package starlogo.queries
             {
                 for (var k:int = -side; k <= side + 4; k++)
                 {
-                    add(cube(i, k, -1));
+                    add(agentAt("cube", i, k, -1));
                 }
             }
         }

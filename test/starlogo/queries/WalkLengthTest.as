@@ -10,6 +10,8 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.agentAt;
+    import support.fillHeights;
 
     /** No walk goes farther on the ground plane than it is asked to: over rough ground, valleys, columns and turned cubes. */
     public class WalkLengthTest
@@ -71,16 +73,14 @@ package starlogo.queries
                 {
                     _terrain = new Terrain(21, 21, 1, -10, -10);
                     _terrain.isBlocky = world % 2 == 0;
-                    for (var i:int = 0; i < 441; i++)
-                    {
-                        var fromMiddle:int = Math.max(Math.abs(i % 21 - 10), Math.abs(int(i / 21) - 10));
-                        _terrain.setHeight(i % 21, i / 21, fromMiddle == 8 ? 4 : _random.between(-0.1, 0.1));
-                    }
+                    fillHeights(_terrain, function(column:int, row:int):Number
+                        {
+                            return Math.max(Math.abs(column - 10), Math.abs(row - 10)) == 8 ? 4 : _random.between(-0.1, 0.1);
+                        });
                     _queries = new AgentQueries(EachCollider.make(name, _greatLand));
                     _queries.terrain = _terrain;
                     _queries.update(new <Agent>[]);
-                    _walker = new Agent(_random.pick(["sphere", "cube", "cylinder"]));
-                    _walker.moveTo(0, 0, 0.2);
+                    _walker = agentAt(_random.pick(["sphere", "cube", "cylinder"]), 0, 0, 0.2);
                     for (var k:int = 0; k < Effort.choose(20, 20, 2); k++)
                     {
                         var angle:Number = _random.between(0, 2 * Math.PI);
@@ -120,19 +120,14 @@ package starlogo.queries
             for each (var name:String in EachCollider.ALL_NAMES)
             {
                 var slope:Terrain = new Terrain(9, 9, 1, -4, -4);
-                for (var column:int = 0; column < 9; column++)
-                {
-                    for (var row:int = 0; row < 9; row++)
+                fillHeights(slope, function(column:int, row:int):Number
                     {
-                        slope.setHeight(column, row, -2 * column);
-                    }
-                }
-                var walker:Agent = new Agent("sphere", "walkers");
+                        return -2 * column;
+                    });
+                var walker:Agent = agentAt("sphere", 0, 0.1, -7.5);
                 walker.size = 0.5;
-                walker.moveTo(0, 0.1, -7.5);
-                var rock:Agent = new Agent("cube", "rocks");
+                var rock:Agent = agentAt("cube", 2.3, 0.1, -9.5);
                 rock.size = 4;
-                rock.moveTo(2.3, 0.1, -9.5);
                 rock.hierarchical = true;
                 var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
                 queries.terrain = slope;
@@ -164,24 +159,20 @@ package starlogo.queries
             _terrain = new Terrain(24, 24, 1, -12, -12);
             _terrain.isBlocky = isBlocky;
             var rough:Number = _random.pick([0.3, 0.6, 1]);
-            var heights:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < 24 * 24; i++)
-            {
-                heights.push(_random.between(-rough, rough));
-            }
-            _terrain.setHeights(0, 0, 24, 24, heights);
+            fillHeights(_terrain, function(column:int, row:int):Number
+                {
+                    return _random.between(-rough, rough);
+                });
             _options.slopeDegrees = _random.pick([30, 45, 60]);
             _options.stepHeight = _random.pick([0, 0.1, 0.25, 0.5]);
             _options.snap = _random.pick([0.1, 0.25, 0.5]);
-            _walker = new Agent(["sphere", "cube", "cylinder"][world % 3], "walkers");
+            _walker = agentAt(["sphere", "cube", "cylinder"][world % 3], 0, 0, 20);
             _walker.size = _random.pick([0.2, 0.5, 1.2]);
             _walker.heading = _random.between(0, 360);
-            _walker.z = 20;
             var agents:Vector.<Agent> = new <Agent>[_walker];
-            for (i = 0; i < 40 && world % 2 == 0; i++)
+            for (var i:int = 0; i < 40 && world % 2 == 0; i++)
             {
-                var cube:Agent = new Agent("cube", "rocks");
-                cube.moveTo(_random.between(-10, 10), _random.between(-10, 10), _random.between(-1, 0.5));
+                var cube:Agent = agentAt("cube", _random.between(-10, 10), _random.between(-10, 10), _random.between(-1, 0.5), "rocks");
                 cube.heading = _random.between(0, 360);
                 cube.pitch = _random.between(-40, 40);
                 cube.hierarchical = true;

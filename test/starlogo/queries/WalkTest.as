@@ -15,7 +15,9 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.agentAt;
     import support.assertThrows;
+    import support.fillHeights;
 
     /** Agents that walk: over tiles, up and down stairs, slopes and hills, along walls. */
     public class WalkTest
@@ -151,13 +153,13 @@ package starlogo.queries
                 {
                     var message:String = name + ", " + shape;
                     var walker:Agent = walkerAt(shape, 0, 0, 0);
-                    var fence:Agent = cubeAt(1.2, 0, 0);
+                    var fence:Agent = agentAt("cube", 1.2, 0, 0);
                     fence.size = 0.2;
                     var agents:Vector.<Agent> = new <Agent>[walker, fence];
                     addTiles(agents, -4, 4, flat);
                     for (var y:int = -4; y <= 4; y++)
                     {
-                        agents.push(cubeAt(3, y, 0));
+                        agents.push(agentAt("cube", 3, y, 0));
                     }
                     var queries:AgentQueries = queriesOf(name, agents);
                     walkTo(queries, walker, 2, 0, 0.1, message + ", fence");
@@ -169,7 +171,7 @@ package starlogo.queries
                     assertTrue(message + ": along the wall " + [walker.x, walker.y, walker.z], walker.x > 2 && walker.x < 2.26 && walker.y > 0.9 && Math.abs(walker.z) < 0.01);
                     assertTrue(message + ": " + _footing.part, _footing.stands && _footing.part > 0.7 && _footing.part < 0.75);
                     // a ceiling above the fence lets it not step up
-                    agents.push(cubeAt(1, 0, 0.6), cubeAt(2, 0, 0.6));
+                    agents.push(agentAt("cube", 1, 0, 0.6), agentAt("cube", 2, 0, 0.6));
                     queries.update(agents);
                     walker.moveTo(0.2, 0, 0);
                     queries.moved(walker);
@@ -254,7 +256,10 @@ package starlogo.queries
                     {
                         var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
                         terrain.isBlocky = isBlocky;
-                        terrain.setHeights(0, 0, 11, 21, plateau(11 * 21, 4));
+                        fillHeights(terrain, function(column:int, row:int):Number
+                            {
+                                return column < 11 ? 4 : 0;
+                            });
                         var walker:Agent = walkerAt(shape, -1, 0.1, 4.01);
                         var queries:AgentQueries = queriesOf(name, new <Agent>[walker]);
                         queries.terrain = terrain;
@@ -277,7 +282,7 @@ package starlogo.queries
                 for each (var shape:String in WALKERS)
                 {
                     var walker:Agent = walkerAt(shape, 0, 0.1, 0.01);
-                    var lift:Agent = cubeAt(20, 0, -1);
+                    var lift:Agent = agentAt("cube", 20, 0, -1);
                     var agents:Vector.<Agent> = new <Agent>[walker, lift];
                     var queries:AgentQueries = queriesOf(name, agents);
                     var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
@@ -379,7 +384,7 @@ package starlogo.queries
             assertThrows(RangeError, /slopeDegrees.*90/, setOption, "slopeDegrees", 90);
             assertThrows(RangeError, /slopeDegrees.*-5/, setOption, "slopeDegrees", -5);
             assertEquals("0.25 45 0.25 0.5", [_options.stepHeight, _options.slopeDegrees, _options.snap, _options.fall].join(" "));
-            var queries:AgentQueries = queriesOf("triangles", new <Agent>[cubeAt(0, 0, -1)]);
+            var queries:AgentQueries = queriesOf("triangles", new <Agent>[agentAt("cube", 0, 0, -1)]);
             var walker:Agent = walkerAt("cube", 0, 0, 0);
             assertThrows(RangeError, /NaN/, queries.walk, walker, NaN, 0);
             assertThrows(ArgumentError, /null/, queries.walk, null, 1, 0);
@@ -398,9 +403,7 @@ package starlogo.queries
         public function filtersLetThroughFloorsToo():void
         {
             var walker:Agent = walkerAt("cube", 0, 0, 0);
-            var ghost:Agent = cubeAt(1, 0, 0);
-            ghost.breed = "ghosts";
-            var agents:Vector.<Agent> = new <Agent>[walker, ghost];
+            var agents:Vector.<Agent> = new <Agent>[walker, agentAt("cube", 1, 0, 0, "ghosts")];
             addTiles(agents, -3, 3, flat);
             var queries:AgentQueries = queriesOf("triangles", agents);
             _options.filter = new AgentFilter();
@@ -493,16 +496,6 @@ package starlogo.queries
             return -2.2;
         }
 
-        private static function plateau(count:int, height:Number):Vector.<Number>
-        {
-            var heights:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < count; i++)
-            {
-                heights.push(height);
-            }
-            return heights;
-        }
-
         private static function stairs(x:int):Number
         {
             return 0.2 * Math.max(0, x);
@@ -515,7 +508,7 @@ package starlogo.queries
             {
                 for (var y:int = -5; y <= 5; y++)
                 {
-                    agents.push(cubeAt(x, y, heightOf(x) - 1));
+                    agents.push(agentAt("cube", x, y, heightOf(x) - 1, "tiles"));
                 }
             }
         }
@@ -523,7 +516,7 @@ package starlogo.queries
         // A large cube of which one face rises along x from where the floor ends.
         private static function rampOf(slope:Number):Agent
         {
-            var ramp:Agent = cubeAt(0, 0, 0);
+            var ramp:Agent = agentAt("cube", 0, 0, 0);
             ramp.size = 10;
             ramp.pitch = -slope;
             // the middle of its upper face is at (0, 0, 10) before it is turned
@@ -534,16 +527,8 @@ package starlogo.queries
 
         private static function walkerAt(shape:String, x:Number, y:Number, z:Number):Agent
         {
-            var agent:Agent = new Agent(shape, "walkers");
+            var agent:Agent = agentAt(shape, x, y, z, "walkers");
             agent.size = 0.5;
-            agent.moveTo(x, y, z);
-            return agent;
-        }
-
-        private static function cubeAt(x:Number, y:Number, z:Number):Agent
-        {
-            var agent:Agent = new Agent("cube", "tiles");
-            agent.moveTo(x, y, z);
             return agent;
         }
     }

@@ -12,12 +12,14 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.collision.BaseCollider;
     import starlogo.collision.BinCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import support.EachCollider;
+    import support.agentAt;
     import support.assertThrows;
 
     /** Handlers for the ground: which are called, with what, in which order. */
@@ -48,11 +50,11 @@ package starlogo.terrain
                 _collision = new Collision(EachCollider.make(name, _land));
                 _collision.terrain = _terrain;
                 _collision.onCollision("turtles", Collision.TERRAIN, note);
-                var on:Agent = cubeAt(0, 0, 0);
-                var above:Agent = cubeAt(2, 0, 0.01);
-                var under:Agent = cubeAt(0, 3, -5);
-                var outside:Agent = cubeAt(9, 0, -1);
-                var across:Agent = cubeAt(5.4, 0, -3);
+                var on:Agent = agentAt("cube", 0, 0, 0);
+                var above:Agent = agentAt("cube", 2, 0, 0.01);
+                var under:Agent = agentAt("cube", 0, 3, -5);
+                var outside:Agent = agentAt("cube", 9, 0, -1);
+                var across:Agent = agentAt("cube", 5.4, 0, -3);
                 _collision.update(new <Agent>[on, above, under, outside, across]);
                 assertEquals(name, [on.id, under.id, across.id].join(), _calls.join());
                 assertEquals(3, _collision.statistics.collisions);
@@ -63,24 +65,23 @@ package starlogo.terrain
         [Test]
         public function theGroundIsTheColliderOfItsOwnHandlers():void
         {
-            var cube:Agent = cubeAt(0, 0, 0);
-            var calls:int = 0;
+            var cube:Agent = agentAt("cube", 0, 0, 0);
             _collision.onCollision(Collision.TERRAIN, "turtles", function(collider:Agent, collidee:Agent, contact:Contact):void
                 {
                     assertStrictlyEquals(_terrain.agent, collider);
                     assertStrictlyEquals(cube, collidee);
                     assertEquals(-1, contact.normal.z);
-                    calls++;
+                    note(collidee, collider);
                 });
             _collision.update(new <Agent>[cube]);
-            assertEquals(1, calls);
+            assertEquals(1, _calls.length);
         }
 
         [Test]
         public function anyBreedIsAnyAgentsAndNotTheGround():void
         {
             _collision.onCollision("turtles", Collision.ANY_BREED, note);
-            var agents:Vector.<Agent> = new <Agent>[cubeAt(0, 0, 0), cubeAt(3, 0, 0)];
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), agentAt("cube", 3, 0, 0)];
             _collision.update(agents);
             assertEquals(0, _calls.length);
             _collision.onCollision(Collision.ANY_BREED, Collision.TERRAIN, note);
@@ -96,9 +97,9 @@ package starlogo.terrain
         {
             _collision.onCollision("fish", Collision.TERRAIN, note);
             _collision.onCollision("turtles", "turtles", note);
-            var fish:Agent = cubeAt(3, 0, 0);
+            var fish:Agent = agentAt("cube", 3, 0, 0);
             fish.breed = "fish";
-            _collision.update(new <Agent>[cubeAt(0, 0, 0), fish]);
+            _collision.update(new <Agent>[agentAt("cube", 0, 0, 0), fish]);
             assertEquals(fish.id, _calls.join());
             assertEquals(1, _collision.statistics.collisions);
             _collision.terrain = null;
@@ -107,14 +108,14 @@ package starlogo.terrain
         }
 
         [Test]
-        public function aFilterAndAModelThatIsNotThereCount():void
+        public function whatAFilterLeavesOutMeetsNoGround():void
         {
             var filter:AgentFilter = new AgentFilter();
-            var out:Agent = cubeAt(0, 0, 0);
+            var out:Agent = agentAt("cube", 0, 0, 0);
             filter.except = new <Agent>[out];
             _collision.filter = filter;
             _collision.onCollision("turtles", Collision.TERRAIN, note);
-            var cube:Agent = cubeAt(2, 0, 0);
+            var cube:Agent = agentAt("cube", 2, 0, 0);
             _collision.update(new <Agent>[out, cube]);
             assertEquals(cube.id, _calls.join());
         }
@@ -125,7 +126,7 @@ package starlogo.terrain
             _collision.onCollisionStart("turtles", Collision.TERRAIN, noteAs("start"));
             _collision.onCollision("turtles", Collision.TERRAIN, noteAs("on"));
             _collision.onCollisionEnd("turtles", Collision.TERRAIN, noteAs("end"));
-            var cube:Agent = cubeAt(0, 0, 0);
+            var cube:Agent = agentAt("cube", 0, 0, 0);
             var agents:Vector.<Agent> = new <Agent>[cube];
             _collision.update(agents);
             _collision.update(agents);
@@ -143,8 +144,8 @@ package starlogo.terrain
         [Test]
         public function anAgentThatWasTakenOutIsNotCalled():void
         {
-            var first:Agent = cubeAt(0, 0, 0);
-            var second:Agent = cubeAt(3, 0, 0);
+            var first:Agent = agentAt("cube", 0, 0, 0);
+            var second:Agent = agentAt("cube", 3, 0, 0);
             var agents:Vector.<Agent> = new <Agent>[first, second];
             _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent):void
                 {
@@ -160,8 +161,7 @@ package starlogo.terrain
         {
             _terrain.isBlocky = true;
             _terrain.raiseWall(0, 0, 10);
-            var cube:Agent = cubeAt(-4, 0, 3);
-            var found:Contact = null;
+            var cube:Agent = agentAt("cube", -4, 0, 3);
             cube.sweeps = true;
             _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
                 {
@@ -196,7 +196,7 @@ package starlogo.terrain
                 {
                     normal = contact.normal.clone();
                 });
-            var sphere:Agent = cubeAt(0, 0, 0);
+            var sphere:Agent = agentAt("cube", 0, 0, 0);
             sphere.sweeps = true;
             var agents:Vector.<Agent> = new <Agent>[sphere];
             for (var i:int = 0; i < 80; i++)
@@ -235,7 +235,7 @@ package starlogo.terrain
                     });
                 for (var i:int = 0; i < 9; i++)
                 {
-                    _collision.update(new <Agent>[cubeAt(0.3 * (i % 3 - 1), 0.3 * (int(i / 3) - 1), 5)]);
+                    _collision.update(new <Agent>[agentAt("cube", 0.3 * (i % 3 - 1), 0.3 * (int(i / 3) - 1), 5)]);
                     assertTrue(name + ": " + depth, depth > 1 && depth < 2.9);
                 }
             }
@@ -244,8 +244,8 @@ package starlogo.terrain
         [Test]
         public function pairsOfAFrameThatSweepsAreInTheOrderOfTheirTimes():void
         {
-            var late:Agent = cubeAt(-2, 0, 4);
-            var early:Agent = cubeAt(2, 0, 2);
+            var late:Agent = agentAt("cube", -2, 0, 4);
+            var early:Agent = agentAt("cube", 2, 0, 2);
             late.sweeps = early.sweeps = true;
             _collision.onCollision("turtles", Collision.TERRAIN, note);
             var agents:Vector.<Agent> = new <Agent>[late, early];
@@ -258,7 +258,7 @@ package starlogo.terrain
         [Test]
         public function aSnapshotHasTheHeightsAndTheTouches():void
         {
-            var cube:Agent = cubeAt(0, 0, 0.5);
+            var cube:Agent = agentAt("cube", 0, 0, 0.5);
             var agents:Vector.<Agent> = new <Agent>[cube];
             _collision.onCollisionStart("turtles", Collision.TERRAIN, noteAs("start"));
             _collision.onCollisionEnd("turtles", Collision.TERRAIN, noteAs("end"));
@@ -336,7 +336,7 @@ package starlogo.terrain
         [Test]
         public function noListMayHoldIt():void
         {
-            var agents:Vector.<Agent> = new <Agent>[cubeAt(0, 0, 0), _terrain.agent];
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), _terrain.agent];
             assertThrows(ArgumentError, /agents\[1\]/, function():void
                 {
                     _collision.update(agents);
@@ -359,36 +359,25 @@ package starlogo.terrain
                 });
         }
 
+        // GroundPlacementsTest checks what a system tells.
         [Test]
-        public function aContactSeparatesInEverySystem():void
+        public function handlersGetTheContactThatTheSystemTells():void
         {
             _terrain.raiseMound(0, 0, 6, 2);
             for each (var name:String in EachCollider.ALL_NAMES)
             {
-                for each (var isBlocky:Boolean in [false, true])
-                {
-                    _terrain.isBlocky = isBlocky;
-                    _collision = new Collision(EachCollider.make(name, _land));
-                    _collision.terrain = _terrain;
-                    var cube:Agent = cubeAt(0.7, 0.3, 1.2);
-                    cube.heading = 20;
-                    var normal:Vector3D = null;
-                    var depth:Number = 0;
-                    _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
-                        {
-                            normal = contact.normal.clone();
-                            depth = contact.depth;
-                        });
-                    _collision.update(new <Agent>[cube]);
-                    assertTrue(name, normal != null);
-                    for each (var share:Number in [-1, 1])
+                var system:Collider = EachCollider.make(name, _land);
+                var cube:Agent = agentAt("cube", 0.7, 0.3, 1.2);
+                _calls = [];
+                _collision = new Collision(system);
+                _collision.terrain = _terrain;
+                _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
                     {
-                        var by:Number = depth + share * 2e-9;
-                        var moved:Agent = cubeAt(cube.x + by * normal.x, cube.y + by * normal.y, cube.z + by * normal.z);
-                        moved.heading = 20;
-                        assertEquals(name + ", " + by, share < 0, EachCollider.make(name, _land).areColliding(moved, _terrain.agent));
-                    }
-                }
+                        _calls.push(contact.normal, contact.depth, contact.point, contact.time);
+                    });
+                _collision.update(new <Agent>[cube]);
+                var told:Contact = system.contactOf(cube, _terrain.agent);
+                assertEquals(name, [told.normal, told.depth, told.point, told.time].join(), _calls.join());
             }
         }
 
@@ -404,13 +393,6 @@ package starlogo.terrain
                 assertStrictlyEquals(_terrain.agent, collidee);
                 _calls.push(what);
             };
-        }
-
-        private static function cubeAt(x:Number, y:Number, z:Number):Agent
-        {
-            var cube:Agent = new Agent("cube");
-            cube.moveTo(x, y, z);
-            return cube;
         }
     }
 }

@@ -5,8 +5,10 @@ package starlogo.terrain
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import support.AgentPieces;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -97,6 +99,7 @@ package starlogo.terrain
         {
             var agent:Agent = new Agent(MODELS[_random.integer(0, MODELS.length - 1)]);
             var width:Number = terrain.cellWidth;
+            agent.hierarchical = _random.chance();
             agent.size = _random.chance(0.3) ? width * _random.logBetween(0.001, 20) : width * _random.logBetween(0.2, 4);
             if (_random.chance(0.7))
             {
@@ -127,7 +130,29 @@ package starlogo.terrain
             {
                 _wrong.add(name, where + ", " + describe(agent, terrain) + ", gap " + gap);
             }
+            if (areTouching)
+            {
+                checkContact(name, agent, terrain, reference, where);
+            }
             return areTouching ? 1 : 0;
+        }
+
+        // Moved by a little more than the depth, the agent is free. Moved by a little less, it still touches.
+        private function checkContact(name:String, agent:Agent, terrain:Terrain, reference:GroundReference, where:String):void
+        {
+            var contact:Contact = _colliders[name].contactOf(agent, terrain.agent);
+            var near:Number = 5 * nearOf(agent, terrain);
+            var more:Number = gapAlong(contact.normal, contact.depth + near, name, agent, reference, near);
+            var less:Number = gapAlong(contact.normal, contact.depth - near, name, agent, reference, near);
+            if (!(Math.abs(contact.normal.length - 1) < 1e-12) || more <= 0 || less > 0 && contact.depth > near)
+            {
+                _wrong.add(name + ", contact", where + ", " + describe(agent, terrain) + ", depth " + contact.depth + " along " + contact.normal + ", gaps " + [less, more]);
+            }
+        }
+
+        private function gapAlong(way:Vector3D, by:Number, name:String, agent:Agent, reference:GroundReference, most:Number):Number
+        {
+            return reference.gapOf(pieces(name, agent), by * way.x, by * way.y, by * way.z, most);
         }
 
         private function checkWay(name:String, agent:Agent, terrain:Terrain, reference:GroundReference, where:String):int
@@ -169,7 +194,7 @@ package starlogo.terrain
         private function isDeeper(name:String, agent:Agent, motion:Vector3D, reference:GroundReference, time:Number, near:Number):Boolean
         {
             var back:Number = time + 100 * near / motion.length - 1;
-            return reference.gapOf(pieces(name, agent), back * motion.x, back * motion.y, back * motion.z, near) < 0;
+            return gapAlong(motion, back, name, agent, reference, near) < 0;
         }
 
         // Beneath it rounding decides.
@@ -180,7 +205,7 @@ package starlogo.terrain
 
         private function pieces(name:String, agent:Agent):Array
         {
-            return GroundReference.piecesOf(name, agent, _land, _models[agent.shape]);
+            return AgentPieces.of(name, agent, _land, _models[agent.shape]);
         }
 
         private static function describe(agent:Agent, terrain:Terrain):String

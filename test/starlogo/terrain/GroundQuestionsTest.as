@@ -18,12 +18,16 @@ package starlogo.terrain
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
+    import starlogo.queries.ShapeHit;
+    import support.AgentPieces;
     import support.EachCollider;
     import support.Effort;
     import support.GroundReference;
     import support.PlainDistance;
     import support.RandomGround;
+    import support.agentAt;
     import support.assertThrows;
+    import support.fillHeights;
 
     /** Questions about the ground: rays, sight, touches, distances and motions. */
     public class GroundQuestionsTest
@@ -32,6 +36,11 @@ package starlogo.terrain
         private var _sphere:Model = BuiltInModel.sphere();
         private var _land:GreatLand;
         private var _random:SeededRandom;
+
+        // The ground under way.
+        private var _kind:String;
+        private var _terrain:Terrain;
+        private var _reference:GroundReference;
 
         [Before]
         public function makeLand():void
@@ -53,20 +62,18 @@ package starlogo.terrain
             {
                 if (i % 20 == 0)
                 {
-                    var kind:String = RandomGround.KINDS[i / 20 % RandomGround.KINDS.length];
-                    var terrain:Terrain = RandomGround.make(kind, _random);
-                    var reference:GroundReference = new GroundReference(terrain);
-                    queries.terrain = terrain;
+                    makeGround(i / 20);
+                    queries.terrain = _terrain;
                     queries.update(new <Agent>[]);
                 }
-                var origin:Vector3D = placeAbout(terrain, 1);
-                var direction:Vector3D = placeAbout(terrain, 0.5).subtract(origin);
+                var origin:Vector3D = placeAbout(1);
+                var direction:Vector3D = placeAbout(0.5).subtract(origin);
                 if (_random.chance(0.2))
                 {
-                    direction[["x", "y", "z"][_random.integer(0, 2)]] = 0;
+                    direction[_random.pick(["x", "y", "z"])] = 0;
                 }
                 direction.normalize();
-                hits += checkRay(queries, reference, terrain, origin, direction, kind + " " + i);
+                hits += checkRay(queries, origin, direction, _kind + " " + i);
             }
             assertTrue("hits: " + hits, hits > 0.3 * count && hits < 0.95 * count);
         }
@@ -78,44 +85,39 @@ package starlogo.terrain
             var count:int = Effort.choose(40, 10000, 8);
             for (var i:int = 0; i < count; i++)
             {
-                var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];
-                var terrain:Terrain = RandomGround.make(kind, _random);
-                var reference:GroundReference = new GroundReference(terrain);
+                makeGround(i);
                 for each (var name:String in EachCollider.NAMES)
                 {
-                    var agent:Agent = agentAbout(terrain);
-                    agent.z += i % 5 == 4 ? 40 * terrain.cellWidth : -(i % 3) * agent.size;
-                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
-                    var a:Vector3D = new Vector3D();
-                    var b:Vector3D = new Vector3D();
-                    var distance:Number = queries.distance(agent, terrain.agent, a, b);
-                    var expected:Number = Math.max(0, reference.gapOf(piecesOf(name, agent)));
-                    var near:Number = 1e-9 * (agent.size + terrain.cellWidth + expected) + 1e-11 * (Math.abs(terrain.x) + 1000);
-                    var what:String = kind + " " + i + ", " + name + ": " + distance + " instead of " + expected;
-                    assertTrue(what, Math.abs(distance - expected) < near);
-                    assertTrue(what + ", points", Math.abs(Vector3D.distance(a, b) - distance) < near);
-                    if (distance > near)
-                    {
-                        assertTrue(what + ", on the ground", distanceOfPoint(reference, b) < near);
-                        assertFalse(what, queries.distance(agent, terrain.agent) == 0);
-                    }
-                    else
-                    {
-                        touching++;
-                        var isInGround:Boolean = terrain.heightAt(a.x, a.y) >= a.z || distanceOfPoint(reference, a) < near;
-                        assertTrue(what + ", a point of the ground " + a, isInGround);
-                        assertTrue(what + ", a point of the agent " + a, queries.distanceToPoint(agent, a) < near);
-                    }
-                    assertEquals(distance, queries.distance(terrain.agent, agent, b, a));
-                    var under:Vector3D = new Vector3D(agent.x, agent.y, agent.z);
-                    if (terrain.heightAt(under.x, under.y) >= under.z)
-                    {
-                        assertEquals(0, queries.distanceToPoint(terrain.agent, under, a));
-                        assertTrue(what + ", the point itself", a.equals(under));
-                    }
+                    var agent:Agent = agentAbout();
+                    agent.z += i % 5 == 4 ? 40 * _terrain.cellWidth : -(i % 3) * agent.size;
+                    touching += checkDistance(name, agent, _kind + " " + i + ", " + name + ": ");
                 }
             }
             assertTrue("touching: " + touching, touching > count / 4 && touching < 4 * count);
+        }
+
+        // Returns 1 if the agent touches the ground.
+        private function checkDistance(name:String, agent:Agent, what:String):int
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+            var a:Vector3D = new Vector3D();
+            var b:Vector3D = new Vector3D();
+            var distance:Number = queries.distance(agent, _terrain.agent, a, b);
+            var expected:Number = Math.max(0, _reference.gapOf(piecesOf(name, agent)));
+            var near:Number = 1e-9 * (agent.size + _terrain.cellWidth + expected) + 1e-11 * (Math.abs(_terrain.x) + 1000);
+            what += distance + " instead of " + expected;
+            assertTrue(what, Math.abs(distance - expected) < near);
+            assertTrue(what + ", points", Math.abs(Vector3D.distance(a, b) - distance) < near);
+            assertTrue(what + ", a point of the ground " + b, _terrain.heightAt(b.x, b.y) >= b.z || distanceOf(b) < near);
+            assertTrue(what + ", a point of the agent " + a, queries.distanceToPoint(agent, a) < near);
+            assertEquals(distance, queries.distance(_terrain.agent, agent, b, a));
+            var under:Vector3D = new Vector3D(agent.x, agent.y, agent.z);
+            if (_terrain.heightAt(under.x, under.y) >= under.z)
+            {
+                assertEquals(0, queries.distanceToPoint(_terrain.agent, under, a));
+                assertTrue(what + ", the point itself", a.equals(under));
+            }
+            return distance > near ? 0 : 1;
         }
 
         [Test]
@@ -125,76 +127,75 @@ package starlogo.terrain
             var count:int = Effort.choose(16, 10000, 8);
             for (var i:int = 0; i < count; i++)
             {
-                var kind:String = RandomGround.KINDS[i % RandomGround.KINDS.length];
-                var terrain:Terrain = RandomGround.make(kind, _random);
-                var reference:GroundReference = new GroundReference(terrain);
+                makeGround(i);
                 for each (var name:String in EachCollider.NAMES)
                 {
-                    var agent:Agent = agentAbout(terrain);
-                    var pieces:Array = piecesOf(name, agent);
-                    var near:Number = 1e-8 * (agent.size + terrain.cellWidth) + 1e-12 * (Math.abs(terrain.x) + 1000);
-                    if (reference.gapOf(pieces, 0, 0, 0, 2 * near) <= near)
-                    {
-                        continue;
-                    }
-                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
-                    queries.terrain = terrain;
-                    queries.update(new <Agent>[agent]);
-                    var motion:Vector3D = placeAbout(terrain, 0.5).subtract(new Vector3D(agent.x, agent.y, agent.z));
-                    var expected:Number = Math.min(1, reference.timeOf(pieces, motion, near / 1e4));
-                    var part:Number = queries.moveUntilTouch(agent, motion.x, motion.y, motion.z);
-                    stopped += part < 1 ? 1 : 0;
-                    if (isNaN(expected))
-                    {
-                        // the reference comes nearer and nearer to what it grazes
-                        continue;
-                    }
-                    var what:String = kind + " " + i + ", " + name + ": " + part + " instead of " + expected;
-                    assertTrue(what, part <= expected + near / motion.length);
-                    if (part < expected - 1e4 * near / motion.length)
-                    {
-                        // it may have grazed something
-                        assertTrue(what, reference.gapOf(pieces, part * motion.x, part * motion.y, part * motion.z, 2 * near) < near);
-                    }
-                    slideOn(queries, reference, agent, name, terrain, what);
+                    stopped += checkMotion(name, agentAbout(), _kind + " " + i + ", " + name + ": ");
                 }
             }
             assertTrue(stopped + " stopped", stopped > count);
         }
 
+        // Returns 1 if the ground stops the agent.
+        private function checkMotion(name:String, agent:Agent, what:String):int
+        {
+            var pieces:Array = piecesOf(name, agent);
+            var near:Number = 1e-8 * (agent.size + _terrain.cellWidth) + 1e-12 * (Math.abs(_terrain.x) + 1000);
+            if (_reference.gapOf(pieces, 0, 0, 0, 2 * near) <= near)
+            {
+                return 0;
+            }
+            var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+            queries.terrain = _terrain;
+            queries.update(new <Agent>[agent]);
+            var motion:Vector3D = placeAbout(0.5).subtract(new Vector3D(agent.x, agent.y, agent.z));
+            var expected:Number = Math.min(1, _reference.timeOf(pieces, motion, near / 1e4));
+            var hit:ShapeHit = queries.castAgent(agent, motion.x, motion.y, motion.z);
+            var part:Number = queries.moveUntilTouch(agent, motion.x, motion.y, motion.z);
+            assertEquals(what + "as it is cast", hit == null ? 1 : hit.time, part);
+            // if the agent grazes the ground, the reference may come nearer and nearer to it
+            if (!isNaN(expected))
+            {
+                what += part + " instead of " + expected;
+                assertTrue(what, part <= expected + near / motion.length);
+                if (part < expected - 1e4 * near / motion.length)
+                {
+                    // it may have grazed something
+                    assertTrue(what, _reference.gapOf(pieces, part * motion.x, part * motion.y, part * motion.z, 2 * near) < near);
+                }
+                slideOn(queries, agent, name, what);
+            }
+            return part < 1 ? 1 : 0;
+        }
+
         // Along the ground in any direction: it gets somewhere, and not into the ground.
-        private function slideOn(queries:AgentQueries, reference:GroundReference, agent:Agent, name:String, terrain:Terrain, what:String):void
+        private function slideOn(queries:AgentQueries, agent:Agent, name:String, what:String):void
         {
             for (var i:int = 0; i < 3; i++)
             {
-                var far:Number = terrain.cellWidth;
+                var far:Number = _terrain.cellWidth;
                 queries.slide(agent, _random.normal() * far, _random.normal() * far, _random.normal() * far);
-                var gap:Number = reference.gapOf(shrunk(piecesOf(name, agent), agent, terrain), 0, 0, 0, far);
+                var gap:Number = _reference.gapOf(shrunk(piecesOf(name, agent)), 0, 0, 0, far);
                 assertTrue(what + ", slide " + i + ", gap " + gap, gap > 0);
             }
         }
 
-        // The pieces as they would be a little higher: what only touches is free there... along any way out; so they are scaled about the agent's middle.
-        private static function shrunk(pieces:Array, agent:Agent, terrain:Terrain):Array
+        // Each piece a little smaller, about its middle. A piece that only touches the ground is then free of it, on whichever side it touches.
+        private static function shrunk(pieces:Array):Array
         {
-            var share:Number = 1 - 1e-5;
             for each (var piece:Object in pieces)
             {
-                var middle:Vector3D = new Vector3D();
-                var count:int = piece.points.length / 3;
-                for (var i:int = 0; i < piece.points.length; i += 3)
+                var points:Vector.<Number> = piece.points;
+                var sums:Array = [0, 0, 0];
+                for (var i:int = 0; i < points.length; i++)
                 {
-                    middle.x += piece.points[i] / count;
-                    middle.y += piece.points[i + 1] / count;
-                    middle.z += piece.points[i + 2] / count;
+                    sums[i % 3] += points[i];
                 }
-                for (i = 0; i < piece.points.length; i += 3)
+                for (i = 0; i < points.length; i++)
                 {
-                    piece.points[i] += (middle.x - piece.points[i]) * 1e-5;
-                    piece.points[i + 1] += (middle.y - piece.points[i + 1]) * 1e-5;
-                    piece.points[i + 2] += (middle.z - piece.points[i + 2]) * 1e-5;
+                    points[i] += (3 * sums[i % 3] / points.length - points[i]) * 1e-5;
                 }
-                piece.radius *= share;
+                piece.radius *= 1 - 1e-5;
             }
             return pieces;
         }
@@ -213,7 +214,7 @@ package starlogo.terrain
                     var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
                     queries.terrain = terrain;
                     queries.update(new <Agent>[]);
-                    var agent:Agent = cubeAt(at + _random.between(1, 4), at + _random.between(1, 4), 4);
+                    var agent:Agent = agentAt("cube", at + _random.between(1, 4), at + _random.between(1, 4), 4);
                     agent.heading = _random.between(0, 360);
                     assertTrue(name, queries.moveUntilTouch(agent, 0, 0, -6) < 1);
                     assertTrue(name + " " + i, queries.touchesAny(agent));
@@ -231,13 +232,13 @@ package starlogo.terrain
             {
                 var base:Number = [1e5, 1e6, -1e6, 3e5][i % 4];
                 var terrain:Terrain = new Terrain(3, 3, 1, 0.1, 0);
-                for (var k:int = 0; k < 9; k++)
-                {
-                    terrain.setHeight(k % 3, k / 3, base + _random.between(-1, 1));
-                }
+                fillHeights(terrain, function(column:int, row:int):Number
+                    {
+                        return base + _random.between(-1, 1);
+                    });
                 queries.terrain = terrain;
                 queries.update(new <Agent>[]);
-                var agent:Agent = cubeAt(terrain.x - 0.5, _random.between(0.5, 1.5), base + 3);
+                var agent:Agent = agentAt("cube", terrain.x - 0.5, _random.between(0.5, 1.5), base + 3);
                 if (queries.moveUntilTouch(agent, i % 3 == 0 ? 0 : _random.between(-1e-3, 1e-3), _random.between(-1, 1), -5) < 1)
                 {
                     stopped++;
@@ -260,11 +261,10 @@ package starlogo.terrain
                     var wall:Number = _random.pick([0.5, 1, 3]);
                     var terrain:Terrain = new Terrain(9, 9, 1, base, base);
                     terrain.isBlocky = true;
-                    for (var k:int = 0; k < 9; k++)
-                    {
-                        terrain.setHeight(5, k, wall);
-                        terrain.setHeight(k, 5, wall);
-                    }
+                    fillHeights(terrain, function(column:int, row:int):Number
+                        {
+                            return column == 5 || row == 5 ? wall : 0;
+                        });
                     var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
                     queries.terrain = terrain;
                     queries.update(new <Agent>[]);
@@ -304,13 +304,10 @@ package starlogo.terrain
                 {
                     var terrain:Terrain = new Terrain(101, 11, 1, -10, -5);
                     var slope:Number = i % 3 == 2 ? 0.1 : 0;
-                    for (var column:int = 0; column < 101; column++)
-                    {
-                        for (var row:int = 0; row < 11; row++)
+                    fillHeights(terrain, function(column:int, row:int):Number
                         {
-                            terrain.setHeight(column, row, slope * column);
-                        }
-                    }
+                            return slope * column;
+                        });
                     terrain.isBlocky = i % 3 == 1;
                     var agent:Agent = new Agent(i % 2 == 0 ? "cube" : "sphere");
                     agent.heading = i % 4 < 2 ? 0 : _random.between(0, 360);
@@ -338,8 +335,8 @@ package starlogo.terrain
                 var collision:Collision = new Collision(EachCollider.make(name, _land));
                 collision.terrain = terrain;
                 var queries:AgentQueries = new AgentQueries(collision);
-                var on:Agent = cubeAt(0, 0, 0);
-                var above:Agent = cubeAt(3, 0, 1);
+                var on:Agent = agentAt("cube", 0, 0, 0);
+                var above:Agent = agentAt("cube", 3, 0, 1);
                 queries.update(new <Agent>[on, above]);
                 assertStrictlyEquals(terrain, queries.terrain);
                 assertStrictlyEquals(terrain.agent, queries.touching(on)[0]);
@@ -356,6 +353,11 @@ package starlogo.terrain
                 assertEquals(1, hit.normal.z);
                 assertEquals(-1, hit.triangle);
                 assertEquals(2, queries.castAll(new Vector3D(3, 0, 5), new Vector3D(0, 0, -1)).length);
+                var shapeHit:ShapeHit = queries.castShape(new Sphere(new Vector3D(-3, 0, 5), 1), 0, 0, -8);
+                assertStrictlyEquals(terrain.agent, shapeHit.agent);
+                assertTrue(name, Math.abs(shapeHit.time - 0.5) < 1e-9 && shapeHit.normal.z == 1 && Math.abs(shapeHit.point.z) < 1e-9);
+                assertEquals(2, queries.castShapeAll(new Sphere(new Vector3D(3, 0, 5), 1), 0, 0, -8).length);
+                assertTrue(name, queries.overlapsAgent(above, 3, 4, -0.1) && !queries.overlapsAgent(above, 3, 4, 0.1));
                 assertTrue(queries.canSee(on, above));
                 terrain.raiseMound(1.5, 0, 2, 5);
                 assertFalse(queries.canSee(on, above));
@@ -383,7 +385,7 @@ package starlogo.terrain
         public function questionsOfASystemHaveAGroundOfTheirOwn():void
         {
             var queries:AgentQueries = new AgentQueries(new BinCollider());
-            var agent:Agent = cubeAt(0, 0, 0);
+            var agent:Agent = agentAt("cube", 0, 0, 0);
             queries.update(new <Agent>[agent]);
             assertFalse(queries.touchesAny(agent));
             queries.terrain = new Terrain(3, 3, 1, -1, -1);
@@ -427,22 +429,30 @@ package starlogo.terrain
                 });
         }
 
-        private function checkRay(queries:AgentQueries, reference:GroundReference, terrain:Terrain, origin:Vector3D, direction:Vector3D, what:String):int
+        private function makeGround(i:int):void
+        {
+            _kind = RandomGround.KINDS[i % RandomGround.KINDS.length];
+            _terrain = RandomGround.make(_kind, _random);
+            _reference = new GroundReference(_terrain);
+        }
+
+        // Returns 1 if the ray meets the ground.
+        private function checkRay(queries:AgentQueries, origin:Vector3D, direction:Vector3D, what:String):int
         {
             var hit:RayHit = queries.cast(origin, direction);
-            var expected:Number = reference.rayTo(origin, direction);
+            var expected:Number = _reference.rayTo(origin, direction);
             var distance:Number = hit == null ? Infinity : hit.distance;
-            if (distance != expected && !(Math.abs(distance - expected) < 1e-9 * (expected + terrain.cellWidth + Math.abs(terrain.x) + 1000)))
+            if (distance != expected && !(Math.abs(distance - expected) < 1e-9 * (expected + _terrain.cellWidth + Math.abs(_terrain.x) + 1000)))
             {
                 // through an edge or a corner, beside which rounding decides
                 var isEdge:Boolean = false;
                 for (var i:int = 0; i < 4 && !isEdge; i++)
                 {
-                    var aside:Number = 1e-9 * (terrain.cellWidth + Math.abs(terrain.x));
+                    var aside:Number = 1e-9 * (_terrain.cellWidth + Math.abs(_terrain.x));
                     var moved:Vector3D = origin.add(new Vector3D(i < 2 ? aside : -aside, i % 2 == 0 ? aside : -aside, i % 3 == 0 ? aside : -aside));
-                    isEdge = Math.abs(reference.rayTo(moved, direction) - distance) < 1e-5 || reference.rayTo(moved, direction) == distance;
+                    isEdge = Math.abs(_reference.rayTo(moved, direction) - distance) < 1e-5 || _reference.rayTo(moved, direction) == distance;
                 }
-                assertTrue(what + ": " + distance + " instead of " + expected + " from " + origin + " along " + direction + (terrain.isBlocky ? " columns" : " slopes"), isEdge);
+                assertTrue(what + ": " + distance + " instead of " + expected + " from " + origin + " along " + direction + (_terrain.isBlocky ? " columns" : " slopes"), isEdge);
             }
             if (hit != null)
             {
@@ -451,18 +461,19 @@ package starlogo.terrain
             return hit == null ? 0 : 1;
         }
 
-        private function placeAbout(terrain:Terrain, beyond:Number):Vector3D
+        private function placeAbout(beyond:Number):Vector3D
         {
-            var width:Number = terrain.cellWidth;
-            return new Vector3D(terrain.x + width * _random.between(-beyond, terrain.columns - 1 + beyond),
-                    terrain.y + width * _random.between(-beyond, terrain.rows - 1 + beyond), width * _random.between(-1, 4));
+            var width:Number = _terrain.cellWidth;
+            return new Vector3D(_terrain.x + width * _random.between(-beyond, _terrain.columns - 1 + beyond),
+                    _terrain.y + width * _random.between(-beyond, _terrain.rows - 1 + beyond), width * _random.between(-1, 4));
         }
 
-        private function agentAbout(terrain:Terrain):Agent
+        private function agentAbout():Agent
         {
             var agent:Agent = new Agent(_random.chance(0.5) ? "cube" : "sphere");
-            var place:Vector3D = placeAbout(terrain, 2);
-            agent.size = terrain.cellWidth * _random.logBetween(0.1, 3);
+            var place:Vector3D = placeAbout(2);
+            agent.hierarchical = _random.chance();
+            agent.size = _terrain.cellWidth * _random.logBetween(0.1, 3);
             agent.heading = _random.between(0, 360);
             agent.pitch = _random.between(-90, 90);
             agent.moveTo(place.x, place.y, place.z + agent.size);
@@ -471,25 +482,18 @@ package starlogo.terrain
 
         private function piecesOf(name:String, agent:Agent):Array
         {
-            return GroundReference.piecesOf(name, agent, _land, agent.shape == "cube" ? _cube : _sphere);
+            return AgentPieces.of(name, agent, _land, agent.shape == "cube" ? _cube : _sphere);
         }
 
-        private static function distanceOfPoint(reference:GroundReference, point:Vector3D):Number
+        private function distanceOf(point:Vector3D):Number
         {
             var points:Vector.<Number> = new <Number>[point.x, point.y, point.z, point.x, point.y, point.z, point.x, point.y, point.z];
             var least:Number = Infinity;
-            for (var at:int = 0; at < reference.surface.length; at += 9)
+            for (var at:int = 0; at < _reference.surface.length; at += 9)
             {
-                least = Math.min(least, PlainDistance.ofTriangles(points, 0, reference.surface, at));
+                least = Math.min(least, PlainDistance.ofTriangles(points, 0, _reference.surface, at));
             }
             return least;
-        }
-
-        private static function cubeAt(x:Number, y:Number, z:Number):Agent
-        {
-            var cube:Agent = new Agent("cube");
-            cube.moveTo(x, y, z);
-            return cube;
         }
     }
 }

@@ -352,22 +352,15 @@ package starlogo.collision
 
         private function keepList(agents:Vector.<Agent>):void
         {
-            var length:int = agents.length;
             if (agents === _lastAgents)
             {
                 // the game's own list, from now on
-                _lastAgents = agents.concat();
+                _lastAgents = new Vector.<Agent>();
             }
-            if (_lastAgents.length != length)
+            _lastAgents.length = agents.length;
+            for (var i:int = 0; i < agents.length; i++)
             {
-                _lastAgents.length = length;
-            }
-            for (var i:int = 0; i < length; i++)
-            {
-                if (_lastAgents[i] !== agents[i])
-                {
-                    _lastAgents[i] = agents[i];
-                }
+                _lastAgents[i] = agents[i];
             }
         }
 

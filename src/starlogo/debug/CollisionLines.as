@@ -3,17 +3,18 @@ package starlogo.debug
     import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.collision.BaseCollider;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.CollisionSystem;
-    import starlogo.collision.CombinationCollider;
-    import starlogo.collision.TreeCollider;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.models.Model;
+    import starlogo.search.ModelShape;
+    import starlogo.search.ShapeChoice;
+    import starlogo.search.TightestFits;
+    import starlogo.search.TreePairs;
 
     use namespace engine;
 
@@ -25,8 +26,9 @@ package starlogo.debug
     {
         private var _greatLand:GreatLand;
 
-        // The lines in model space, by level, kind and model. They are valid for one revision of the models.
+        // The lines in model space, by level, kind and model. They are valid for one collider and one revision of the models.
         private var _lines:Object = {};
+        private var _collider:Collider = null;
         private var _revision:int = -1;
 
         /**
@@ -45,10 +47,11 @@ package starlogo.debug
 
         /**
          * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, there are none. The lines
-         * of a model are computed once, on the first call. Later calls take a time proportional to the number of lines.
+         * of a model are computed on the first call, and after a call with another system. Other calls take a time proportional to the
+         * number of lines.
          *
          * @param agent any agent
-         * @param system one of the engine's systems, with the same GreatLand
+         * @param system one of the engine's systems, or a Collider with a ShapeChoice of the game's own, with the same GreatLand
          * @param out the lines are appended to it, six numbers each as in Wireframes; created if null
          * @return out
          * @throws ArgumentError if the collision system needs data of the agent's model that was not loaded
@@ -62,50 +65,45 @@ package starlogo.debug
                 return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), out);
             }
             var all:Vector.<Number> = out || new Vector.<Number>();
-            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, collider as TreeCollider), agent.worldPlacement(), all) : all;
+            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, collider), agent.worldPlacement(), all) : all;
         }
 
-        private function linesOfModel(agent:Agent, trees:TreeCollider):Vector.<Number>
+        private function linesOfModel(agent:Agent, collider:Collider):Vector.<Number>
         {
-            if (_revision != _greatLand.revision)
+            if (_collider !== collider || _revision != _greatLand.revision)
             {
+                _collider = collider;
                 _revision = _greatLand.revision;
                 _lines = {};
             }
-            var isTree:Boolean = trees != null && (agent.hierarchical || !(trees is CombinationCollider));
-            var level:int = isTree ? levelOf(agent, trees) : 0;
-            var key:String = level + " " + agent.structureKind + " " + agent.shape;
+            // a system that is not the engine's tells nothing about its shapes
+            var choice:ShapeChoice = collider == null ? new TightestFits(_greatLand) : collider.choice;
+            var level:int = collider == null || collider.pairs.trees == null ? 0 : levelOf(agent, collider.pairs.trees);
+            var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)
             {
-                _lines[key] = level > 0 ? linesOfTree(agent.shape, level) : Wireframes.ofStructure(structureOf(agent));
+                var shape:ModelShape = new ModelShape(agent.shape, choice.kindOf(agent), _revision);
+                choice.bind(shape, agent);
+                _lines[key] = shape.hierarchy == null ? Wireframes.ofStructure(shape.structure) : linesOfTree(shape, level);
             }
             return _lines[key];
         }
 
-        private function linesOfTree(name:String, level:int):Vector.<Number>
+        private function linesOfTree(shape:ModelShape, level:int):Vector.<Number>
         {
-            var model:Model = _greatLand.modelOf(name);
+            var model:Model = _greatLand.modelOf(shape.model);
             return level == int.MAX_VALUE && model.triangles != null ? Wireframes.ofTriangles(model.vertices, model.triangles)
-                : Wireframes.ofLevel(_greatLand.hierarchies.root(name), level);
+                : Wireframes.ofLevel(shape.hierarchy.root, level);
         }
 
         // In exact mode all levels, because the triangles decide.
-        private static function levelOf(agent:Agent, trees:TreeCollider):int
+        private static function levelOf(agent:Agent, trees:TreePairs):int
         {
             if (trees.exact)
             {
                 return int.MAX_VALUE;
             }
             return agent.traversalDepth > 0 ? agent.traversalDepth : trees.maxDepth;
-        }
-
-        private function structureOf(agent:Agent):BoundingStructure
-        {
-            if (agent.structureKind == Agent.ANY_KIND)
-            {
-                return _greatLand.boundingStructures.tightestFit(agent.shape);
-            }
-            return _greatLand.structureOfKind(agent.shape, agent.structureKind);
         }
 
         // A Matrix3D is not used, because it has single precision.

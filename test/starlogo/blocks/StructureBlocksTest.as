@@ -8,6 +8,8 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
+    import starlogo.collision.Collider;
+    import starlogo.collision.CollisionSystem;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.models.BuiltInModel;
@@ -119,6 +121,26 @@ package starlogo.blocks
             assertEquals("false,false,false,true", shown());
             _blocks.showNone();
             assertEquals("false,false,false,false", shown());
+        }
+
+        [Test]
+        public function shapesOfTheGamesOwnAreShown():void
+        {
+            var agent:Agent = new Agent("cube");
+            agent.pitch = 90;
+            agent.moveTo(1, 2, 3);
+            for each (var system:CollisionSystem in [_collisions.systemNamed(CollisionBlocks.TIGHTEST_FITS), new Collider(new Bubbles(sGreatLand))])
+            {
+                _collisions.collision.collisionSystem = system;
+                var lines:Vector.<Number> = _blocks.linesOf(agent);
+            }
+            assertTrue(lines.length > 12 * 6);
+            // the bubble's middle is half a patch beside the agent's place, because it has turned with the agent
+            for (var i:int = 0; i < lines.length; i += 3)
+            {
+                var distance:Number = Vector3D.distance(new Vector3D(lines[i], lines[i + 1], lines[i + 2]), new Vector3D(1.5, 2, 3));
+                assertTrue("distance " + distance, Math.abs(distance - 1) < 1e-9);
+            }
         }
 
         [Test]
@@ -249,5 +271,26 @@ package starlogo.blocks
             }
             return least;
         }
+    }
+}
+
+import flash.geom.Vector3D;
+import starlogo.GreatLand;
+import starlogo.agents.Agent;
+import starlogo.bounding.Sphere;
+import starlogo.search.ModelShape;
+import starlogo.search.ShapeChoice;
+
+/** Every agent is a sphere twice as wide as the agent. */
+internal class Bubbles extends ShapeChoice
+{
+    public function Bubbles(greatLand:GreatLand)
+    {
+        super(greatLand);
+    }
+
+    override public function bind(shape:ModelShape, agent:Agent):void
+    {
+        shape.setStructure(new Sphere(new Vector3D(0, 0, 0.5), 1));
     }
 }

@@ -241,6 +241,13 @@ test("a point may be anything with x, y and z, which are read at the call", () =
 	far.x = 3;
 	const apart = queries.distance(cube, far, onCube, other);
 	assert.ok(Math.abs(apart - 2) < 1e-9 && Math.abs(other.x - onCube.x - apart) < 1e-9);
+	const terrain = new engine.Terrain(2, 2);
+	terrain.setHeights(0, 0, 2, 2, [0, 0, 1, 1]);
+	for (const isBlocky of [false, true]) {
+		terrain.isBlocky = isBlocky;
+		assert.equal(terrain.normalAt(0.5, 0.25, other), other);
+		assert.ok(Math.hypot(other.x, other.y + (isBlocky ? 0 : Math.SQRT1_2), other.z - (isBlocky ? 1 : Math.SQRT1_2)) < 1e-15);
+	}
 	refused(() => queries.cast([1, 2, 3], { x: 1, y: 0, z: 0 }), "AgentQueries.cast: origin must be a Vector3D, or anything with x, y and z");
 	assert.throws(() => queries.nearPoint({ x: 1, y: NaN, z: 0 }, 1), RangeError);
 });

@@ -276,12 +276,15 @@ package starlogo.terrain
                 return null;
             }
             var normal:Vector3D = out || new Vector3D();
-            normal.setTo(0, 0, 1);
+            normal.x = normal.y = 0;
+            normal.z = 1;
             if (!isBlocky)
             {
                 grid.findFall();
-                normal.setTo(grid.fallX, grid.fallY, grid.cellWidth);
-                normal.scaleBy(1 / normal.length);
+                var length:Number = Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + cellWidth * cellWidth);
+                normal.x = grid.fallX / length;
+                normal.y = grid.fallY / length;
+                normal.z = cellWidth / length;
             }
             return normal;
         }

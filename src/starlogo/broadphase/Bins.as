@@ -4,8 +4,7 @@ package starlogo.broadphase
      * The broad phase: finds the pairs of agents that are near each other on the ground (thesis §3.7). More exactly: the pairs of rows
      * whose circles on the ground overlap.
      *
-     * <p>The rows of a search are its members. A member has a number and a slot. The number is its index in the list of rows. The slot is
-     * its index in the order of the cells.</p>
+     * <p>The rows of a search are its members. A member has a slot, which is its index in the order of the cells.</p>
      *
      * <p>A member is in one cell: the cell of its middle. Cells are as wide as the widest members. So if two members overlap, they are in
      * the same cell or in neighbouring cells. A counting sort puts the members into the order of their cells, with copies of the data that
@@ -36,9 +35,6 @@ package starlogo.broadphase
         /** The levels of the members. */
         public var levels:BinLevels = new BinLevels();
 
-        /** By slot: the member's number, which is its index in the list of rows of the search. */
-        public var memberAt:Vector.<int> = new Vector.<int>();
-
         /** By slot: the member's row. */
         public var rowAt:Vector.<int> = new Vector.<int>();
 
@@ -66,10 +62,6 @@ package starlogo.broadphase
          */
         public var entryCount:int = 0;
 
-        // The levels by number, and from the coarsest to the finest. Both lists belong to BinLevels.
-        private var _levels:Vector.<BinLevel>;
-        private var _byWidth:Vector.<BinLevel>;
-
         // By member: the index of its cell's counter.
         private var _cells:Vector.<int> = new Vector.<int>();
 
@@ -84,8 +76,6 @@ package starlogo.broadphase
         /** Creates empty bins. */
         public function Bins()
         {
-            _levels = levels.byNumber;
-            _byWidth = levels.byWidth;
         }
 
         /**
@@ -104,23 +94,23 @@ package starlogo.broadphase
             var slots:int = sumUp(counters);
             if (slots > rowAt.length)
             {
-                memberAt.length = rowAt.length = slots;
+                rowAt.length = slots;
                 x.length = y.length = z.length = radius.length = slots;
             }
-            sortByCells(count);
-            gather(extents, rows, slots);
-            for (var i:int = 0; i < _byWidth.length; i++)
+            sortByCells(rows, count);
+            gather(extents, slots);
+            for (var i:int = 0; i < levels.byWidth.length; i++)
             {
-                var level:BinLevel = _byWidth[i];
+                var level:BinLevel = levels.byWidth[i];
                 if (level.count == 0)
                 {
                     continue;
                 }
                 for (var coarser:int = 0; coarser < i; coarser++)
                 {
-                    if (_byWidth[coarser].count > 0)
+                    if (levels.byWidth[coarser].count > 0)
                     {
-                        collideLevels(level, _byWidth[coarser], sink);
+                        collideLevels(level, levels.byWidth[coarser], sink);
                     }
                 }
                 collideLevel(level, sink);
@@ -130,7 +120,7 @@ package starlogo.broadphase
         // Counts the members of each level, and assigns counters to the levels. Returns the number of counters.
         private function layOut(extents:Extents, rows:Vector.<int>, count:int):int
         {
-            var allLevels:Vector.<BinLevel> = _levels;
+            var allLevels:Vector.<BinLevel> = levels.byNumber;
             var numbers:Vector.<int> = extents.level;
             for (var i:int = 1; i < allLevels.length; i++)
             {
@@ -141,11 +131,11 @@ package starlogo.broadphase
                 allLevels[numbers[rows[i]]].count++;
             }
             var counters:int = 0;
-            for (i = 0; i < _byWidth.length; i++)
+            for (i = 0; i < levels.byWidth.length; i++)
             {
-                if (_byWidth[i].count > 0)
+                if (levels.byWidth[i].count > 0)
                 {
-                    counters = _byWidth[i].makeRoom(counters);
+                    counters = levels.byWidth[i].makeRoom(counters);
                 }
             }
             if (counters > _counts.length)
@@ -182,7 +172,7 @@ package starlogo.broadphase
                 if (numbers[row] != number)
                 {
                     number = numbers[row];
-                    var level:BinLevel = _levels[number];
+                    var level:BinLevel = levels.byNumber[number];
                     cellsPerPatch = level.cellsPerPatch;
                     mask = level.mask;
                     stride = level.stride;
@@ -229,23 +219,23 @@ package starlogo.broadphase
             return sum;
         }
 
-        private function sortByCells(count:int):void
+        private function sortByCells(rows:Vector.<int>, count:int):void
         {
-            var members:Vector.<int> = memberAt;
+            var toRow:Vector.<int> = rowAt;
             var cells:Vector.<int> = _cells;
             var ends:Vector.<int> = _ends;
             for (var i:int = 0; i < count; i++)
             {
                 var next:int = cells[i] + 1;
                 var slot:int = ends[next];
-                members[slot] = i;
+                toRow[slot] = rows[i];
                 ends[next] = slot + 1;
             }
-            for (i = 0; i < _byWidth.length; i++)
+            for (i = 0; i < levels.byWidth.length; i++)
             {
-                if (_byWidth[i].count > 0)
+                if (levels.byWidth[i].count > 0)
                 {
-                    copyFirstCells(_byWidth[i]);
+                    copyFirstCells(levels.byWidth[i]);
                 }
             }
         }
@@ -261,27 +251,25 @@ package starlogo.broadphase
             }
             for (var slot:int = to; slot < _ends[copies + COPIED]; slot++)
             {
-                memberAt[slot] = memberAt[from + slot - to];
+                rowAt[slot] = rowAt[from + slot - to];
             }
         }
 
         // The reads are scattered in memory and the writes are in order. The reverse would be slower.
-        private function gather(extents:Extents, rows:Vector.<int>, slots:int):void
+        private function gather(extents:Extents, slots:int):void
         {
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
             var fromZ:Vector.<Number> = extents.z;
             var fromRadius:Vector.<Number> = extents.radius;
-            var members:Vector.<int> = memberAt;
-            var toRow:Vector.<int> = rowAt;
+            var rows:Vector.<int> = rowAt;
             var toX:Vector.<Number> = x;
             var toY:Vector.<Number> = y;
             var toZ:Vector.<Number> = z;
             var toRadius:Vector.<Number> = radius;
             for (var slot:int = 0; slot < slots; slot++)
             {
-                var row:int = rows[members[slot]];
-                toRow[slot] = row;
+                var row:int = rows[slot];
                 toX[slot] = fromX[row];
                 toY[slot] = fromY[row];
                 toZ[slot] = fromZ[row];

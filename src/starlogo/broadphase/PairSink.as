@@ -18,7 +18,7 @@ package starlogo.broadphase
          * Takes the pairs of one member with all others whose circles on the ground overlap its own. All come in one call, because a call
          * for each pair would cost as much as its test.
          *
-         * @param slot the member's slot in the bins, see Bins.memberAt
+         * @param slot the member's slot in the bins, see Bins.rowAt
          * @param others begins with the slots of the candidates; no pair comes twice, in either order
          * @param count the number of candidates
          */

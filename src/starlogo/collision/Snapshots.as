@@ -66,7 +66,8 @@ package starlogo.collision
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
             bytes.writeInt(agents.length);
-            writePairs(bytes, tracker, table, agents.length == 0 ? null : table.writePositions(bytes, keepsMotions));
+            table.writePositions(agents, bytes, keepsMotions);
+            writePairs(bytes, tracker, table);
             if (terrain != null)
             {
                 writeGround(bytes, terrain);
@@ -121,16 +122,16 @@ package starlogo.collision
             return found;
         }
 
-        private static function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable, indices:Vector.<int>):void
+        private static function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable):void
         {
             var breeds:Vector.<int> = new Vector.<int>();
             var pairs:ByteArray = newBytes();
             for (var i:int = 0; i < tracker.count; i++)
             {
                 var pair:Touch = tracker.pairAt(i);
-                pairs.writeInt(indices[table.rowOf(pair.first)]);
+                pairs.writeInt(table.ranks[table.rowOf(pair.first)]);
                 // the reserved breeds have the first numbers, and the ground's breed is the first of them
-                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + pair.secondBreed : indices[table.rowOf(pair.second)]);
+                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + pair.secondBreed : table.ranks[table.rowOf(pair.second)]);
                 pairs.writeInt(indexIn(breeds, pair.firstBreed));
                 pairs.writeInt(indexIn(breeds, pair.secondBreed));
                 pairs.writeBoolean(pair.isBothWays);

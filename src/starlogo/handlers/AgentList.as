@@ -61,11 +61,7 @@ package starlogo.handlers
             {
                 return false;
             }
-            var index:int = before;
-            if (index >= _agents.length)
-            {
-                index = _agents.length - 1;
-            }
+            var index:int = Math.min(before, _agents.length - 1);
             while (index >= 0 && _agents[index] !== agent)
             {
                 index--;

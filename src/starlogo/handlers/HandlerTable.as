@@ -90,14 +90,9 @@ package starlogo.handlers
         {
             return _handlers.filter(function(handler:CollisionHandler, ...ignored):Boolean
                 {
-                    return handler.kind >= first && handler.kind <= last && standsFor(handler.breed, breed)
-                        && standsFor(handler.otherBreed, otherBreed);
+                    return handler.kind >= first && handler.kind <= last && interests.matches(handler.breed, breed)
+                        && interests.matches(handler.otherBreed, otherBreed);
                 });
-        }
-
-        private function standsFor(name:String, breed:int):Boolean
-        {
-            return name == BreedInterests.ANY_BREED ? interests.isOfAgents(breed) : interests.indexOf(name) == breed;
         }
     }
 }

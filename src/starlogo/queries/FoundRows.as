@@ -64,7 +64,6 @@ package starlogo.queries
         public function FoundRows(seen:SeenAgents)
         {
             _seen = seen;
-            ranks = seen.ranks;
             _filtered = new FilteredRows(seen);
         }
 
@@ -84,6 +83,7 @@ package starlogo.queries
             test = filter == null ? null : _filtered.of(filter);
             _accepts = filter == null ? null : filter.accepts;
             cone = null;
+            ranks = _seen.table.ranks;
             count = 0;
             _room = most < 1 || most > ALL / 2 ? ALL : 2 * most;
         }

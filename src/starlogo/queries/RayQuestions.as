@@ -53,7 +53,7 @@ package starlogo.queries
             var first:int = -1;
             for (var row:int = next(); row >= 0; row = next())
             {
-                if (first < 0 || _rays.distance < hit.distance || _seen.ranks[row] < _seen.ranks[first])
+                if (first < 0 || _rays.distance < hit.distance || _seen.table.ranks[row] < _seen.table.ranks[first])
                 {
                     first = row;
                     hit ||= new RayHit();
@@ -146,7 +146,7 @@ package starlogo.queries
         // Lists every hit, without calling accepts.
         private function list(out:Vector.<RayHit>):void
         {
-            _hitOf.length = Math.max(_hitOf.length, _seen.ranks.length);
+            _hitOf.length = Math.max(_hitOf.length, _seen.table.agents.length);
             for (var row:int = next(); row >= 0; row = next())
             {
                 var count:int = _found.count;

@@ -34,9 +34,6 @@ package starlogo.queries
         /** Tests which rows touch. It belongs to the collision system and has its settings. */
         public var pairs:RowPairs;
 
-        /** By row: the index of its agent in the list. */
-        public var ranks:Vector.<int> = new Vector.<int>();
-
         /** The number of questions under way that are calling a filter's accepts. Meanwhile the list must not change. */
         public var asking:int = 0;
 
@@ -46,9 +43,6 @@ package starlogo.queries
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
         private var _structure:AskedStructure = null;
-
-        // The number of the list for which ranks was made.
-        private var _listNumber:int = -1;
 
         /**
          * @param source a Collision, or one of the engine's colliders
@@ -96,10 +90,6 @@ package starlogo.queries
             next.check(agents);
             next.readGuest(RowList.GROUND, terrain == null ? null : terrain.agent);
             next.read(agents);
-            if (next !== table || next.listNumber != _listNumber)
-            {
-                findRanks(next);
-            }
             table = next;
             pairs = collider.pairs;
             _system = collider;
@@ -214,17 +204,6 @@ package starlogo.queries
             }
             _structure ||= new AskedStructure();
             return _structure.readInto(table, structure);
-        }
-
-        private function findRanks(of:AgentTable):void
-        {
-            ranks.length = Math.max(ranks.length, of.agents.length);
-            ranks[RowList.GROUND] = of.count;
-            for (var i:int = 0; i < of.count; i++)
-            {
-                ranks[of.rows[i]] = i;
-            }
-            _listNumber = of.listNumber;
         }
 
         private function findCollider():Collider

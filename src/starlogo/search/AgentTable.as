@@ -23,6 +23,9 @@ package starlogo.search
         // The rows of the agents, in the order of the list.
         engine var rows:Vector.<int>;
 
+        /** See RowList.ranks. */
+        public var ranks:Vector.<int>;
+
         // By row: the agent's place in the search before the last one.
         internal var lastX:Vector.<Number> = new Vector.<Number>();
         internal var lastY:Vector.<Number> = new Vector.<Number>();
@@ -53,6 +56,7 @@ package starlogo.search
             _list = list;
             _bins = bins;
             rows = list.rows;
+            ranks = list.ranks;
             makeRows();
         }
 
@@ -60,12 +64,6 @@ package starlogo.search
         public function get count():int
         {
             return _list.count;
-        }
-
-        /** See RowList.number. */
-        public function get listNumber():int
-        {
-            return _list.number;
         }
 
         /** See RowList.isOf. */
@@ -102,10 +100,10 @@ package starlogo.search
             }
             findShapes();
             takePositions();
-            if (_freedList != listNumber)
+            if (_freedList != _list.number)
             {
                 freeRows();
-                _freedList = listNumber;
+                _freedList = _list.number;
             }
             moveAllExtents();
         }
@@ -195,22 +193,19 @@ package starlogo.search
         /**
          * Writes the place of each agent in the last search, and whether its motion begins there.
          *
+         * @param list the list of the last search, or an empty list
          * @param keepsMotions false to write that no agent has a motion
-         * @return by row: the index of its agent in the list
          */
-        public function writePositions(bytes:ByteArray, keepsMotions:Boolean):Vector.<int>
+        public function writePositions(list:Vector.<Agent>, bytes:ByteArray, keepsMotions:Boolean):void
         {
-            var indices:Vector.<int> = new Vector.<int>(agents.length);
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < list.length; i++)
             {
                 var row:int = rows[i];
-                indices[row] = i;
                 bytes.writeBoolean(keepsMotions && shapes[row] != null && agents[row].jumpRevision <= revisions[row]);
                 bytes.writeDouble(x[row]);
                 bytes.writeDouble(y[row]);
                 bytes.writeDouble(z[row]);
             }
-            return indices;
         }
 
         /**

@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.broadphase.Bins;
     import starlogo.engine;
 
     use namespace engine;
@@ -79,7 +78,7 @@ package starlogo.search
             }
             for (i = 0; i < _added.length; i += 2)
             {
-                markPairs(numbersOf(_added[i]), numbersOf(_added[i + 1]));
+                markPairs(_added[i], _added[i + 1]);
             }
             areAll = true;
             for (i = 0; i < areOfInterest.length; i++)
@@ -121,7 +120,7 @@ package starlogo.search
          */
         internal function read(table:AgentTable):int
         {
-            var hasFixture:Boolean = table.agents[RowList.GROUND] != null || table.agents[RowList.GROUND + 1] != null;
+            var hasFixture:Boolean = table.agents[RowList.GROUND] != null || table.agents[RowList.EDGES] != null;
             if (_hasAny && areAll && !hasFixture)
             {
                 return 0;
@@ -135,6 +134,10 @@ package starlogo.search
             if (numbersOfRows.length < agents.length)
             {
                 numbersOfRows.length = agents.length;
+            }
+            for (var fixture:int = RowList.GROUND; fixture <= RowList.EDGES; fixture++)
+            {
+                numbersOfRows[fixture] = agents[fixture] == null ? -1 : ofNames[agents[fixture].breedNumber];
             }
             var outsiders:int = 0;
             for (var i:int = 0; i < end; i++)
@@ -150,29 +153,23 @@ package starlogo.search
             return outsiders;
         }
 
-        /** Whether the breed of a row is in a pair. The row must have been read. */
-        internal function hasBreedOf(row:int):Boolean
-        {
-            return ofRows[row] >= 0;
-        }
-
         /**
-         * Keeps a member's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
+         * Keeps a row's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
-         * @param others the slots of the candidates
+         * @param rows the candidates are indices in this list of rows
+         * @param others the candidates
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        internal function keepOfInterest(bins:Bins, slot:int, others:Vector.<int>, count:int):int
+        internal function keepOfInterest(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var numbersOfRows:Vector.<int> = ofRows;
-            var rowAt:Vector.<int> = bins.rowAt;
-            var first:int = numbersOfRows[rowAt[slot]] * breedCount;
+            var first:int = numbersOfRows[row] * breedCount;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                if (areOfInterest[first + numbersOfRows[rowAt[other]]])
+                if (areOfInterest[first + numbersOfRows[rows[other]]])
                 {
                     others[kept] = other;
                     kept++;
@@ -181,28 +178,16 @@ package starlogo.search
             return kept;
         }
 
-        /** @private Tells whether a number belongs to a breed of agents, not to the ground or the edges of the world. */
-        engine function isOfAgents(index:int):Boolean
+        /** @private Whether a name matches the breed with a number. ANY_BREED matches all breeds of agents. */
+        engine function matches(name:String, index:int):Boolean
         {
-            return index < 0 || index == _named.length || !Breeds.isReserved(_named[index]);
+            return name == ANY_BREED ? isOfAgents(index) : indexOf(name) == index;
         }
 
-        // The numbers of the breeds that a name matches. ANY_BREED matches all breeds of agents.
-        private function numbersOf(breed:String):Vector.<int>
+        // Tells whether a number belongs to a breed of agents, not to the ground or the edges of the world.
+        private function isOfAgents(index:int):Boolean
         {
-            if (breed != ANY_BREED)
-            {
-                return new <int>[indexOf(breed)];
-            }
-            var all:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < breedCount; i++)
-            {
-                if (isOfAgents(i))
-                {
-                    all.push(i);
-                }
-            }
-            return all;
+            return index < 0 || index == _named.length || !Breeds.isReserved(_named[index]);
         }
 
         private function enter(breed:String):void
@@ -217,14 +202,16 @@ package starlogo.search
             }
         }
 
-        private function markPairs(someNumbers:Vector.<int>, otherNumbers:Vector.<int>):void
+        private function markPairs(breed:String, otherBreed:String):void
         {
-            for each (var number:int in someNumbers)
+            for (var i:int = 0; i < breedCount; i++)
             {
-                for each (var other:int in otherNumbers)
+                for (var j:int = 0; matches(breed, i) && j < breedCount; j++)
                 {
-                    areOfInterest[number * breedCount + other] = true;
-                    areOfInterest[other * breedCount + number] = true;
+                    if (matches(otherBreed, j))
+                    {
+                        areOfInterest[i * breedCount + j] = areOfInterest[j * breedCount + i] = true;
+                    }
                 }
             }
         }

@@ -32,18 +32,16 @@ package starlogo.search
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
 
-        // The rows that the bins get, called members: all rows, or only rows of breeds of interest. For the latter, _indices has the index of
-        // each member's agent in the list.
+        // The rows that the bins get, called members: all rows, or only rows of breeds of interest.
         private var _memberRows:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
-        private var _indices:Vector.<int> = new Vector.<int>();
 
-        // The members that may touch a fixture.
-        private var _touching:Vector.<int> = new Vector.<int>();
+        // The members that may touch the ground or the edges of the world.
+        private var _candidates:Vector.<int> = new Vector.<int>();
 
-        // The search under way. _interests is null if all pairs count. Found pairs go to _out as indices, or to _outAgents as agents if it is
-        // not null. If an agent sweeps, _times has the time of each pair.
+        // The search under way. _interests is null if all pairs of agents count. Found pairs go to _out as indices, or to _outAgents as agents
+        // if it is not null. If an agent sweeps, _times has the time of each pair.
         private var _interests:BreedInterests;
         private var _out:FoundPairs;
         private var _outAgents:Vector.<Agent>;
@@ -87,9 +85,9 @@ package starlogo.search
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
-                outAgents:Vector.<Agent> = null, fixtures:Vector.<Agent> = null):void
+                outAgents:Vector.<Agent>, fixtures:Vector.<Agent>):void
         {
-            for (var row:int = RowList.GROUND; row < RowList.BOX; row++)
+            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
                 table.readGuest(row, fixtures == null ? null : fixtures[row - RowList.GROUND]);
             }
@@ -107,24 +105,20 @@ package starlogo.search
             _skippedPairs = out.count = 0;
             _pairs.resetCounts();
             _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
-            for (row = RowList.GROUND; row < RowList.BOX; row++)
+            for (row = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                findFixture(interests, row, agents.length + row - RowList.GROUND);
+                findFixture(interests, row);
             }
             _out = null;
+            _outAgents = null;
             if (_isSwept)
             {
                 _order.sortPairs(out.indices, _times, out.count);
+                if (outAgents != null)
+                {
+                    out.write(agents, outAgents);
+                }
             }
-            if (_memberRows !== table.rows && _outAgents == null)
-            {
-                writeIndices(out);
-            }
-            if (outAgents != null && _isSwept)
-            {
-                out.write(agents, outAgents);
-            }
-            _outAgents = null;
             report(agents.length, out.count, counts);
         }
 
@@ -178,15 +172,17 @@ package starlogo.search
         /** @inheritDoc */
         override public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {
+            var rowAt:Vector.<int> = _bins.rowAt;
+            var row:int = rowAt[slot];
             if (_interests != null)
             {
-                var kept:int = _interests.keepOfInterest(_bins, slot, others, count);
+                var kept:int = _interests.keepOfInterest(row, rowAt, others, count);
                 _skippedPairs += count - kept;
                 count = kept;
             }
             if (_isSwept)
             {
-                count = keepTouchingMotions(slot, others, count);
+                count = keepTouchingMotions(_bins, row, rowAt, others, count);
             }
             else if (_areSpheres)
             {
@@ -194,55 +190,39 @@ package starlogo.search
             }
             else
             {
-                count = _pairs.keepTouching(table, _bins, slot, others, count);
+                count = _pairs.keepTouching(table, _bins, row, rowAt, others, count);
             }
-            if (_outAgents == null)
+            put(row, rowAt, others, count);
+        }
+
+        // Writes the pairs of a row and its candidates, which are indices in a list of rows.
+        private function put(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):void
+        {
+            var indices:Vector.<int> = _out.indices;
+            var outAgents:Vector.<Agent> = _outAgents;
+            var agents:Vector.<Agent> = table.agents;
+            var ranks:Vector.<int> = table.ranks;
+            var rank:int = ranks[row];
+            var at:int = 2 * _out.count;
+            for (var i:int = 0; i < count; i++)
             {
-                putIndices(slot, others, count);
-            }
-            else
-            {
-                putAgents(slot, others, count);
+                var other:int = rows[others[i]];
+                var isFirst:Boolean = rank < ranks[other];
+                var first:int = isFirst ? row : other;
+                var second:int = isFirst ? other : row;
+                if (outAgents == null)
+                {
+                    indices[at] = ranks[first];
+                    indices[int(at + 1)] = ranks[second];
+                }
+                else
+                {
+                    outAgents[at] = agents[first];
+                    outAgents[int(at + 1)] = agents[second];
+                }
+                at += 2;
             }
             _out.count += count;
-        }
-
-        // Writes the pairs of a member and its candidates, as the numbers of members.
-        private function putIndices(slot:int, others:Vector.<int>, count:int):void
-        {
-            var pairs:Vector.<int> = _out.indices;
-            var memberAt:Vector.<int> = _bins.memberAt;
-            var member:int = memberAt[slot];
-            var at:int = 2 * _out.count;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = memberAt[others[i]];
-                var isFirst:Boolean = member < other;
-                pairs[at] = isFirst ? member : other;
-                at++;
-                pairs[at] = isFirst ? other : member;
-                at++;
-            }
-        }
-
-        private function putAgents(slot:int, others:Vector.<int>, count:int):void
-        {
-            var pairs:Vector.<Agent> = _outAgents;
-            var listed:Vector.<Agent> = table.agents;
-            var memberAt:Vector.<int> = _bins.memberAt;
-            var rowAt:Vector.<int> = _bins.rowAt;
-            var member:int = memberAt[slot];
-            var agent:Agent = listed[rowAt[slot]];
-            var at:int = 2 * _out.count;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:Agent = listed[rowAt[others[i]]];
-                var isFirst:Boolean = member < memberAt[others[i]];
-                pairs[at] = isFirst ? agent : other;
-                at++;
-                pairs[at] = isFirst ? other : agent;
-                at++;
-            }
         }
 
         // In most searches all agents take part, and the table's own list of rows is used.
@@ -260,31 +240,28 @@ package starlogo.search
             for (var i:int = 0; i < table.count; i++)
             {
                 var row:int = table.rows[i];
-                if (table.shapes[row] != null && (outsiders == 0 || interests.hasBreedOf(row)) && (takePart == null || takePart[i]))
+                if (table.shapes[row] != null && (outsiders == 0 || interests.ofRows[row] >= 0) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
-                    _indices[_memberCount] = i;
                     _memberCount++;
                 }
             }
         }
 
         // Like keepTouching, and writes the times. A pair is tested along its motions if one of its agents sweeps, and else where the two are.
-        private function keepTouchingMotions(slot:int, others:Vector.<int>, count:int):int
+        private function keepTouchingMotions(bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var row:int = _bins.rowAt[slot];
-            var member:int = _bins.memberAt[slot];
+            var ranks:Vector.<int> = table.ranks;
+            var rank:int = ranks[row];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = others[i];
-                var otherRow:int = _bins.rowAt[other];
+                var other:int = rows[others[i]];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
-                var isFirst:Boolean = member < _bins.memberAt[other];
-                var time:Number = isFirst ? impactTime(row, otherRow, _bins) : impactTime(otherRow, row, _bins);
+                var time:Number = rank < ranks[other] ? impactTime(row, other, bins) : impactTime(other, row, bins);
                 if (time != RelativeMotion.NEVER)
                 {
-                    others[kept] = other;
+                    others[kept] = others[i];
                     _times[int(_out.count + kept)] = time;
                     kept++;
                 }
@@ -295,7 +272,7 @@ package starlogo.search
         // The bins know how far apart the extents of touching rows may be. They are null if the second row is a fixture.
         private function impactTime(a:int, b:int, bins:Bins):Number
         {
-            if (_isSwept && (_motions.isSweeping[a] || _motions.isSweeping[b]))
+            if (_motions.isSweeping[a] || _motions.isSweeping[b])
             {
                 _motions.findTime(table, bins, a, b);
                 return _motions.foundTime;
@@ -306,65 +283,20 @@ package starlogo.search
 
         // Finds the members that touch the ground, or the edges of the world. It tests only members whose breeds are of interest together
         // with the fixture's breed.
-        private function findFixture(interests:BreedInterests, fixture:int, index:int):void
+        private function findFixture(interests:BreedInterests, fixture:int):void
         {
-            var agents:Vector.<Agent> = table.agents;
-            var breed:int = agents[fixture] == null ? -1 : interests.indexOf(agents[fixture].breed);
-            if (breed < 0)
+            if (table.agents[fixture] == null || interests.ofRows[fixture] < 0)
             {
                 return;
             }
-            var numbers:Vector.<int> = interests.ofRows;
-            var areOfInterest:Vector.<Boolean> = interests.areOfInterest;
-            var first:int = breed * interests.breedCount;
-            var count:int = 0;
             for (var i:int = 0; i < _memberCount; i++)
             {
-                var number:int = numbers[_memberRows[i]];
-                if (number >= 0 && areOfInterest[int(first + number)])
-                {
-                    _touching[count] = i;
-                    count++;
-                }
+                _candidates[i] = i;
             }
-            count = _isSwept ? keepTouchingFixture(count, fixture) : _pairs.testsOf(table, fixture, fixture).keepMembers(table, _memberRows, _touching, count, fixture);
-            for (i = 0; i < count; i++)
-            {
-                _out.indices[int(2 * _out.count)] = _touching[i];
-                _out.indices[int(2 * _out.count + 1)] = index;
-                _out.count++;
-            }
-        }
-
-        // Keeps the members that touch a fixture on their motions, and writes the times.
-        private function keepTouchingFixture(count:int, fixture:int):int
-        {
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var time:Number = impactTime(_memberRows[_touching[i]], fixture, null);
-                if (time != RelativeMotion.NEVER)
-                {
-                    _touching[kept] = _touching[i];
-                    _times[int(_out.count + kept)] = time;
-                    kept++;
-                }
-            }
-            return kept;
-        }
-
-        // Replaces the numbers of members by the indices of their agents in the list.
-        private function writeIndices(out:FoundPairs):void
-        {
-            var indices:Vector.<int> = out.indices;
-            for (var i:int = 0; i < 2 * out.count; i++)
-            {
-                // the indices of fixtures are larger, and stay
-                if (indices[i] < _memberCount)
-                {
-                    indices[i] = _indices[indices[i]];
-                }
-            }
+            var count:int = interests.keepOfInterest(fixture, _memberRows, _candidates, _memberCount);
+            count = _isSwept ? keepTouchingMotions(null, fixture, _memberRows, _candidates, count)
+                : _pairs.keepTouching(table, null, fixture, _memberRows, _candidates, count);
+            put(fixture, _memberRows, _candidates, count);
         }
 
         private function report(agentCount:int, pairCount:int, counts:SearchCounts):void

@@ -29,13 +29,12 @@ package starlogo.search
     {
         private var _pairs:RowPairs;
 
-        // By edge: the direction out of the world, the edge's place, how far the row is beyond it (less than 0 if the row is before it), and how
-        // far the row's motion goes towards it. _nearest is the edge that the row of the last contact is furthest beyond.
+        // By edge: the direction out of the world, the edge's place in this direction, and how far the row is beyond it (less than 0 if the row is
+        // before it). _nearest is the edge that the row of the last contact is furthest beyond.
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
-        private var _edges:Vector.<Number>;
+        private var _places:Vector.<Number> = new Vector.<Number>(6, true);
         private var _beyond:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _come:Vector.<Number> = new Vector.<Number>(6, true);
         private var _nearest:int = 0;
 
         // Half of the row's largest extent, and the largest gap between the row and an edge that still counts as a touch.
@@ -69,7 +68,7 @@ package starlogo.search
             for (var edge:int = 0; edge < 6; edge++)
             {
                 var end:Number = _beyond[edge] + _margin;
-                var start:Number = end - _come[edge];
+                var start:Number = end - along(edge, motion.x, motion.y, motion.z);
                 if (start >= 0)
                 {
                     motion.time = 0;
@@ -93,7 +92,7 @@ package starlogo.search
             _nearest = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                _beyond[edge] -= left * _come[edge];
+                _beyond[edge] -= left * along(edge, motion.x, motion.y, motion.z);
                 _nearest = _beyond[edge] > _beyond[_nearest] ? edge : _nearest;
             }
             findFarthest(table, a, _nearest);
@@ -133,20 +132,15 @@ package starlogo.search
         {
             var extents:Extents = table.extents;
             var fixture:FixtureAgent = FixtureAgent(table.agents[edges]);
-            _edges = fixture.edges;
             _largest = extents.largestHalf(row);
             _margin = table.marginOf(row) + Tolerances.ROUNDING * _largest;
-            _beyond[0] = extents.halfX[row] + (_edges[0] - extents.x[row]);
-            _beyond[1] = extents.halfX[row] + (extents.x[row] - _edges[1]);
-            _beyond[2] = extents.halfY[row] + (_edges[2] - extents.y[row]);
-            _beyond[3] = extents.halfY[row] + (extents.y[row] - _edges[3]);
-            _beyond[4] = extents.halfZ[row] + (_edges[4] - extents.z[row]);
-            _beyond[5] = extents.halfZ[row] + (extents.z[row] - _edges[5]);
             for (var edge:int = 0; edge < 6; edge++)
             {
-                var outwards:Vector3D = _outwards[edge];
-                _come[edge] = motion.x * outwards.x + motion.y * outwards.y + motion.z * outwards.z;
-                if (table.forms[row] == ModelShape.TREE && (_beyond[edge] >= -_margin || _beyond[edge] - _come[edge] >= -_margin))
+                _places[edge] = along(edge, 1, 1, 1) * fixture.edges[edge];
+                var reach:Number = Math.abs(along(edge, extents.halfX[row], extents.halfY[row], extents.halfZ[row]));
+                var beyond:Number = reach + (along(edge, extents.x[row], extents.y[row], extents.z[row]) - _places[edge]);
+                _beyond[edge] = beyond;
+                if (table.forms[row] == ModelShape.TREE && (beyond >= -_margin || beyond - along(edge, motion.x, motion.y, motion.z) >= -_margin))
                 {
                     findFarthest(table, row, edge);
                     _beyond[edge] -= _motion.time * along(edge, _motion.x, _motion.y, _motion.z);
@@ -200,7 +194,7 @@ package starlogo.search
                 by += Tolerances.SEPARATION / 5 * _largest;
             }
             out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);
-            var place:Number = along(edge, _edges[edge], _edges[edge], _edges[edge]) + _beyond[edge] / 2 - along(edge, out.x, out.y, out.z);
+            var place:Number = _places[edge] + _beyond[edge] / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(place))
             {
                 out.x += place * outwards.x;

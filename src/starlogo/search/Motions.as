@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
@@ -100,24 +101,20 @@ package starlogo.search
             var motion:RelativeMotion = _motion;
             motion.endAfter(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
             var isStill:Boolean = motion.x == 0 && motion.y == 0 && motion.z == 0;
-            var areSpheres:Boolean = RowPairs.areSpheres(table, a, b);
+            var areSpheres:Boolean = (table.forms[a] | table.forms[b]) == BoundingStructure.SPHERE;
             if (!isStill && !areSpheres && bins != null && passEachOther(table.extents, a, b, bins.slack))
             {
                 motion.time = RelativeMotion.NEVER;
                 return;
             }
             _pairs.sweptPairs++;
-            if (!isStill)
+            if (isStill)
             {
-                _pairs.testsOf(table, a, b).findTime(table, a, b, motion);
-            }
-            else if (_pairs.areTouching(table, a, b))
-            {
-                motion.time = 0;
+                motion.time = _pairs.areTouching(table, a, b) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
-                motion.time = RelativeMotion.NEVER;
+                _pairs.testsOf(table, a, b).findTime(table, a, b, motion);
             }
         }
 

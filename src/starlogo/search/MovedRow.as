@@ -84,11 +84,8 @@ package starlogo.search
         /** Puts the row back to its own place, with its whole size. */
         public function giveBack():void
         {
-            shrink(0);
-            _table.x[_row] = _home.x;
-            _table.y[_row] = _home.y;
-            _table.z[_row] = _home.z;
-            _table.putBack(_row, _revision);
+            put(_home, 0);
+            _table.revisions[_row] = _revision;
             _table = null;
         }
 

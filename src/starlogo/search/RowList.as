@@ -19,6 +19,9 @@ package starlogo.search
         /** The row of the ground, the first fixture. The number of a fixture's breed gives its row. */
         public static const GROUND:int = 2;
 
+        /** The row of the edges of the world. */
+        public static const EDGES:int = 3;
+
         /** The row of a box that rows are moved against. */
         public static const BOX:int = 4;
 
@@ -30,6 +33,9 @@ package starlogo.search
 
         /** A number that grows with each change of the list. While it stays the same, the rows belong to the same agents. */
         public var number:int = 0;
+
+        /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
+        public var ranks:Vector.<int> = new <int>[0, 0, 0, 0, 0];
 
         /** By row: the agent, or null. */
         public var agents:Vector.<Agent> = new <Agent>[null, null, null, null, null];
@@ -117,8 +123,11 @@ package starlogo.search
                 }
                 _lists[row] = number;
                 rows[i] = row;
+                ranks[row] = i;
             }
             count = list.length;
+            ranks[GROUND] = count;
+            ranks[EDGES] = count + 1;
         }
 
         /**
@@ -181,7 +190,7 @@ package starlogo.search
                 // grows by an eighth, because a vector that grows by one element is copied each time
                 if (_end > agents.length)
                 {
-                    agents.length = _lists.length = _end + (_end >> 3);
+                    agents.length = _lists.length = ranks.length = _end + (_end >> 3);
                 }
             }
             agents[row] = agent;

@@ -91,28 +91,35 @@ package starlogo.search
         }
 
         /**
-         * Keeps the candidates that touch a member, and moves them to the beginning of the list.
+         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
          *
-         * @param slot the member's slot
-         * @param others the slots of the candidates, whose circles on the ground overlap the member's circle
+         * @param bins knows how far apart the extents of touching rows may be; null for the ground and the edges of the world
+         * @param rows the candidates are indices in this list of rows
+         * @param others the candidates. Their circles on the ground overlap the row's circle
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var forms:Vector.<int> = table.forms;
-            var rowAt:Vector.<int> = bins.rowAt;
-            var row:int = rowAt[slot];
             var form:int = forms[row];
+            if (form >= ModelShape.GROUND)
+            {
+                return testsOf(table, row, row).keepMembers(table, rows, others, count, row);
+            }
             if (form == ModelShape.TREE)
             {
-                return trees.keepTouching(table, bins, slot, others, count);
+                return trees.keepTouching(table, bins, row, rows, others, count);
             }
+            var xs:Vector.<Number> = table.extents.x;
+            var ys:Vector.<Number> = table.extents.y;
             var zs:Vector.<Number> = table.extents.z;
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
             var revisions:Vector.<int> = table.revisions;
+            var atX:Number = xs[row];
+            var atY:Number = ys[row];
             var atZ:Number = zs[row];
             var reachZ:Number = halfZs[row] + bins.slack;
             var box:Box = structures.settings.boxFacesOnly ? null : boxes[row];
@@ -127,7 +134,7 @@ package starlogo.search
             {
                 // two boxes need no test of their extents, except for the heights
                 var other:int = others[i];
-                var otherRow:int = rowAt[other];
+                var otherRow:int = rows[other];
                 var distance:Number = zs[otherRow] - atZ;
                 var reach:Number = reachZ + halfZs[otherRow];
                 if (distance > reach)
@@ -153,11 +160,10 @@ package starlogo.search
                 }
                 else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
                 {
-                    // a sphere and its circle on the ground have the same radius
                     sphereTests++;
-                    var x:Number = bins.x[other] - bins.x[slot];
-                    var y:Number = bins.y[other] - bins.y[slot];
-                    reach = bins.radius[other] + bins.radius[slot];
+                    var x:Number = xs[otherRow] - atX;
+                    var y:Number = ys[otherRow] - atY;
+                    reach = halfZs[row] + halfZs[otherRow];
                     if (x * x + y * y + distance * distance > reach * reach && !_spheres.areTouching(table, row, otherRow))
                     {
                         continue;
@@ -188,13 +194,11 @@ package starlogo.search
             {
                 return structures.areTouching(table, a, b);
             }
-            if (forms < ModelShape.GROUND)
+            if (table.forms[a] >= ModelShape.GROUND)
             {
-                return trees.areTouching(table, a, b);
+                return table.forms[b] < ModelShape.GROUND && areTouching(table, b, a);
             }
-            var fixture:int = table.forms[b] < ModelShape.GROUND ? a : b;
-            var row:int = a + b - fixture;
-            return table.forms[row] < ModelShape.GROUND && fixtureOf(table, fixture).areTouching(table, row, fixture);
+            return testsOf(table, a, b).areTouching(table, a, b);
         }
 
         /** Sets all counts to 0. */
@@ -220,19 +224,14 @@ package starlogo.search
             }
         }
 
-        /** Whether two rows are both spheres. */
-        public static function areSpheres(table:AgentTable, a:int, b:int):Boolean
-        {
-            return (table.forms[a] | table.forms[b]) == BoundingStructure.SPHERE;
-        }
-
         /**
          * Whether tests take the second of two rows first, so that rounding errors are the same in either order. A tree comes before a
-         * structure. Of two trees or two structures, the agent with the lower number comes first.
+         * structure. Of two trees or two structures, the agent with the lower number comes first. The ground and the edges of the world come
+         * last.
          */
         public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
-            if (isOneFixture(table, a, b))
+            if (table.forms[a] >= ModelShape.GROUND || table.forms[b] >= ModelShape.GROUND)
             {
                 return table.forms[a] >= ModelShape.GROUND;
             }
@@ -268,24 +267,17 @@ package starlogo.search
             return distance <= reach && distance >= -reach;
         }
 
-        /** Whether one of two rows is the ground or the edges of the world. */
-        public static function isOneFixture(table:AgentTable, a:int, b:int):Boolean
-        {
-            return (table.forms[a] | table.forms[b]) >= ModelShape.GROUND;
-        }
-
-        private function fixtureOf(table:AgentTable, fixture:int):PairTests
-        {
-            return table.forms[fixture] == ModelShape.GROUND ? _ground : _edges;
-        }
-
         /** The tests for two rows, by their forms. The ground or the edges of the world are the second of the two. */
         public function testsOf(table:AgentTable, a:int, b:int):PairTests
         {
             var forms:int = table.forms[a] | table.forms[b];
+            if (forms >= ModelShape.GROUND)
+            {
+                return forms >= ModelShape.EDGES ? _edges : _ground;
+            }
             if (forms >= ModelShape.TREE)
             {
-                return forms >= ModelShape.GROUND ? fixtureOf(table, b) : trees;
+                return trees;
             }
             return forms == BoundingStructure.SPHERE ? _spheres : structures;
         }

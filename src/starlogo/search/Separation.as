@@ -61,14 +61,13 @@ package starlogo.search
         private var _rounding:Number = 0;
         private var _place:Vector3D = new Vector3D();
 
-        // The direction that is tried; a distance along it at which the two touch, a distance at which they do not, and the distance at which
-        // they part.
+        // The direction that is tried; a distance along it at which the two touch, a distance at which they do not, and the next step towards it.
         private var _alongX:Number = 0;
         private var _alongY:Number = 0;
         private var _alongZ:Number = 0;
         private var _touching:Number = 0;
         private var _free:Number = 0;
-        private var _exit:Number = 0;
+        private var _step:Number = 0;
 
         // How far the first row is moved along the direction. This is a field because V8 makes an object for each Number that is passed.
         private var _distance:Number = 0;
@@ -175,31 +174,30 @@ package starlogo.search
             }
             if (isDeep)
             {
-                findDirectionByLeaves(out);
-                if (_pairs.trees != null && _pairs.trees.exact)
+                var trees:TreePairs = _pairs.trees;
+                var isExact:Boolean = trees != null && trees.exact;
+                if (isExact)
                 {
-                    point(out);
-                    _free = out.depth;
-                    goOut();
+                    trees.byLeaves = true;
+                }
+                findDirection(out);
+                if (isExact)
+                {
+                    trees.byLeaves = false;
+                    goOutAlong(out);
                     sweepBack(out);
                     improve(out);
                 }
-            }
-            else
-            {
-                sweepBack(out);
-            }
-            if (isDeep)
-            {
                 // the middle between the place where they part and the matching place on the first row
                 out.x = _left.x - out.depth / 2 * out.normalX;
                 out.y = _left.y - out.depth / 2 * out.normalY;
                 out.z = _left.z - out.depth / 2 * out.normalZ;
             }
-            point(out);
-            _exit = out.depth;
-            makeSure();
-            out.depth = _exit;
+            else
+            {
+                sweepBack(out);
+            }
+            makeSure(out);
         }
 
         // The two may touch both sides of a corner, and neither of them deeply. Then the way out is between the sides. This finds a second
@@ -222,28 +220,13 @@ package starlogo.search
             return touchesFree();
         }
 
-        private function findDirectionByLeaves(out:ContactPoint):void
-        {
-            var trees:TreePairs = _pairs.trees;
-            if (trees == null)
-            {
-                findDirection(out);
-                return;
-            }
-            trees.byLeaves = true;
-            findDirection(out);
-            trees.byLeaves = false;
-        }
-
         private function findDirection(out:ContactPoint):void
         {
             _start.copyFrom(out);
             _distance = 0;
             displace();
             _tests.findOuterContact(_table, _a, _b, _left);
-            point(_left);
-            _free = _left.depth;
-            goOut();
+            goOutAlong(_left);
             sweepBack(out);
             _parting.copyFrom(_left);
             point(_start);
@@ -284,17 +267,24 @@ package starlogo.search
             return true;
         }
 
-        // Increases the free distance until the two do not touch there. At first it is only a guess.
+        // Takes the direction of a contact's normal. Its depth is the first guess of the free distance.
+        private function goOutAlong(contact:ContactPoint):void
+        {
+            point(contact);
+            _free = contact.depth + Tolerances.SEPARATION * _extent;
+            _step = SHALLOW * _extent;
+            goOut();
+        }
+
+        // Increases the free distance by longer and longer steps, until the two do not touch there.
         private function goOut():void
         {
-            var step:Number = SHALLOW * _extent;
             _touching = 0;
-            _free += Tolerances.SEPARATION * _extent;
             while (touchesFree() && _free < 1e300)
             {
                 _touching = _free;
-                _free += step;
-                step *= 2;
+                _free += _step;
+                _step *= 2;
             }
         }
 
@@ -332,37 +322,28 @@ package starlogo.search
             }
         }
 
-        // Makes sure, in spite of rounding, that the two do not touch a little beyond the exit, and touch a little before it.
-        private function makeSure():void
+        // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
+        private function makeSure(out:ContactPoint):void
         {
             var slack:Number = Tolerances.SEPARATION / 4 * _extent;
-            _touching = 0;
-            _free = _exit + slack;
-            if (touchesFree())
+            point(out);
+            _free = out.depth + slack;
+            _step = slack;
+            goOut();
+            if (_touching == 0)
             {
-                var step:Number = slack;
-                do
-                {
-                    _touching = _free;
-                    _free += step;
-                    step *= 2;
-                }
-                while (touchesFree() && _free < 1e300);
-            }
-            else
-            {
-                _distance = _exit - slack;
-                if (_exit <= slack || touch())
+                _distance = out.depth - slack;
+                if (out.depth <= slack || touch())
                 {
                     return;
                 }
-                _free = _exit - slack;
+                _free = out.depth - slack;
             }
             for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
             {
                 halve();
             }
-            _exit = (_free + _touching) / 2;
+            out.depth = (_free + _touching) / 2;
         }
 
         private function point(contact:ContactPoint):void

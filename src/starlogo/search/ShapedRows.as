@@ -183,17 +183,11 @@ package starlogo.search
             sizes[row] = factor * from[7];
         }
 
-        /** Call this after x, y, z of a row were set to another place. Tests then see the row there, until <code>putBack()</code>. */
+        /** Call this after x, y, z of a row were set to another place. Tests then see the row there. */
         public function displace(row:int):void
         {
-            putBack(row, DISPLACED);
-        }
-
-        /** Call this after x, y, z of a row were set back to its own place. The row gets back its revision. */
-        public function putBack(row:int, revision:int):void
-        {
             moveExtents(row);
-            revisions[row] = revision;
+            revisions[row] = DISPLACED;
             placedRevisions[row] = STALE;
         }
 

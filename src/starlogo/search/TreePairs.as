@@ -46,11 +46,9 @@ package starlogo.search
         {
         }
 
-        /** See RowPairs.keepTouching. The member is a tree. */
-        public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
+        /** See RowPairs.keepTouching. The row is a tree. */
+        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var rowAt:Vector.<int> = bins.rowAt;
-            var row:int = rowAt[slot];
             var shapes:Vector.<ModelShape> = table.shapes;
             var agents:Vector.<Agent> = table.agents;
             var tree:SolidHierarchy = shapes[row].hierarchy;
@@ -62,7 +60,7 @@ package starlogo.search
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var otherRow:int = rowAt[others[i]];
+                var otherRow:int = rows[others[i]];
                 if (!RowPairs.areNear(table.extents, bins, row, otherRow))
                 {
                     continue;
@@ -70,18 +68,15 @@ package starlogo.search
                 _tests++;
                 var other:SolidHierarchy = shapes[otherRow].hierarchy;
                 var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
+                var otherDepth:int = depthOf(table, otherRow);
                 var isTouching:Boolean;
-                if (other == null)
+                if (other == null || agents[otherRow].number > number)
                 {
-                    isTouching = pair.areOverlapping(tree, placement, depth, null, shapes[otherRow].structure, otherPlacement, 1, false);
-                }
-                else if (agents[otherRow].number > number)
-                {
-                    isTouching = pair.areOverlapping(tree, placement, depth, other, null, otherPlacement, depthOf(table, otherRow), isExact);
+                    isTouching = pair.areOverlapping(tree, placement, depth, other, shapes[otherRow].structure, otherPlacement, otherDepth, isExact && other != null);
                 }
                 else
                 {
-                    isTouching = pair.areOverlapping(other, otherPlacement, depthOf(table, otherRow), tree, null, placement, depth, isExact);
+                    isTouching = pair.areOverlapping(other, otherPlacement, otherDepth, tree, null, placement, depth, isExact);
                 }
                 if (isTouching)
                 {

@@ -222,6 +222,7 @@ package starlogo.broadphase
             {
                 _bins.levels.fit(_extents, row);
             }
+            _sink.members = _rows;
             _bins.findPairs(_extents, _rows, count < 0 ? _rows.length : count, _sink);
         }
 
@@ -271,6 +272,9 @@ class PairList extends PairSink
     /** The pairs as numbers of members, in the order in which they came. */
     public var order:String = "";
 
+    /** The rows of the search. */
+    public var members:Vector.<int>;
+
     private var _bins:Bins;
     private var _pairs:Object = {};
 
@@ -286,7 +290,7 @@ class PairList extends PairSink
             length++;
             var key:String = keyOf(_bins.rowAt[place], _bins.rowAt[others[i]]);
             _pairs[key] = int(_pairs[key]) + 1;
-            order += _bins.memberAt[place] + "-" + _bins.memberAt[others[i]] + " ";
+            order += members.indexOf(_bins.rowAt[place]) + "-" + members.indexOf(_bins.rowAt[others[i]]) + " ";
         }
     }
 

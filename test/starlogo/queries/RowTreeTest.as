@@ -115,7 +115,7 @@ package starlogo.queries
             {
                 if (row % 5 > 0 || count < 10)
                 {
-                    _seen.ranks[row] = _rows.length;
+                    _seen.table.ranks[row] = _rows.length;
                     _rows.push(row);
                 }
             }
@@ -176,7 +176,7 @@ package starlogo.queries
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
                 if (square <= limit && row != skipped && (filter == null || filter.admits(_seen.table.agents[row])))
                 {
-                    near.push({row: row, rank: _seen.ranks[row], square: square});
+                    near.push({row: row, rank: _seen.table.ranks[row], square: square});
                 }
             }
             near.sort(function(a:Object, b:Object):Number

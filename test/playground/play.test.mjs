@@ -855,7 +855,7 @@ test('the world comes before the blocks; the keyboard alone plays, edits, choose
 	await tabTo(page, 'Lessons and games', 'Shift+Tab');
 	await page.keyboard.press('Enter');
 	await page.waitForSelector('.gallery');
-	await tabTo(page, '1Blocks make turtles moveGo on here');
+	await tabTo(page, '1Blocks make turtles moveBegin here');
 	await page.keyboard.press('Enter');
 	await page.waitForSelector('.lesson');
 	await page.waitForFunction(() => document.activeElement.textContent === 'Blocks make turtles move');

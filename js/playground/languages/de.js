@@ -392,7 +392,7 @@ export const texts = {
 		copiedHint: "Kopiert. %1 + V fügt ein.",
 		cutHint: "Ausgeschnitten. %1 + V fügt ein.",
 	},
-	gallery: { title: "Lektionen und Spiele", open: "Lektionen und Spiele", games: "Spiele", here: "Hier geht es weiter", rename: (name) => `${name} umbenennen`, name: "Name", remove: (name) => `${name} löschen`, removed: (name) => `„${name}“ ist gelöscht.`, own: "Deine", models: "Deine Modelle",
+	gallery: { title: "Lektionen und Spiele", open: "Lektionen und Spiele", games: "Spiele", begin: "Hier beginnen", here: "Hier geht es weiter", rename: (name) => `${name} umbenennen`, name: "Name", remove: (name) => `${name} löschen`, removed: (name) => `„${name}“ ist gelöscht.`, own: "Deine", models: "Deine Modelle",
 		removedModel: (name) => `Dieser Browser vergisst das Modell „${name}“, wenn die Seite geschlossen wird.`, lessons: "Lektionen", close: "Schließen" },
 	programs: {
 		paintball: { goal: "Färbe alle zehn Schildkröten: Laufe und drehe dich mit den Pfeiltasten, wirf mit der Leertaste.", won: "Alle zehn Schildkröten sind bunt!" },

@@ -399,7 +399,7 @@ export const texts = {
 		copiedHint: "Copied. Press %1 + V to paste.",
 		cutHint: "Cut. Press %1 + V to paste.",
 	},
-	gallery: { title: "Lessons and games", open: "Lessons and games", games: "Games", here: "Go on here", rename: (name) => `Rename ${name}`, name: "Name", remove: (name) => `Delete ${name}`, removed: (name) => `“${name}” is deleted.`, own: "Yours", models: "Your models",
+	gallery: { title: "Lessons and games", open: "Lessons and games", games: "Games", begin: "Begin here", here: "Go on here", rename: (name) => `Rename ${name}`, name: "Name", remove: (name) => `Delete ${name}`, removed: (name) => `“${name}” is deleted.`, own: "Yours", models: "Your models",
 		removedModel: (name) => `This browser forgets the model “${name}” when the page is closed.`, lessons: "Lessons", close: "Close" },
 	programs: {
 		paintball: { goal: "Paint all ten turtles: walk and turn with the arrow keys, throw with the space bar.", won: "All ten turtles are painted!" },

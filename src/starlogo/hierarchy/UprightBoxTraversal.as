@@ -51,6 +51,7 @@ package starlogo.hierarchy
                 visits++;
                 // These are set in each iteration. Otherwise V8 keeps them as objects from one iteration to the next.
                 var overlap:Boolean = false;
+                var isDeep:Boolean = false;
                 var x:Number = 0;
                 var y:Number = 0;
                 var side:Number = 0;
@@ -68,74 +69,12 @@ package starlogo.hierarchy
                         var halfY:Number = a.halfY + touching;
                         var distanceX:Number = x < 0 ? -x : x;
                         var distanceY:Number = y < 0 ? -y : y;
-                        var isDeep:Boolean = false;
                         if (distanceX <= halfX)
                         {
                             isDeep = distanceY <= halfY;
                         }
-                        if (isDeep)
-                        {
-                            // b's middle is over a, so a child of a most likely overlaps b too. Both are divided at once.
-                            if (a.cutoffLevel < depthA)
-                            {
-                                if (b.cutoffLevel < depthB)
-                                {
-                                    var axis:int = a.splitAxis;
-                                    var near:HierarchyNode = a.low;
-                                    var far:HierarchyNode = a.high;
-                                    if (axis == 0)
-                                    {
-                                        side = x;
-                                    }
-                                    else if (axis == 1)
-                                    {
-                                        side = y;
-                                    }
-                                    else
-                                    {
-                                        side = z;
-                                    }
-                                    if (side > 0)
-                                    {
-                                        near = far;
-                                        far = a.low;
-                                    }
-                                    stack[top] = far;
-                                    stack[top + 1] = b;
-                                    stack[top + 2] = near;
-                                    x += a.x - near.x;
-                                    y += a.y - near.y;
-                                    axis = b.splitAxis;
-                                    if (axis == 0)
-                                    {
-                                        side = cos * x + sin * y;
-                                    }
-                                    else if (axis == 1)
-                                    {
-                                        side = cos * y - sin * x;
-                                    }
-                                    else
-                                    {
-                                        side = z + a.z - near.z;
-                                    }
-                                    if (side < 0)
-                                    {
-                                        stack[top + 3] = b.low;
-                                        b = b.high;
-                                    }
-                                    else
-                                    {
-                                        stack[top + 3] = b.high;
-                                        b = b.low;
-                                    }
-                                    a = near;
-                                    top += 4;
-                                    continue;
-                                }
-                            }
-                            overlap = true;
-                        }
-                        else
+                        overlap = isDeep;
+                        if (!isDeep)
                         {
                             bX = b.halfX;
                             bY = b.halfY;
@@ -164,19 +103,32 @@ package starlogo.hierarchy
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.cutoffLevel >= depthA;
-                    var bEnds:Boolean = b.cutoffLevel >= depthB;
-                    if (aEnds && bEnds)
+                    // If b's middle is over a, a child of a most likely overlaps b too. So both are divided at once.
+                    var dividesA:Boolean = a.cutoffLevel < depthA;
+                    var dividesB:Boolean = b.cutoffLevel < depthB;
+                    if (dividesA)
                     {
-                        if (leaves == null || leaves.touch(a, b))
+                        if (dividesB)
                         {
-                            nodeVisits += visits;
-                            return true;
+                            if (!isDeep)
+                            {
+                                dividesA = a.radius >= scale * b.radius;
+                                dividesB = !dividesA;
+                            }
                         }
                     }
-                    else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
+                    else if (!dividesB && (leaves == null || leaves.touch(a, b)))
+                    {
+                        nodeVisits += visits;
+                        return true;
+                    }
+                    // The child on the side of the other node comes first.
+                    var axis:int;
+                    var far:HierarchyNode;
+                    if (dividesA)
                     {
                         axis = a.splitAxis;
+                        side = z;
                         if (axis == 0)
                         {
                             side = x;
@@ -185,28 +137,22 @@ package starlogo.hierarchy
                         {
                             side = y;
                         }
-                        else
-                        {
-                            side = z;
-                        }
+                        var near:HierarchyNode = a.low;
+                        far = a.high;
                         if (side > 0)
                         {
-                            stack[top] = a.low;
-                            a = a.high;
+                            near = far;
+                            far = a.low;
                         }
-                        else
-                        {
-                            stack[top] = a.high;
-                            a = a.low;
-                        }
+                        stack[top] = far;
                         stack[top + 1] = b;
                         top += 2;
-                        continue;
+                        a = near;
                     }
-                    else
+                    if (dividesB)
                     {
                         axis = b.splitAxis;
-                        stack[top] = a;
+                        side = z;
                         if (axis == 0)
                         {
                             side = cos * x + sin * y;
@@ -215,21 +161,21 @@ package starlogo.hierarchy
                         {
                             side = cos * y - sin * x;
                         }
-                        else
-                        {
-                            side = z;
-                        }
+                        far = b.high;
+                        b = b.low;
                         if (side < 0)
                         {
-                            stack[top + 1] = b.low;
-                            b = b.high;
+                            near = b;
+                            b = far;
+                            far = near;
                         }
-                        else
-                        {
-                            stack[top + 1] = b.high;
-                            b = b.low;
-                        }
+                        stack[top] = a;
+                        stack[top + 1] = far;
                         top += 2;
+                        continue;
+                    }
+                    if (dividesA)
+                    {
                         continue;
                     }
                 }

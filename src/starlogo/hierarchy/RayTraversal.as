@@ -121,18 +121,9 @@ package starlogo.hierarchy
                 return rayStructure(ray, node.structure);
             }
             ray.beginWhole();
-            ray.offset = ray.x - node.x;
-            ray.speed = ray.directionX;
-            ray.half = node.halfX;
-            ray.cut();
-            ray.offset = ray.y - node.y;
-            ray.speed = ray.directionY;
-            ray.half = node.halfY;
-            ray.cut();
-            ray.offset = ray.z - node.z;
-            ray.speed = ray.directionZ;
-            ray.half = node.halfZ;
-            ray.cut();
+            ray.cut(ray.x - node.x, ray.directionX, node.halfX);
+            ray.cut(ray.y - node.y, ray.directionY, node.halfY);
+            ray.cut(ray.z - node.z, ray.directionZ, node.halfZ);
             return ray.narrow();
         }
 

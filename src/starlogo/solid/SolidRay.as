@@ -70,16 +70,12 @@ package starlogo.solid
             var x:Number = solid.planes[plane];
             var y:Number = solid.planes[int(plane + 1)];
             var z:Number = solid.planes[int(plane + 2)];
-            if (x == 0 && y == 0 && z == 0)
+            ray.faceBack();
+            // A triangle without area has no normal.
+            if (x != 0 || y != 0 || z != 0)
             {
-                // a triangle without area
-                ray.faceBack();
-                return true;
+                ray.setNormal(x, y, z);
             }
-            ray.normalX = x;
-            ray.normalY = y;
-            ray.normalZ = z;
-            ray.turnNormal();
             return true;
         }
     }

@@ -69,10 +69,7 @@ package starlogo.terrain
             if (isHit)
             {
                 ray.from = _triangles.at;
-                ray.normalX = _outside.normalX;
-                ray.normalY = _outside.normalY;
-                ray.normalZ = _outside.normalZ;
-                ray.turnNormal();
+                ray.setNormal(_outside.normalX, _outside.normalY, _outside.normalZ);
             }
             return isHit;
         }

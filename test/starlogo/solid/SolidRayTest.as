@@ -7,6 +7,7 @@ package starlogo.solid
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.rayStructure;
@@ -237,7 +238,7 @@ package starlogo.solid
         private static function nearestEnd(node:HierarchyNode, depth:int, ray:Ray, from:Number, to:Number):Number
         {
             var part:Ray = new Ray();
-            part.scale(ray, 1);
+            part.bringInto(new Placement(), ray);
             part.from = from;
             part.to = to;
             if (!rayStructure(part, node.bounds))

@@ -8,16 +8,15 @@ package starlogo.intersection.ray
      *
      * <p>A number stands for a place on the line: its distance along the direction from the point (x, y, z). The direction has length 1.
      * That point should be near the shapes that are asked about, because the rounding error grows with their distance from it. The part may
-     * begin far from that point. All inputs are fields, because V8 would allocate an object for each Number that is passed.</p>
+     * begin far from that point.</p>
      *
      * @private
      */
     public final class Ray
     {
-        // LARGE is 2 to the power of 400: above this length a square is infinite, and below 1 / LARGE it is 0. SCALE is 2 to the power of
-        // 600.
-        private static const LARGE:Number = 2.582249878086909e120;
-        private static const SCALE:Number = 4.149515568880993e180;
+        // The square of a direction's length must be neither infinite nor 0. So a direction that is longer than this, or shorter than 1 divided
+        // by this, is scaled.
+        private static const LARGE:Number = 1e120;
 
         /** A point of the line. */
         public var x:Number = 0;
@@ -61,18 +60,6 @@ package starlogo.intersection.ray
         /** Where the line leaves the shape. Input of narrow. */
         public var far:Number = 0;
 
-        /** The radius of balls. Input of addBall. */
-        public var radius:Number = 0;
-
-        /** Input of cut: how far the line's point is from the middle of a slab. A slab is the space between two parallel planes. */
-        public var offset:Number = 0;
-
-        /** Input of cut: how far the line goes across the slab in a length of 1. May be 0. */
-        public var speed:Number = 0;
-
-        /** Input of cut: the distance of each plane from the middle of the slab. */
-        public var half:Number = 0;
-
         // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
         private var _infinity:Number = Infinity;
 
@@ -84,10 +71,9 @@ package starlogo.intersection.ray
         /** Sets the line to another ray's line, transformed into a model's space. The part has to be set after that. */
         public function bringInto(placement:Placement, line:Ray):void
         {
-            scale(line, placement.size);
-            var toX:Number = x;
-            var toY:Number = y;
-            var toZ:Number = z;
+            var toX:Number = line.x / placement.size;
+            var toY:Number = line.y / placement.size;
+            var toZ:Number = line.z / placement.size;
             x = placement.r00 * toX + placement.r10 * toY + placement.r20 * toZ;
             y = placement.r01 * toX + placement.r11 * toY + placement.r21 * toZ;
             z = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
@@ -97,17 +83,6 @@ package starlogo.intersection.ray
             directionX = placement.r00 * toX + placement.r10 * toY + placement.r20 * toZ;
             directionY = placement.r01 * toX + placement.r11 * toY + placement.r21 * toZ;
             directionZ = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
-        }
-
-        /** Sets the line to another ray's line, divided by a size. */
-        public function scale(line:Ray, size:Number):void
-        {
-            x = line.x / size;
-            y = line.y / size;
-            z = line.z / size;
-            directionX = line.directionX;
-            directionY = line.directionY;
-            directionZ = line.directionZ;
         }
 
         /** Whether the products of the line's numbers are finite. */
@@ -137,19 +112,10 @@ package starlogo.intersection.ray
             {
                 throw new ArgumentError("a ray needs a direction, finite and not 0: " + direction);
             }
-            // The direction is scaled so that its square is neither infinite nor 0.
-            var scale:Number = 1;
-            if (largest > LARGE)
-            {
-                scale = 1 / SCALE;
-            }
-            else if (largest < 1 / LARGE)
-            {
-                scale = SCALE;
-            }
-            var toX:Number = direction.x * scale;
-            var toY:Number = direction.y * scale;
-            var toZ:Number = direction.z * scale;
+            var unit:Number = largest > LARGE || largest < 1 / LARGE ? largest : 1;
+            var toX:Number = direction.x / unit;
+            var toY:Number = direction.y / unit;
+            var toZ:Number = direction.z / unit;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             directionX = toX / length;
             directionY = toY / length;
@@ -162,15 +128,13 @@ package starlogo.intersection.ray
             faceBack();
         }
 
-        /** Reverses the normal if it points along the ray. */
-        public function turnNormal():void
+        /** Sets the normal to a unit vector, or to its opposite if the vector points along the ray. */
+        public function setNormal(x:Number, y:Number, z:Number):void
         {
-            if (normalX * directionX + normalY * directionY + normalZ * directionZ > 0)
-            {
-                normalX = -normalX;
-                normalY = -normalY;
-                normalZ = -normalZ;
-            }
+            var side:int = x * directionX + y * directionY + z * directionZ > 0 ? -1 : 1;
+            normalX = side * x;
+            normalY = side * y;
+            normalZ = side * z;
         }
 
         /** Sets the normal to the opposite of the ray's direction, for a ray that begins inside of a shape. */
@@ -195,8 +159,29 @@ package starlogo.intersection.ray
             far = -_infinity;
         }
 
-        /** Narrows near and far to the part between the two planes of a slab. Returns whether near has changed. */
-        public function cut():Boolean
+        /**
+         * Narrows near and far to the part inside of a slab, the space between two parallel planes.
+         *
+         * @param axis a unit vector across the slab
+         * @param middle a point halfway between the planes
+         * @param half the distance of each plane from the point
+         * @return whether near has changed
+         */
+        public function cutAlong(axis:Vector3D, middle:Vector3D, half:Number):Boolean
+        {
+            return cut(axis.x * (x - middle.x) + axis.y * (y - middle.y) + axis.z * (z - middle.z),
+                    axis.x * directionX + axis.y * directionY + axis.z * directionZ, half);
+        }
+
+        /**
+         * Narrows near and far to the part inside of a slab.
+         *
+         * @param offset how far the line's point is from the middle of the slab
+         * @param speed how far the line goes across the slab in a length of 1; may be 0
+         * @param half the distance of each plane from the middle
+         * @return whether near has changed
+         */
+        public function cut(offset:Number, speed:Number, half:Number):Boolean
         {
             if (speed == 0)
             {
@@ -221,8 +206,8 @@ package starlogo.intersection.ray
             return false;
         }
 
-        /** Widens near and far to include the part in a ball with the radius. */
-        public function addBall(middle:Vector3D):void
+        /** Widens near and far to include the part in a ball. */
+        public function addBall(middle:Vector3D, radius:Number):void
         {
             var toX:Number = middle.x - x;
             var toY:Number = middle.y - y;

@@ -14,42 +14,23 @@ package starlogo.intersection.ray
      */
     public function rayBox(ray:Ray, box:Box):Boolean
     {
-        var center:Vector3D = box.center;
-        var x:Number = ray.x - center.x;
-        var y:Number = ray.y - center.y;
-        var z:Number = ray.z - center.z;
         ray.beginWhole();
         var entered:Vector3D = null;
-        var axis:Vector3D = box.axisX;
-        ray.offset = axis.x * x + axis.y * y + axis.z * z;
-        ray.speed = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
-        ray.half = box.halfX;
-        if (ray.cut())
+        if (ray.cutAlong(box.axisX, box.center, box.halfX))
         {
-            entered = axis;
+            entered = box.axisX;
         }
-        axis = box.axisY;
-        ray.offset = axis.x * x + axis.y * y + axis.z * z;
-        ray.speed = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
-        ray.half = box.halfY;
-        if (ray.cut())
+        if (ray.cutAlong(box.axisY, box.center, box.halfY))
         {
-            entered = axis;
+            entered = box.axisY;
         }
-        axis = box.axisZ;
-        ray.offset = axis.x * x + axis.y * y + axis.z * z;
-        ray.speed = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
-        ray.half = box.halfZ;
-        if (ray.cut())
+        if (ray.cutAlong(box.axisZ, box.center, box.halfZ))
         {
-            entered = axis;
+            entered = box.axisZ;
         }
         if (ray.near > ray.from)
         {
-            ray.normalX = entered.x;
-            ray.normalY = entered.y;
-            ray.normalZ = entered.z;
-            ray.turnNormal();
+            ray.setNormal(entered.x, entered.y, entered.z);
         }
         return ray.narrow();
     }

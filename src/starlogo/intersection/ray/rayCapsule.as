@@ -22,9 +22,8 @@ package starlogo.intersection.ray
         var end:Vector3D = capsule.end;
         var radius:Number = capsule.radius;
         ray.beginEmpty();
-        ray.radius = radius;
-        ray.addBall(start);
-        ray.addBall(end);
+        ray.addBall(start, radius);
+        ray.addBall(end, radius);
         var alongX:Number = end.x - start.x;
         var alongY:Number = end.y - start.y;
         var alongZ:Number = end.z - start.z;

@@ -17,8 +17,7 @@ package starlogo.intersection.ray
     {
         var center:Vector3D = sphere.center;
         ray.beginEmpty();
-        ray.radius = sphere.radius * Tolerances.TOUCHING;
-        ray.addBall(center);
+        ray.addBall(center, sphere.radius * Tolerances.TOUCHING);
         var at:Number = ray.near;
         if (at > ray.from && at < Infinity && sphere.radius > 0)
         {

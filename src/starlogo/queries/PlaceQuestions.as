@@ -79,28 +79,22 @@ package starlogo.queries
                 throw new RangeError("degrees must not be negative: " + degrees);
             }
             var at:Placement = _seen.placeOf(agent);
-            begin(agent, radius, FoundRows.ALL, filter);
-            if (degrees < 360)
-            {
-                _found.cone = _cone.setTo(agent.worldPlacement(), degrees / 2, _seen.table);
-            }
-            _search.find(_seen.findPlaces(), at.x, at.y, at.z, _found);
+            find(agent, at.x, at.y, at.z, radius, FoundRows.ALL, filter, degrees);
             return _found.list(out);
         }
 
-        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, filter:AgentFilter):void
-        {
-            begin(asker, radius, most, filter);
-            _search.find(_seen.findPlaces(), x, y, z, _found);
-        }
-
-        private function begin(asker:Agent, radius:Number, most:int, filter:AgentFilter):void
+        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, filter:AgentFilter, degrees:Number = 360):void
         {
             if (!(radius >= 0))
             {
                 throw new RangeError("radius must not be negative: " + radius);
             }
             _found.begin(most, radius * radius, asker, filter);
+            if (degrees < 360)
+            {
+                _found.cone = _cone.setTo(asker.worldPlacement(), degrees / 2, _seen.table);
+            }
+            _search.find(_seen.findPlaces(), x, y, z, _found);
         }
 
         // Calls accepts for some of the nearest agents, then for the next nearest, until enough are accepted. accepts may ask questions itself.

@@ -18,6 +18,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _search:WaySearch = new WaySearch();
         private var _rays:RowRays = new RowRays();
+        private var _ray:Ray = _rays.ray;
 
         // A second row that does not count, or -1.
         private var _skippedToo:int = -1;
@@ -28,8 +29,8 @@ package starlogo.queries
         private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
         private var _hitOf:Vector.<int> = new Vector.<int>();
 
-        // The hits for which accepts is called, by the number of questions under way; and hits that no list needs at present.
-        private var _asked:Vector.<Vector.<RayHit>> = new Vector.<Vector.<RayHit>>();
+        // Empty lists for the hits for which accepts is called, because accepts may ask questions itself; and hits that no list needs at present.
+        private var _lists:Vector.<Vector.<RayHit>> = new Vector.<Vector.<RayHit>>();
         private var _spare:Vector.<RayHit> = new Vector.<RayHit>();
 
         private var _middleA:Vector3D = new Vector3D();
@@ -53,12 +54,12 @@ package starlogo.queries
             var first:int = -1;
             for (var row:int = next(); row >= 0; row = next())
             {
-                if (first < 0 || _rays.distance < hit.distance || _seen.table.ranks[row] < _seen.table.ranks[first])
+                if (first < 0 || _ray.from < hit.distance || _seen.table.ranks[row] < _seen.table.ranks[first])
                 {
                     first = row;
                     hit ||= new RayHit();
                     write(row, hit);
-                    _search.limit = _rays.limit = _rays.distance;
+                    _search.limit = _ray.to = _ray.from;
                 }
             }
             return first < 0 ? null : hit;
@@ -99,7 +100,7 @@ package starlogo.queries
             var most:int = FoundRows.toFind(1, filter);
             for (var row:int = next(); row >= 0; row = _found.count < most ? next() : -1)
             {
-                _found.add(row, _rays.distance);
+                _found.add(row, _ray.from);
             }
             return _found.countAccepted(1) == 0;
         }
@@ -122,14 +123,13 @@ package starlogo.queries
 
         private function begin(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
         {
-            var ray:Ray = _rays.ray;
-            ray.aim(origin, direction);
-            _rays.limit = maxDistance;
+            _ray.aim(origin, direction);
+            _ray.to = maxDistance;
             _rays.begin(_seen.table, _seen.pairs.trees);
             _found.begin(FoundRows.ALL, Infinity, null, filter);
             _skippedToo = -1;
-            _search.begin(_seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
-            _search.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
+            _search.begin(_seen.findExtents(), _ray.x, _ray.y, _ray.z, 0, 0, 0);
+            _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
         }
 
         // The next row that counts and that the ray meets, or -1.
@@ -156,7 +156,7 @@ package starlogo.queries
                 }
                 write(row, _hits[count]);
                 _hitOf[row] = count;
-                _found.add(row, _rays.distance);
+                _found.add(row, _ray.from);
             }
             _found.sort();
             setLength(out, _found.count);
@@ -169,13 +169,12 @@ package starlogo.queries
         // Writes how the ray meets a row. It must be the row that it met last.
         private function write(row:int, hit:RayHit):void
         {
-            var ray:Ray = _rays.ray;
-            var distance:Number = _rays.distance;
+            var distance:Number = _ray.from;
             hit.agent = _seen.table.agents[row];
             hit.distance = distance;
             hit.triangle = _rays.triangle;
-            hit.point.setTo(ray.x + distance * ray.directionX, ray.y + distance * ray.directionY, ray.z + distance * ray.directionZ);
-            hit.normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
+            hit.point.setTo(_ray.x + distance * _ray.directionX, _ray.y + distance * _ray.directionY, _ray.z + distance * _ray.directionZ);
+            hit.normal.setTo(_ray.normalX, _ray.normalY, _ray.normalZ);
         }
 
         // Makes a list have this many hits. Surplus hits are kept for other lists. It removes them one at a time, for the reason that
@@ -203,20 +202,17 @@ package starlogo.queries
         // Calls accepts for the hits, beginning with the nearest, until one is accepted. Copies that hit.
         private function findAccepted(hit:RayHit):RayHit
         {
-            while (_seen.asking >= _asked.length)
-            {
-                _asked.push(new Vector.<RayHit>());
-            }
-            var hits:Vector.<RayHit> = _asked[_seen.asking];
+            var hits:Vector.<RayHit> = _lists.pop() || new Vector.<RayHit>();
             list(hits);
             keepAccepted(hits, 1);
-            if (hits.length == 0)
+            var nearest:RayHit = null;
+            if (hits.length > 0)
             {
-                return null;
+                nearest = hit || new RayHit();
+                copy(hits[0], nearest);
             }
-            var nearest:RayHit = hit || new RayHit();
-            copy(hits[0], nearest);
             setLength(hits, 0);
+            _lists.push(hits);
             return nearest;
         }
 

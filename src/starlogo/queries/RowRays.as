@@ -28,28 +28,16 @@ package starlogo.queries
      */
     public final class RowRays
     {
-        /** The distance from the ray's origin to the last row that it met, in patches. It is 0 if the origin is inside. */
-        public var distance:Number = 0;
-
-        /** The normal at that point: a unit vector, against the ray. */
-        public var normalX:Number = 0;
-
-        /** @copy #normalX */
-        public var normalY:Number = 0;
-
-        /** @copy #normalX */
-        public var normalZ:Number = 0;
-
         /**
          * The number of the triangle that the ray meets, as the model counts them. It is -1 if no triangle decides, or if the ray's origin is
          * inside.
          */
         public var triangle:int = -1;
 
-        /** How far the ray goes, in patches. A row at exactly this distance is met. You may make it smaller between rows. */
-        public var limit:Number = Infinity;
-
-        /** The ray's origin and direction, in the world. */
+        /**
+         * The ray in the world. Its part begins where it meets the last row that it met: at 0 if its origin is inside. It has the normal there.
+         * A row at exactly the part's end is met. You may make the end smaller between rows.
+         */
         public var ray:Ray = new Ray();
 
         private var _table:AgentTable;
@@ -65,23 +53,23 @@ package starlogo.queries
         }
 
         /**
-         * Begins with the rows of a table. Set ray and limit first.
+         * Begins with the rows of a table. Set the ray first.
          *
          * @param table has the rows
          * @param trees knows how deep trees are visited
-         * @throws RangeError if the limit is negative or not a number
+         * @throws RangeError if the ray's end is negative or not a number
          */
         public function begin(table:AgentTable, trees:TreePairs):void
         {
-            if (!(limit >= 0))
+            if (!(ray.to >= 0))
             {
-                throw new RangeError("maxDistance must not be negative: " + limit);
+                throw new RangeError("maxDistance must not be negative: " + ray.to);
             }
             _table = table;
             _trees = trees;
         }
 
-        /** Whether the ray meets a row within the limit. If it does, distance and normal are set. */
+        /** Whether the ray meets a row. If it does, its part begins there. */
         public function meets(row:int):Boolean
         {
             var shape:ModelShape = _table.shapes[row];
@@ -89,10 +77,13 @@ package starlogo.queries
             {
                 return false;
             }
+            ray.from = 0;
+            triangle = -1;
             if (shape.form == ModelShape.GROUND)
             {
                 var ground:FixtureAgent = FixtureAgent(_table.agents[row]);
-                return meetsGround(ground.terrain.grid);
+                var grid:HeightGrid = ground.terrain.grid;
+                return grid.rays.find(grid, ray);
             }
             var placement:Placement = _table.placementOf(row, _placement);
             var line:Ray = _line;
@@ -111,43 +102,29 @@ package starlogo.queries
             found.bringInto(placement, line);
             var start:Number = -ahead / size;
             found.from = start;
-            // this limit is too large by rounding errors; rows beyond the exact limit are left out below
-            found.to = (limit - ahead + Tolerances.ROUNDING * (limit + Math.abs(ahead))) / size;
+            // this end is too large by rounding errors; rows beyond the exact end are left out below
+            found.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
             found.faceBack();
             if (!found.isFinite || !meetsShape(row, shape, found))
             {
                 return false;
             }
-            distance = found.from > start ? Math.max(0, found.from * size + ahead) : 0;
-            if (distance > limit)
+            if (found.from > start)
+            {
+                ray.from = Math.max(0, found.from * size + ahead);
+            }
+            if (ray.from > ray.to)
             {
                 return false;
             }
-            normalX = placement.r00 * found.normalX + placement.r01 * found.normalY + placement.r02 * found.normalZ;
-            normalY = placement.r10 * found.normalX + placement.r11 * found.normalY + placement.r12 * found.normalZ;
-            normalZ = placement.r20 * found.normalX + placement.r21 * found.normalY + placement.r22 * found.normalZ;
-            return true;
-        }
-
-        private function meetsGround(grid:HeightGrid):Boolean
-        {
-            ray.from = 0;
-            ray.to = limit;
-            if (!grid.rays.find(grid, ray))
-            {
-                return false;
-            }
-            distance = ray.from;
-            normalX = ray.normalX;
-            normalY = ray.normalY;
-            normalZ = ray.normalZ;
-            triangle = -1;
+            ray.normalX = placement.r00 * found.normalX + placement.r01 * found.normalY + placement.r02 * found.normalZ;
+            ray.normalY = placement.r10 * found.normalX + placement.r11 * found.normalY + placement.r12 * found.normalZ;
+            ray.normalZ = placement.r20 * found.normalX + placement.r21 * found.normalY + placement.r22 * found.normalZ;
             return true;
         }
 
         private function meetsShape(row:int, shape:ModelShape, found:Ray):Boolean
         {
-            triangle = -1;
             if (shape.hierarchy != null)
             {
                 var isMet:Boolean = _solid.find(shape.hierarchy, _trees.depthOf(_table, row), _trees.exact, found);

@@ -82,11 +82,7 @@ package starlogo.queries
             }
             requireQuiet("update");
             var collider:Collider = findCollider();
-            var next:AgentTable = table;
-            if (collider !== _system)
-            {
-                next = tableFor(collider);
-            }
+            var next:AgentTable = collider === _system ? table : tableFor(collider);
             next.check(agents);
             next.readGuest(RowList.GROUND, terrain == null ? null : terrain.agent);
             next.read(agents);

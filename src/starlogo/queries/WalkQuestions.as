@@ -5,6 +5,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.ray.Ray;
     import starlogo.search.AgentTable;
 
     use namespace engine;
@@ -240,14 +241,15 @@ package starlogo.queries
             // the ray begins outside of all faces that are not too steep
             var above:Number = 2 * behind / _cosine;
             _origin.setTo(contact.x - behind * _normal.x / across, contact.y - behind * _normal.y / across, contact.z + above);
-            _rays.ray.aim(_origin, _down);
-            _rays.limit = 2 * above;
+            var ray:Ray = _rays.ray;
+            ray.aim(_origin, _down);
+            ray.to = 2 * above;
             _rays.begin(_seen.table, _seen.pairs.trees);
-            if (!_rays.meets(_mover.contactRow) || _rays.distance == 0)
+            if (!_rays.meets(_mover.contactRow) || ray.from == 0)
             {
                 return false;
             }
-            _normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
+            _normal.setTo(ray.normalX, ray.normalY, ray.normalZ);
             return _normal.z >= _cosine;
         }
     }

@@ -43,6 +43,12 @@ package starlogo.intersection.sweep
         /** The sum of how far both triangles extend along the axis. */
         protected var reach:Number = 0;
 
+        /**
+         * The squared ratio of a triangle's height to its longest edge; 0 for a point. It says how precise the normal is. It is a field because
+         * V8 makes an object for each Number that is returned.
+         */
+        protected var height:Number = 0;
+
         /** Creates a test without triangles. */
         public function TriangleAxes()
         {
@@ -119,8 +125,8 @@ package starlogo.intersection.sweep
             return false;
         }
 
-        /** The squared ratio of a triangle's height to its longest edge; 0 for a point. It says how precise the normal is. */
-        protected static function squaredHeight(edges:Vector.<Number>):Number
+        /** Computes <code>height</code> for one of the two triangles. */
+        protected function measure(edges:Vector.<Number>):void
         {
             var longest:Number = 0;
             for (var i:int = 0; i < 9; i += 3)
@@ -134,7 +140,7 @@ package starlogo.intersection.sweep
             x = edges[1] * edges[5] - edges[2] * edges[4];
             y = edges[2] * edges[3] - edges[0] * edges[5];
             z = edges[0] * edges[4] - edges[1] * edges[3];
-            return longest > 0 ? (x * x + y * y + z * z) / longest / longest : 0;
+            height = longest > 0 ? (x * x + y * y + z * z) / longest / longest : 0;
         }
 
         private function isNormal(edges:Vector.<Number>):Boolean

@@ -53,7 +53,10 @@ package starlogo.intersection.sweep
             }
             areSeparatedByNormal();
             areSeparatedAcrossEdges();
-            areSeparatedInPlane(squaredHeight(edgesA) < squaredHeight(edgesB) ? edgesB : edgesA);
+            measure(edgesA);
+            var heightA:Number = height;
+            measure(edgesB);
+            areSeparatedInPlane(heightA < height ? edgesB : edgesA);
             out.setNormal(_x, _y, _z);
             for (i = 3; i < 9; i++)
             {

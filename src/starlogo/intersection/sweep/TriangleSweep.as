@@ -44,13 +44,14 @@ package starlogo.intersection.sweep
             {
                 return;
             }
-            var heightA:Number = squaredHeight(edgesA);
-            var heightB:Number = squaredHeight(edgesB);
-            if (heightA <= Tolerances.FLAT_TRIANGLE && heightB <= Tolerances.FLAT_TRIANGLE)
+            measure(edgesA);
+            var heightA:Number = height;
+            measure(edgesB);
+            if (heightA <= Tolerances.FLAT_TRIANGLE && height <= Tolerances.FLAT_TRIANGLE)
             {
                 findTimeOfEdges();
             }
-            else if (!areSeparatedAcrossEdges() && !areSeparatedInPlane(heightA < heightB ? edgesB : edgesA))
+            else if (!areSeparatedAcrossEdges() && !areSeparatedInPlane(heightA < height ? edgesB : edgesA))
             {
                 motion.time = times.touch < times.last ? times.touch : times.last;
             }

@@ -38,7 +38,7 @@ package starlogo.agents
         /** The number of a name, from 0. A new name gets the next number. */
         public static function numberOf(name:String):int
         {
-            if (sNames.length == 0 || sNames[sLast] != name)
+            if (sNames[sLast] != name)
             {
                 var low:int = 0;
                 var high:int = sOrder.length;

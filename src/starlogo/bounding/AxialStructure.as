@@ -1,6 +1,5 @@
 package starlogo.bounding
 {
-    import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
 
@@ -33,34 +32,6 @@ package starlogo.bounding
             this.radius = checkLength(radius, "the radius of a " + name);
             this.start = checkVector(start, "the start of a " + name).clone();
             this.end = checkVector(end, "the end of a " + name).clone();
-        }
-
-        /** @inheritDoc */
-        override public function scale(factor:Number):BoundingStructure
-        {
-            checkFactor(factor);
-            start.scaleBy(factor);
-            end.scaleBy(factor);
-            radius *= factor;
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function rotate(rotation:Matrix3D):BoundingStructure
-        {
-            var m:Vector.<Number> = readRotation(rotation);
-            turn(start, m);
-            turn(end, m);
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function translate(offset:Vector3D):BoundingStructure
-        {
-            checkVector(offset, "an offset");
-            start.incrementBy(offset);
-            end.incrementBy(offset);
-            return this;
         }
 
         /** @inheritDoc */

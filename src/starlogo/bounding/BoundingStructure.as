@@ -69,7 +69,13 @@ package starlogo.bounding
          */
         public function scale(factor:Number):BoundingStructure
         {
-            throw missing("scale");
+            if (!(factor > 0 && factor < Infinity))
+            {
+                throw new RangeError("a scale factor must be positive and finite: " + factor);
+            }
+            var scaling:Placement = new Placement();
+            scaling.size = factor;
+            return place(scaling, this);
         }
 
         /**
@@ -82,7 +88,7 @@ package starlogo.bounding
          */
         public function rotate(rotation:Matrix3D):BoundingStructure
         {
-            throw missing("rotate");
+            return place(placementOf(rotation), this);
         }
 
         /**
@@ -95,7 +101,12 @@ package starlogo.bounding
          */
         public function translate(offset:Vector3D):BoundingStructure
         {
-            throw missing("translate");
+            checkVector(offset, "an offset");
+            var moving:Placement = new Placement();
+            moving.x = offset.x;
+            moving.y = offset.y;
+            moving.z = offset.z;
+            return place(moving, this);
         }
 
         /**
@@ -216,30 +227,8 @@ package starlogo.bounding
             return length;
         }
 
-        /**
-         * Checks a scale factor.
-         *
-         * @param factor the argument
-         * @return the factor
-         * @throws RangeError if it is not positive and finite
-         */
-        protected static function checkFactor(factor:Number):Number
-        {
-            if (!(factor > 0 && factor < Infinity))
-            {
-                throw new RangeError("a scale factor must be positive and finite: " + factor);
-            }
-            return factor;
-        }
-
-        /**
-         * Checks and reads a rotation matrix.
-         *
-         * @param rotation the argument
-         * @return its sixteen numbers, column by column, in a vector that the next call overwrites
-         * @throws ArgumentError if it is null or not a rotation
-         */
-        protected static function readRotation(rotation:Matrix3D):Vector.<Number>
+        // Checks a rotation matrix, and returns its placement. Throws an ArgumentError if it is null or not a rotation.
+        private static function placementOf(rotation:Matrix3D):Placement
         {
             if (rotation == null)
             {
@@ -253,7 +242,19 @@ package starlogo.bounding
             {
                 throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + rotation.rawData);
             }
-            return m;
+            // It is not an identity even if its diagonal is, because other numbers of it may be tiny.
+            var turning:Placement = new Placement();
+            turning.isIdentity = false;
+            turning.r00 = m[0];
+            turning.r10 = m[1];
+            turning.r20 = m[2];
+            turning.r01 = m[4];
+            turning.r11 = m[5];
+            turning.r21 = m[6];
+            turning.r02 = m[8];
+            turning.r12 = m[9];
+            turning.r22 = m[10];
+            return turning;
         }
 
         /** Whether three vectors are perpendicular unit vectors, within Tolerances.ORTHONORMALITY. */
@@ -264,17 +265,6 @@ package starlogo.bounding
                 && isNear(zx * zx + zy * zy + zz * zz, 1);
             return areUnit && isNear(xx * yx + xy * yy + xz * yz, 0) && isNear(xx * zx + xy * zy + xz * zz, 0)
                 && isNear(yx * zx + yy * zy + yz * zz, 0);
-        }
-
-        /** Rotates a vector in place, by a matrix from readRotation. */
-        protected static function turn(vector:Vector3D, m:Vector.<Number>):void
-        {
-            var x:Number = vector.x;
-            var y:Number = vector.y;
-            var z:Number = vector.z;
-            vector.x = m[0] * x + m[4] * y + m[8] * z;
-            vector.y = m[1] * x + m[5] * y + m[9] * z;
-            vector.z = m[2] * x + m[6] * y + m[10] * z;
         }
 
         /**

@@ -89,32 +89,10 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
-        override public function scale(factor:Number):BoundingStructure
-        {
-            checkFactor(factor);
-            center.scaleBy(factor);
-            halfX *= factor;
-            halfY *= factor;
-            halfZ *= factor;
-            return this;
-        }
-
-        /** @inheritDoc */
         override public function rotate(rotation:Matrix3D):BoundingStructure
         {
-            var m:Vector.<Number> = readRotation(rotation);
-            turn(center, m);
-            turn(axisX, m);
-            turn(axisY, m);
-            turn(axisZ, m);
+            super.rotate(rotation);
             straighten();
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function translate(offset:Vector3D):BoundingStructure
-        {
-            center.incrementBy(checkVector(offset, "an offset"));
             return this;
         }
 

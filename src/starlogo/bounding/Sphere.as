@@ -1,6 +1,5 @@
 package starlogo.bounding
 {
-    import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -45,29 +44,6 @@ package starlogo.bounding
         override public function get volume():Number
         {
             return 4 / 3 * Math.PI * radius * radius * radius;
-        }
-
-        /** @inheritDoc */
-        override public function scale(factor:Number):BoundingStructure
-        {
-            checkFactor(factor);
-            center.scaleBy(factor);
-            radius *= factor;
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function rotate(rotation:Matrix3D):BoundingStructure
-        {
-            turn(center, readRotation(rotation));
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function translate(offset:Vector3D):BoundingStructure
-        {
-            center.incrementBy(checkVector(offset, "an offset"));
-            return this;
         }
 
         /** @inheritDoc */

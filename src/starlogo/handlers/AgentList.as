@@ -61,11 +61,7 @@ package starlogo.handlers
             {
                 return false;
             }
-            var index:int = Math.min(before, _agents.length - 1);
-            while (index >= 0 && _agents[index] !== agent)
-            {
-                index--;
-            }
+            var index:int = _agents.lastIndexOf(agent, before);
             looked += before - index;
             if (index < 0)
             {

@@ -76,14 +76,6 @@ package starlogo.search
             form = structure.kind;
         }
 
-        /** @private Makes this the shape of the ground or of the edges. The structure gives the scale for tolerances. */
-        engine function setFixture(form:int, structure:BoundingStructure):void
-        {
-            this.form = form;
-            this.structure = structure;
-            isUpright = true;
-        }
-
         /** @private Uses the model's hierarchy as its shape. */
         engine function setTree(hierarchy:SolidHierarchy):void
         {

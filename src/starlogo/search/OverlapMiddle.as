@@ -25,17 +25,12 @@ package starlogo.search
          */
         public static function setAlong(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            var low:Number = out.depth - across(table, b, out);
-            var high:Number = across(table, a, out);
-            if (low > 0 || high < out.depth)
-            {
-                low = low > 0 ? low : 0;
-                high = high < out.depth ? high : out.depth;
-                var by:Number = (low + high - out.depth) / 2;
-                out.x += by * out.normalX;
-                out.y += by * out.normalY;
-                out.z += by * out.normalZ;
-            }
+            var low:Number = Math.max(0, out.depth - across(table, b, out));
+            var high:Number = Math.min(out.depth, across(table, a, out));
+            var by:Number = (low + high - out.depth) / 2;
+            out.x += by * out.normalX;
+            out.y += by * out.normalY;
+            out.z += by * out.normalZ;
         }
 
         /** Moves a contact's point into the extents of a row, if it is outside. */

@@ -176,7 +176,7 @@ package starlogo.search
                 others[kept] = other;
                 kept++;
             }
-            structures.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
+            structures.tests[1 << BoundingStructure.BOX] += boxTests;
             _spheres.tests += sphereTests;
             return kept;
         }

@@ -26,11 +26,8 @@ package starlogo.search
         /** The settings of the tests. */
         public var settings:StructureTests = new StructureTests();
 
-        /**
-         * The number of tests since <code>resetCounts()</code>. The index is four times the kind of the first structure, plus the kind of the
-         * second.
-         */
-        public var tests:Vector.<int> = new Vector.<int>(16, true);
+        /** The number of tests since <code>resetCounts()</code>. The index has a bit for the kind of each of the two structures. */
+        public var tests:Vector.<int> = new Vector.<int>(8, true);
 
         private var _finder:ContactFinder = new ContactFinder();
 
@@ -60,12 +57,12 @@ package starlogo.search
         /** Writes the numbers of tests. */
         public function writeCounts(out:SearchCounts):void
         {
-            out.sphereSphereTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.SPHERE);
-            out.sphereCapsuleTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
-            out.sphereBoxTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
-            out.capsuleCapsuleTests = testsOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
-            out.capsuleBoxTests = testsOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
-            out.boxBoxTests = testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
+            out.sphereSphereTests = tests[1 << BoundingStructure.SPHERE];
+            out.sphereCapsuleTests = tests[1 << BoundingStructure.SPHERE | 1 << BoundingStructure.CAPSULE];
+            out.sphereBoxTests = tests[1 << BoundingStructure.SPHERE | 1 << BoundingStructure.BOX];
+            out.capsuleCapsuleTests = tests[1 << BoundingStructure.CAPSULE];
+            out.capsuleBoxTests = tests[1 << BoundingStructure.CAPSULE | 1 << BoundingStructure.BOX];
+            out.boxBoxTests = tests[1 << BoundingStructure.BOX];
         }
 
         /** @inheritDoc */
@@ -191,14 +188,7 @@ package starlogo.search
 
         private function noteTest(a:BoundingStructure, b:BoundingStructure):void
         {
-            tests[a.kind << 2 | b.kind]++;
-        }
-
-        // The number of tests of two kinds, in either order.
-        private function testsOf(kind:int, otherKind:int):int
-        {
-            var count:int = tests[kind << 2 | otherKind];
-            return kind == otherKind ? count : count + tests[otherKind << 2 | kind];
+            tests[1 << a.kind | 1 << b.kind]++;
         }
 
         // Whether two boxes are tested by their faces. Then their extents are tested too, because the test of the faces alone finds touches of

@@ -179,7 +179,7 @@ const hills = program(
 		goal(words.hills.goal), score(number(0)),
 		create(1, "people", "person", size(1.2), heading(90)),
 		create(PEAKS, "gems", "sphere", heading(numbers(0, 359)), move(8), mound(numbers(1, 3), numbers(5, 8)), size(0.6), paint("me", colour("yellow"))),
-		create(6, "trees", "tree", heading(numbers(0, 359)), move(4), mound(1, 5), size(1.6)),
+		create(6, "trees", "tree", heading(numbers(0, 359)), move(numbers(4, 6)), mound(1, 5), size(1.6)),
 	)),
 	...walks("people", 0.1, "trees"),
 	inTime("people", 40, words.hills.lost),

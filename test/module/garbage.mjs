@@ -6,12 +6,13 @@
 import { garbageOf as garbage } from "./bytes.mjs";
 import * as engine from "../../bin/module/starlogo-collision.min.js";
 
-const { Agent, BinCollider, BuiltInModel, Collision, GreatLand, TightestFitCollider } = engine;
+const { Agent, BinCollider, BuiltInModel, Collision, GreatLand, Terrain, TightestFitCollider } = engine;
 
 const COUNT = 10000;
 
 const greatLand = new GreatLand();
 greatLand.addModel(BuiltInModel.sphere());
+greatLand.addModel(BuiltInModel.cube());
 
 // each to and fro along a way of its own; the numbers are there before, and so make none
 const agents = [];
@@ -37,7 +38,7 @@ function move() {
 }
 
 const kept = new Array(COUNT).fill(null);
-const result = { objects: 0, moving: 0, frames: {}, pairs: {} };
+const result = { objects: 0, moving: 0, frames: {}, pairs: {}, sweeps: {}, touches: {} };
 result.objects = garbage(() => {
 	for (let i = 0; i < COUNT; i++) kept[i] = { i };
 });
@@ -60,4 +61,24 @@ result.frames["a Collision with handlers"] = garbage(() => {
 	collision.update(agents);
 }) - result.moving;
 result.pairs["a Collision with handlers"] = 2 * calls;
+
+// the same agents, half of them cubes now, sweep over hills
+const terrain = new Terrain(101, 101, 1, -50, -50);
+for (let i = 0; i < 100; i++) terrain.raiseMound(100 * random() - 50, 100 * random() - 50, 10, random() - 0.5);
+for (let i = 0; i < COUNT; i++) {
+	agents[i].sweeps = true;
+	if (i % 4 < 2) agents[i].shape = "cube";
+}
+for (const [isBlocky, name, System] of [[false, "a BinCollider, on slopes", BinCollider], [true, "a TightestFitCollider, on columns", TightestFitCollider]]) {
+	const swept = new Collision(new System(greatLand));
+	swept.terrain = terrain;
+	terrain.isBlocky = isBlocky;
+	for (const breed of ["bears", "balls"]) swept.onCollision(breed, Collision.TERRAIN, () => { calls++; });
+	result.sweeps[name] = garbage(() => {
+		move();
+		calls = 0;
+		swept.update(agents);
+	}, { calls: 20 }) - result.moving;
+	result.touches[name] = calls;
+}
 console.log(JSON.stringify(result));

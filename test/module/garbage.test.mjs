@@ -23,6 +23,16 @@ for (const [name, bytes] of Object.entries(measured.frames)) {
 	});
 }
 
+// A Number for one agent in five.
+const MOST_OF_A_SWEEP = 32 * 1024;
+
+for (const [name, bytes] of Object.entries(measured.sweeps)) {
+	test(`agents that sweep over the ground make no garbage: ${name}`, () => {
+		assert.ok(measured.touches[name] > 1000 && measured.touches[name] < 9000, `${measured.touches[name]} touches: some agents touch the ground`);
+		assert.ok(bytes < MOST_OF_A_SWEEP, `${bytes} bytes a frame`);
+	});
+}
+
 // Bytes a question: V8 makes objects of some Numbers.
 const MOST_OF_A_QUESTION = 1024;
 const MOST_AMONG_PARTS = 4 * 1024;

@@ -116,12 +116,14 @@ package starlogo.intersection
             else if (_kind == BoundingStructure.CAPSULE)
             {
                 var capsule:Capsule = Capsule(_structure);
-                setAxis(capsule.start, capsule.end, capsule.radius);
+                _radius = capsule.radius;
+                setAxis(capsule.start, capsule.end);
             }
             else
             {
                 var sphere:Sphere = Sphere(_structure);
-                setAxis(sphere.center, sphere.center, sphere.radius);
+                _radius = sphere.radius;
+                setAxis(sphere.center, sphere.center);
             }
             beginMotion(motion);
         }
@@ -166,7 +168,7 @@ package starlogo.intersection
             {
                 return triangleTriangle(_corners, 0, _triangle, _at, _closest);
             }
-            return !isApart(0) && _closest.areWithin(_triangle, _at, _corners, 0);
+            return !isApart(false) && _closest.areWithin(_triangle, _at, _corners, 0);
         }
 
         /** Finds when the two first touch. Reads the latest time from <code>time</code>, and writes the result: RelativeMotion.NEVER for no touch. */
@@ -178,9 +180,9 @@ package starlogo.intersection
                 time = 0;
                 return;
             }
-            time = RelativeMotion.NEVER;
-            if (latest == 0 || isApart(latest))
+            if (latest == 0 || isApart(true))
             {
+                time = RelativeMotion.NEVER;
                 return;
             }
             if (_kind == TRIANGLE)
@@ -191,6 +193,7 @@ package starlogo.intersection
                 time = _motion.time;
                 return;
             }
+            time = RelativeMotion.NEVER;
             for (var i:int = 0; i < 9; i += 3)
             {
                 setEdge(i);
@@ -261,14 +264,13 @@ package starlogo.intersection
             _closest.begin();
         }
 
-        private function setAxis(start:Vector3D, end:Vector3D, radius:Number):void
+        private function setAxis(start:Vector3D, end:Vector3D):void
         {
-            _radius = radius;
             // Vector3D.distance() makes an object in some players
             var x:Number = end.x - start.x;
             var y:Number = end.y - start.y;
             var z:Number = end.z - start.z;
-            _size = radius + Math.sqrt(x * x + y * y + z * z);
+            _size = _radius + Math.sqrt(x * x + y * y + z * z);
             point = start;
             addCorner(start);
             addCorner(end);
@@ -311,13 +313,13 @@ package starlogo.intersection
             }
             var p:Vector.<Number> = _triangle;
             var at:int = _at;
-            var squared:Number = _face.setAcross(p, at);
-            if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * squared * squared))
+            _face.setAcross(p, at);
+            if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * _face.squared * _face.squared))
             {
                 _face.setNormal(NaN, NaN, NaN);
             }
             // Without this radius, rounding would hide the direction of the gap when the gap is almost closed.
-            _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(squared) + Math.abs(p[at]) + Math.abs(p[int(at + 1)]) + Math.abs(p[int(at + 2)]));
+            _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(_face.squared) + Math.abs(p[at]) + Math.abs(p[int(at + 1)]) + Math.abs(p[int(at + 2)]));
         }
 
         private function setEdge(first:int):void
@@ -328,26 +330,22 @@ package starlogo.intersection
             _edge.end.setTo(_triangle[to], _triangle[int(to + 1)], _triangle[int(to + 2)]);
         }
 
-        // How far the two overlap at the beginning, seen along a contact's normal, or against it if side is -1.
-        private function overlapAlong(contact:ContactPoint, side:int):Number
-        {
-            return contact.reach(_triangle, _at, _at + 9, side) + contact.reach(_corners, 0, _end, -side) + _radius;
-        }
-
         private function speedAlong(contact:ContactPoint):Number
         {
             return contact.normalX * _motion.x + contact.normalY * _motion.y + contact.normalZ * _motion.z;
         }
 
-        // Whether the shape stays on one side of the triangle's plane until a time.
-        private function isApart(until:Number):Boolean
+        // Whether the shape is on one side of the triangle's plane, and stays there until the time if it moves.
+        private function isApart(isMoving:Boolean):Boolean
         {
             prepare();
-            var way:Number = until * speedAlong(_face);
+            var way:Number = isMoving ? time * speedAlong(_face) : 0;
             var least:Number = -gap - _edge.radius;
-            var down:Number = way < 0 ? way : 0;
-            var up:Number = way > 0 ? way : 0;
-            return overlapAlong(_face, 1) - down < least || overlapAlong(_face, -1) + up < least;
+            _face.measure(_triangle, _at, _at + 9);
+            var low:Number = _face.least;
+            var high:Number = _face.greatest;
+            _face.measure(_corners, 0, _end);
+            return high - _face.least + _radius - Math.min(way, 0) < least || _face.greatest - low + _radius + Math.max(way, 0) < least;
         }
 
         // Finds when a corner of the structure comes to the triangle's face.
@@ -355,14 +353,18 @@ package starlogo.intersection
         {
             var speed:Number = speedAlong(_face);
             var back:Number = speed < 0 ? _radius : -_radius;
-            var plane:Number = _face.alongOf(_triangle, _at) + back;
+            var x:Number = _face.normalX;
+            var y:Number = _face.normalY;
+            var z:Number = _face.normalZ;
+            var plane:Number = x * _triangle[_at] + y * _triangle[int(_at + 1)] + z * _triangle[int(_at + 2)] + back;
             for (var i:int = 0; i < _end; i += 3)
             {
-                var impact:Number = (plane - _face.alongOf(_corners, i)) / speed;
+                var impact:Number = (plane - (x * _corners[i] + y * _corners[int(i + 1)] + z * _corners[int(i + 2)])) / speed;
                 if (impact >= 0 && impact < time)
                 {
-                    _point.setTo(_corners[i] + impact * _motion.x, _corners[int(i + 1)] + impact * _motion.y, _corners[int(i + 2)] + impact * _motion.z);
-                    _face.push(_point, -back);
+                    _point.x = _corners[i] + impact * _motion.x - back * x;
+                    _point.y = _corners[int(i + 1)] + impact * _motion.y - back * y;
+                    _point.z = _corners[int(i + 2)] + impact * _motion.z - back * z;
                     time = isOverFace(_point) ? impact : time;
                 }
             }
@@ -371,20 +373,21 @@ package starlogo.intersection
         // Whether a point is over the triangle's face.
         private function isOverFace(point:Vector3D):Boolean
         {
-            for (var i:int = 0; i < 9; i += 3)
+            var p:Vector.<Number> = _triangle;
+            var from:int = _at + 6;
+            for (var to:int = _at; to < _at + 9; to += 3)
             {
-                setEdge(i);
-                var start:Vector3D = _edge.start;
-                var ux:Number = _edge.end.x - start.x;
-                var uy:Number = _edge.end.y - start.y;
-                var uz:Number = _edge.end.z - start.z;
-                var vx:Number = point.x - start.x;
-                var vy:Number = point.y - start.y;
-                var vz:Number = point.z - start.z;
+                var ux:Number = p[to] - p[from];
+                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
+                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
+                var vx:Number = point.x - p[from];
+                var vy:Number = point.y - p[int(from + 1)];
+                var vz:Number = point.z - p[int(from + 2)];
                 if (_face.normalX * (uy * vz - uz * vy) + _face.normalY * (uz * vx - ux * vz) + _face.normalZ * (ux * vy - uy * vx) < 0)
                 {
                     return false;
                 }
+                from = to;
             }
             return true;
         }
@@ -422,7 +425,10 @@ package starlogo.intersection
         // Keeps the normal if the two overlap less along it. If rounding decides, the one before is kept.
         private function keepLeast(out:ContactPoint):void
         {
-            var depth:Number = overlapAlong(_tried, 1) - time * speedAlong(_tried);
+            _tried.measure(_corners, 0, _end);
+            var least:Number = _tried.least;
+            _tried.measure(_triangle, _at, _at + 9);
+            var depth:Number = _tried.greatest - least + _radius - time * speedAlong(_tried);
             if (depth < out.depth - _edge.radius)
             {
                 out.setNormal(_tried.normalX, _tried.normalY, _tried.normalZ);

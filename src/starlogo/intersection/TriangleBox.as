@@ -44,7 +44,7 @@ package starlogo.intersection
             project(corners, at, box.axisX, 0);
             project(corners, at, box.axisY, 1);
             project(corners, at, box.axisZ, 2);
-            return !isBeyond(0, box.halfX) && !isBeyond(1, box.halfY) && !isBeyond(2, box.halfZ) && !isNormal() && !isAcrossEdges();
+            return !isBeyond(0) && !isBeyond(1) && !isBeyond(2) && !isNormal() && !isAcrossEdges();
         }
 
         // Computes one coordinate of the corners and of the edges in the box's space.
@@ -64,11 +64,13 @@ package starlogo.intersection
             _edges[int(6 + coordinate)] = _corners[coordinate] - _corners[int(6 + coordinate)];
         }
 
-        private function isBeyond(coordinate:int, half:Number):Boolean
+        // Whether the triangle is on one side of the box, seen along one of the box's axes.
+        private function isBeyond(axis:int):Boolean
         {
-            var first:Number = _corners[coordinate];
-            var second:Number = _corners[int(3 + coordinate)];
-            var third:Number = _corners[int(6 + coordinate)];
+            var half:Number = axis == 0 ? box.halfX : (axis == 1 ? box.halfY : box.halfZ);
+            var first:Number = _corners[axis];
+            var second:Number = _corners[int(3 + axis)];
+            var third:Number = _corners[int(6 + axis)];
             var far:Number = half + tolerance;
             return first > far && second > far && third > far || first < -far && second < -far && third < -far;
         }

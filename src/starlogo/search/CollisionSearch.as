@@ -248,7 +248,7 @@ package starlogo.search
             }
         }
 
-        // Like keepTouching, and writes the times. A pair is tested along its motions if one of its agents sweeps, and else where the two are.
+        // Like keepTouching, and writes the times. The bins are null if the row is a fixture.
         private function keepTouchingMotions(bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var ranks:Vector.<int> = table.ranks;
@@ -258,7 +258,9 @@ package starlogo.search
             {
                 var other:int = rows[others[i]];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
-                var time:Number = rank < ranks[other] ? impactTime(row, other, bins) : impactTime(other, row, bins);
+                var isFirst:Boolean = rank < ranks[other];
+                _motions.findTime(table, bins, isFirst ? row : other, isFirst ? other : row);
+                var time:Number = _motions.foundTime;
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = others[i];
@@ -267,18 +269,6 @@ package starlogo.search
                 }
             }
             return kept;
-        }
-
-        // The bins know how far apart the extents of touching rows may be. They are null if the second row is a fixture.
-        private function impactTime(a:int, b:int, bins:Bins):Number
-        {
-            if (_motions.isSweeping[a] || _motions.isSweeping[b])
-            {
-                _motions.findTime(table, bins, a, b);
-                return _motions.foundTime;
-            }
-            var areTouching:Boolean = (bins == null || RowPairs.areNear(table.extents, bins, a, b)) && _pairs.areTouching(table, a, b);
-            return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
         // Finds the members that touch the ground, or the edges of the world. It tests only members whose breeds are of interest together

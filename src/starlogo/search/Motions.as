@@ -7,6 +7,7 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.TouchingTimes;
 
     use namespace engine;
 
@@ -32,9 +33,8 @@ package starlogo.search
         // The motion of the first row of a pair, relative to the second.
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // The times at which the extents of a pair begin and end to overlap, in the directions tested so far.
-        private var _enters:Number;
-        private var _leaves:Number;
+        // When the extents of a pair overlap.
+        private var _times:TouchingTimes = new TouchingTimes();
 
         private var _separation:Separation;
 
@@ -92,7 +92,8 @@ package starlogo.search
         }
 
         /**
-         * Finds the time at which two rows first touch, and writes it to <code>foundTime</code>. At least one of the two sweeps.
+         * Finds the time at which two rows first touch, and writes it to <code>foundTime</code>. If neither of the two sweeps, they are tested
+         * where they are now.
          *
          * @param bins knows how far apart the extents of touching rows may be; null to make the exact test for all pairs
          */
@@ -100,20 +101,21 @@ package starlogo.search
         {
             var motion:RelativeMotion = _motion;
             motion.endAfter(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
-            var isStill:Boolean = motion.x == 0 && motion.y == 0 && motion.z == 0;
+            motion.time = RelativeMotion.NEVER;
+            var isSwept:Boolean = isSweeping[a] || isSweeping[b];
             var areSpheres:Boolean = (table.forms[a] | table.forms[b]) == BoundingStructure.SPHERE;
-            if (!isStill && !areSpheres && bins != null && passEachOther(table.extents, a, b, bins.slack))
+            if (!isSwept && bins != null && !RowPairs.areNear(table.extents, bins, a, b))
             {
-                motion.time = RelativeMotion.NEVER;
                 return;
             }
-            _pairs.sweptPairs++;
-            if (isStill)
+            if (!isSwept || motion.x == 0 && motion.y == 0 && motion.z == 0)
             {
-                motion.time = _pairs.areTouching(table, a, b) ? 0 : RelativeMotion.NEVER;
+                var found:Number = isSwept ? 0 : 1;
+                motion.time = _pairs.areTouching(table, a, b) ? found : RelativeMotion.NEVER;
             }
-            else
+            else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))
             {
+                _pairs.sweptPairs++;
                 _pairs.testsOf(table, a, b).findTime(table, a, b, motion);
             }
         }
@@ -178,44 +180,23 @@ package starlogo.search
             }
         }
 
-        // Whether the extents of two rows never overlap in all directions at the same time. The two rows stand where they are at the end of the
-        // motion.
-        private function passEachOther(standing:Extents, a:int, b:int, slack:Number):Boolean
+        // Whether the extents of two rows overlap in all directions at the same time, on their motions.
+        private function overlapOnMotions(standing:Extents, bins:Bins, a:int, b:int):Boolean
         {
-            _enters = 0;
-            _leaves = 1;
-            return isGap(standing.x[b] - standing.x[a], _motion.x, standing.halfX[a] + standing.halfX[b] + slack)
-                || isGap(standing.y[b] - standing.y[a], _motion.y, standing.halfY[a] + standing.halfY[b] + slack)
-                || isGap(standing.z[b] - standing.z[a], _motion.z, standing.halfZ[a] + standing.halfZ[b] + slack);
+            _times.last = 1;
+            _times.gap = bins.slack;
+            _times.reset();
+            return !isGap(standing.x, standing.halfX, x, a, b) && !isGap(standing.y, standing.halfY, y, a, b) && !isGap(standing.z, standing.halfZ, z, a, b);
         }
 
-        // Tests one direction. It gets b's position relative to a at the end of the motion, the motion, and the distance at which the two
-        // overlap.
-        private function isGap(at:Number, speed:Number, reach:Number):Boolean
+        // Tests one direction. It gets the places at the end of the motions, half the lengths, and the motions.
+        private function isGap(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
-            at += speed;
-            if (speed < 0)
-            {
-                speed = -speed;
-                at = -at;
-            }
-            if (at < -reach || at - reach > _leaves * speed)
-            {
-                return true;
-            }
-            if (at > reach)
-            {
-                var enters:Number = (at - reach) / speed;
-                if (enters > _enters)
-                {
-                    _enters = enters;
-                }
-            }
-            if (at + reach < _leaves * speed)
-            {
-                _leaves = (at + reach) / speed;
-            }
-            return _enters > _leaves;
+            var speed:Number = motion[a] - motion[b];
+            _times.at = at[a] - at[b] - speed;
+            _times.speed = speed;
+            _times.reach = half[a] + half[b];
+            return _times.areSeparated();
         }
     }
 }

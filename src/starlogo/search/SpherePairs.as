@@ -38,30 +38,24 @@ package starlogo.search
             var x:Number = extents.x[a] - extents.x[b];
             var y:Number = extents.y[a] - extents.y[b];
             var z:Number = extents.z[a] - extents.z[b];
-            var squared:Number = x * x + y * y + z * z;
-            var reach:Number = extents.halfX[a] + extents.halfX[b];
-            if (squared <= reach * reach)
-            {
-                return true;
-            }
-            reach = reach * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
-            return squared <= reach * reach;
+            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
+            return x * x + y * y + z * z <= _points.reach * _points.reach;
         }
 
         /** @inheritDoc */
         override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             tests++;
+            var isAtEnd:Boolean = areTouching(table, a, b);
             var extents:Extents = table.extents;
             _points.x = extents.x[a] - extents.x[b] + motion.startX;
             _points.y = extents.y[a] - extents.y[b] + motion.startY;
             _points.z = extents.z[a] - extents.z[b] + motion.startZ;
-            // the motion's own rounding errors are added too
-            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b))
-                + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            // areTouching has found the reach. The motion's own rounding errors are added
+            _points.reach += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _points.findEntry(motion);
             // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
+            if (motion.time == RelativeMotion.NEVER && isAtEnd)
             {
                 motion.time = 1;
             }

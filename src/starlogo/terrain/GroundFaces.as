@@ -92,14 +92,14 @@ package starlogo.terrain
             _y = grid.y - origin.y - middle;
             _z = -origin.z;
             _face = _faceCount = _top = 0;
-            var wayX:Number = box.limit * Math.abs(box.wayX);
-            var wayY:Number = box.limit * Math.abs(box.wayY);
-            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.x - _x) + Math.abs(box.y - _y) + Math.abs(box.z) + Math.abs(_z)
-                    + width + wayX + wayY + box.limit * Math.abs(box.wayZ));
-            box.halfX += rounding;
-            box.halfY += rounding;
-            box.halfZ += rounding;
-            var length:Number = Math.max(2 * box.halfX + wayX, 2 * box.halfY + wayY) + 2 * box.reach;
+            var wayX:Number = box.limit * Math.abs(box.way.x);
+            var wayY:Number = box.limit * Math.abs(box.way.y);
+            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.middle.x - _x) + Math.abs(box.middle.y - _y) + Math.abs(box.middle.z) + Math.abs(_z)
+                    + width + wayX + wayY + box.limit * Math.abs(box.way.z));
+            box.half.x += rounding;
+            box.half.y += rounding;
+            box.half.z += rounding;
+            var length:Number = Math.max(2 * box.half.x + wayX, 2 * box.half.y + wayY) + 2 * box.reach;
             var level:int = 0;
             while (level < grid.levels && length > FIRST_SQUARES * grid.widths[level])
             {
@@ -133,19 +133,19 @@ package starlogo.terrain
             _width = _grid.widths[level];
             box.from = 0;
             box.to = box.limit;
-            findRange(box.y - _y, box.halfY + box.reach, box.wayY, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
-            var step:int = box.wayY < 0 ? 1 : -1;
+            findRange(box.middle.y - _y, box.half.y + box.reach, box.way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            var step:int = box.way.y < 0 ? 1 : -1;
             var row:int = step > 0 ? _first : _last;
             for (var rows:int = _last - _first + 1; rows > 0; rows--)
             {
                 _row = row;
                 row += step;
                 cutToRow();
-                findRange(box.x - _x, box.halfX + box.reach, box.wayX, first, last);
+                findRange(box.middle.x - _x, box.half.x + box.reach, box.way.x, first, last);
                 for (var i:int = _first; i <= _last && box.from <= box.to; i++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = box.wayX < 0 ? i : _first + _last - i;
+                    _squares[int(_top + 1)] = box.way.x < 0 ? i : _first + _last - i;
                     _squares[int(_top + 2)] = _row;
                     _top += 3;
                 }
@@ -182,19 +182,19 @@ package starlogo.terrain
         private function isOver():Boolean
         {
             cutToRow();
-            box.cut(box.x, box.halfX + box.reach, box.wayX, _x + _column * _width, _x + (_column + 1) * _width);
-            var start:Number = box.z + box.from * box.wayZ;
-            var end:Number = box.z + box.to * box.wayZ;
+            box.cut(box.middle.x, box.half.x + box.reach, box.way.x, _x + _column * _width, _x + (_column + 1) * _width);
+            var start:Number = box.middle.z + box.from * box.way.z;
+            var end:Number = box.middle.z + box.to * box.way.z;
             var reach:Number = box.reach;
             if (reach > 0)
             {
                 // what is to the side of the box is less far above or below it
-                var x:Number = gapOf(box.x - _x, box.halfX, _column);
-                var y:Number = gapOf(box.y - _y, box.halfY, _row);
+                var x:Number = gapOf(box.middle.x - _x, box.half.x, _column);
+                var y:Number = gapOf(box.middle.y - _y, box.half.y, _row);
                 reach = Math.sqrt(Math.max(0, reach * reach - x * x - y * y));
             }
-            _low = Math.min(start, end) - box.halfZ - reach;
-            _high = Math.max(start, end) + box.halfZ + reach;
+            _low = Math.min(start, end) - box.half.z - reach;
+            _high = Math.max(start, end) + box.half.z + reach;
             return box.from <= box.to;
         }
 
@@ -228,9 +228,9 @@ package starlogo.terrain
         {
             if (face < 2)
             {
-                put(0, 0, _tops[0]);
-                put(3, face + 1, _tops[int(face + 1)]);
-                put(6, face + 2, _tops[int(face + 2)]);
+                put(0, 0);
+                put(3, face + 1);
+                put(6, face + 2);
             }
             else if (!findWall((face - 2) >> 1, (face & 1) == 1))
             {
@@ -264,23 +264,26 @@ package starlogo.terrain
             {
                 return false;
             }
-            low = isFinite(floor) ? low : Math.min(_low, Math.min(top, endTop)) - _width;
+            low = floor > -Infinity ? low : Math.min(_low, Math.min(top, endTop)) - _width;
             if (Math.min(top, endTop) > _high + _width)
             {
                 top = endTop = _high + _width;
             }
-            put(0, side, low);
-            put(3, end, isUpper ? endTop : low);
-            put(6, isUpper ? side : end, isUpper ? top : endTop);
+            put(0, side);
+            put(3, end);
+            put(6, isUpper ? side : end);
+            corners[2] = low;
+            corners[5] = isUpper ? endTop : low;
+            corners[8] = isUpper ? top : endTop;
             return true;
         }
 
-        // Writes a corner of the cell, with a height.
-        private function put(to:int, corner:int, height:Number):void
+        // Writes a corner of the cell's top.
+        private function put(to:int, corner:int):void
         {
             corners[to] = _x + (_column + ((corner + 1) >> 1 & 1)) * _width;
             corners[int(to + 1)] = _y + (_row + (corner >> 1)) * _width;
-            corners[int(to + 2)] = height;
+            corners[int(to + 2)] = _tops[corner];
         }
 
         private function moveIn():void
@@ -299,7 +302,7 @@ package starlogo.terrain
         {
             box.from = 0;
             box.to = box.limit;
-            box.cut(box.y, box.halfY + box.reach, box.wayY, _y + _row * _width, _y + (_row + 1) * _width);
+            box.cut(box.middle.y, box.half.y + box.reach, box.way.y, _y + _row * _width, _y + (_row + 1) * _width);
         }
 
         // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.

@@ -5,6 +5,7 @@ package starlogo.terrain
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.TriangleRay;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -25,6 +26,7 @@ package starlogo.terrain
         /** Creates a finder that has found nothing yet. */
         public function GroundRay()
         {
+            _faces.box.way = new RelativeMotion();
         }
 
         /**
@@ -44,13 +46,13 @@ package starlogo.terrain
                 return true;
             }
             var box:PassingBox = _faces.box;
-            box.x = ray.x;
-            box.y = ray.y;
-            box.z = ray.z;
-            box.halfX = box.halfY = box.halfZ = 0;
-            box.wayX = ray.directionX;
-            box.wayY = ray.directionY;
-            box.wayZ = ray.directionZ;
+            box.middle.x = ray.x;
+            box.middle.y = ray.y;
+            box.middle.z = ray.z;
+            box.half.setTo(0, 0, 0);
+            box.way.x = ray.directionX;
+            box.way.y = ray.directionY;
+            box.way.z = ray.directionZ;
             box.limit = Math.min(ray.to, FARTHEST);
             _faces.begin(grid);
             var isHit:Boolean = false;

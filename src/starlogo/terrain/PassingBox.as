@@ -1,5 +1,8 @@
 package starlogo.terrain
 {
+    import flash.geom.Vector3D;
+    import starlogo.intersection.sweep.RelativeMotion;
+
     /**
      * A box along the world's axes that stands, or moves along a straight line. It has plain fields, because V8 allocates an object for each
      * Number that is passed.
@@ -7,31 +10,13 @@ package starlogo.terrain
     internal final class PassingBox
     {
         /** Its middle, where the way begins. */
-        public var x:Number = 0;
-
-        /** @copy #x */
-        public var y:Number = 0;
-
-        /** @copy #x */
-        public var z:Number = 0;
+        public var middle:Vector3D = new Vector3D();
 
         /** Half its lengths. */
-        public var halfX:Number = 0;
+        public var half:Vector3D = new Vector3D();
 
-        /** @copy #halfX */
-        public var halfY:Number = 0;
-
-        /** @copy #halfX */
-        public var halfZ:Number = 0;
-
-        /** The way; 0 if it stands. */
-        public var wayX:Number = 0;
-
-        /** @copy #wayX */
-        public var wayY:Number = 0;
-
-        /** @copy #wayX */
-        public var wayZ:Number = 0;
+        /** The way; RelativeMotion.NONE if it stands. Only x, y and z count. */
+        public var way:RelativeMotion = RelativeMotion.NONE;
 
         /** How far from the standing box something still counts. It may be reduced during a walk, as the limit may. */
         public var reach:Number = 0;

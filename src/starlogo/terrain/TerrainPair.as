@@ -182,13 +182,13 @@ package starlogo.terrain
         public function findOuterContact(out:ContactPoint):void
         {
             var box:PassingBox = boxOf(_structure);
-            var low:Number = box.z - box.halfZ;
-            var height:Number = heightAt(box.x, box.y);
+            var low:Number = box.middle.z - box.half.z;
+            var height:Number = heightAt(box.middle.x, box.middle.y);
             out.setNormal(0, 0, 1);
             // The height may be NaN.
             out.depth = height > low ? height - low : 0;
-            out.x = box.x;
-            out.y = box.y;
+            out.x = box.middle.x;
+            out.y = box.middle.y;
             out.z = low + out.depth / 2;
             moveToWorld(out);
         }
@@ -202,9 +202,9 @@ package starlogo.terrain
         {
             // Looks farther and farther away. The first guess is the distance to the surface above or below the model's middle.
             var box:PassingBox = boxOf(_structure);
-            var height:Number = heightAt(box.x, box.y);
-            var above:Number = isNaN(height) ? _grid.cellWidth : Math.abs(height - box.z);
-            var bound:Number = Math.max(box.halfX + box.halfY + box.halfZ + above, Tolerances.SURFACES * _grid.cellWidth);
+            var height:Number = heightAt(box.middle.x, box.middle.y);
+            var above:Number = isNaN(height) ? _grid.cellWidth : Math.abs(height - box.middle.z);
+            var bound:Number = Math.max(box.half.x + box.half.y + box.half.z + above, Tolerances.SURFACES * _grid.cellWidth);
             _closest = out;
             do
             {
@@ -273,7 +273,7 @@ package starlogo.terrain
             var structure:BoundingStructure = structureOf(node);
             if (node.cutoffLevel < _depth)
             {
-                var box:PassingBox = beginFaces(structure);
+                beginFaces(structure);
                 if (_faces.next())
                 {
                     visit(node.low);
@@ -281,7 +281,7 @@ package starlogo.terrain
                 }
                 else
                 {
-                    meetInside(box.x, box.y, box.z);
+                    meetInside(_faces.box.middle);
                 }
             }
             else if (_isExact)
@@ -335,33 +335,29 @@ package starlogo.terrain
             var box:PassingBox = _faces.box;
             var margin:Number = _piece.margin;
             structure.turnedExtentsInto(_placed, _extents);
-            box.x = _extents[0] + _placed.x;
-            box.y = _extents[1] + _placed.y;
-            box.z = _extents[2] + _placed.z;
-            box.halfX = _extents[3] + margin;
-            box.halfY = _extents[4] + margin;
-            box.halfZ = _extents[5] + margin;
+            box.middle.x = _extents[0] + _placed.x;
+            box.middle.y = _extents[1] + _placed.y;
+            box.middle.z = _extents[2] + _placed.z;
+            box.half.x = _extents[3] + margin;
+            box.half.y = _extents[4] + margin;
+            box.half.z = _extents[5] + margin;
             return box;
         }
 
         // Begins with the triangles near the box around a structure of the model, on its way, or as far to all sides as something better may
         // be found.
-        private function beginFaces(structure:BoundingStructure):PassingBox
+        private function beginFaces(structure:BoundingStructure):void
         {
             var box:PassingBox = boxOf(structure);
-            box.wayX = _motion.x;
-            box.wayY = _motion.y;
-            box.wayZ = _motion.z;
+            box.way = _motion;
             box.limit = _goal == TIME ? _best : 0;
             box.reach = _goal == DISTANCE ? _best : 0;
             _faces.begin(_grid);
-            return box;
         }
 
         // Tests the piece against the triangles near the structure around it.
         private function meet(structure:BoundingStructure):void
         {
-            var point:Vector3D = _piece.point;
             beginFaces(structure);
             while (!isDone() && _faces.next())
             {
@@ -369,23 +365,25 @@ package starlogo.terrain
                 _piece.gap = _faces.gap;
                 meetFace();
             }
-            meetInside(point.x, point.y, point.z);
+            meetInside(_piece.point);
         }
 
         // A standing piece with a point that is under the ground overlaps it. If the ground is narrower, this is also so as seen from its sides.
-        private function meetInside(x:Number, y:Number, z:Number):void
+        private function meetInside(point:Vector3D):void
         {
             if (_goal == TIME && _motion === RelativeMotion.NONE && !_isFound)
             {
                 var inset:Number = _faces.inset;
-                var lowest:Number = heightAt(x - inset, y - inset);
-                if (inset > 0)
+                _isFound = true;
+                for (var side:int = inset > 0 ? 0 : 3; side < 4 && _isFound; side++)
                 {
-                    lowest = Math.min(lowest, heightAt(x + inset, y - inset));
-                    lowest = Math.min(lowest, heightAt(x - inset, y + inset));
-                    lowest = Math.min(lowest, heightAt(x + inset, y + inset));
+                    var toX:Number = (side & 1) == 0 ? -inset : inset;
+                    var toY:Number = (side & 2) == 0 ? -inset : inset;
+                    _grid.placeX = point.x + toX + _origin.x;
+                    _grid.placeY = point.y + toY + _origin.y;
+                    _grid.findHeight();
+                    _isFound = _grid.height - _origin.z - inset >= point.z;
                 }
-                _isFound = lowest - inset >= z;
             }
         }
 

@@ -35,6 +35,15 @@ package starlogo.intersection.contact
         /** The length that the normal had before <code>normalise()</code>. */
         public var length:Number = 1;
 
+        /** The sum of the squares of two edges of the triangle of <code>setAcross()</code>. */
+        public var squared:Number = 0;
+
+        /** The least and the greatest component along the normal that <code>measure()</code> has found. */
+        public var least:Number = 0;
+
+        /** @copy #least */
+        public var greatest:Number = 0;
+
         /** Input of <code>place()</code>: how far the first structure's surface is from its core. */
         public var radius:Number = 0;
 
@@ -82,11 +91,10 @@ package starlogo.intersection.contact
 
         /**
          * Sets the normal to the normal of a triangle: nine numbers of a list, from an index on. It points to the side from which the corners
-         * are counter-clockwise. <code>length</code> becomes twice the triangle's area.
-         *
-         * @return the sum of the squares of the two edges at the first corner
+         * are counter-clockwise. <code>length</code> becomes twice the triangle's area, and <code>squared</code> the sum of the squares of the
+         * two edges at the first corner.
          */
-        public function setAcross(p:Vector.<Number>, at:int):Number
+        public function setAcross(p:Vector.<Number>, at:int):void
         {
             var ux:Number = p[int(at + 3)] - p[at];
             var uy:Number = p[int(at + 4)] - p[int(at + 1)];
@@ -94,10 +102,9 @@ package starlogo.intersection.contact
             var vx:Number = p[int(at + 6)] - p[at];
             var vy:Number = p[int(at + 7)] - p[int(at + 1)];
             var vz:Number = p[int(at + 8)] - p[int(at + 2)];
-            var squared:Number = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
+            squared = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
             setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
             normalise();
-            return squared;
         }
 
         /** Makes the normal a unit vector, and sets <code>length</code> to its old length, which must not be 0. */
@@ -115,25 +122,19 @@ package starlogo.intersection.contact
             return normalX * vector.x + normalY * vector.y + normalZ * vector.z;
         }
 
-        /** The component along the normal of a point in a list. */
-        public function alongOf(points:Vector.<Number>, at:int):Number
+        /** Finds how far the points of a part of a list extend along the normal. The results are NaN if the normal is. */
+        public function measure(points:Vector.<Number>, from:int, end:int):void
         {
-            return normalX * points[at] + normalY * points[int(at + 1)] + normalZ * points[int(at + 2)];
-        }
-
-        /** How far the points of a part of a list reach along the normal, or against it if <code>side</code> is -1. */
-        public function reach(points:Vector.<Number>, from:int, end:int, side:int):Number
-        {
-            var alongX:Number = side * normalX;
-            var alongY:Number = side * normalY;
-            var alongZ:Number = side * normalZ;
-            var most:Number = alongX * points[from] + alongY * points[int(from + 1)] + alongZ * points[int(from + 2)];
-            for (var i:int = from + 3; i < end; i += 3)
+            var low:Number = Infinity;
+            var high:Number = -Infinity;
+            for (var i:int = from; i < end; i += 3)
             {
-                var along:Number = alongX * points[i] + alongY * points[int(i + 1)] + alongZ * points[int(i + 2)];
-                most = along > most ? along : most;
+                var along:Number = normalX * points[i] + normalY * points[int(i + 1)] + normalZ * points[int(i + 2)];
+                low = low < along ? low : along;
+                high = high > along ? high : along;
             }
-            return most;
+            least = low;
+            greatest = high;
         }
 
         /** Moves a place along the normal. */
@@ -160,19 +161,19 @@ package starlogo.intersection.contact
             var axisX:Number = normalX;
             var axisY:Number = normalY;
             var axisZ:Number = normalZ;
-            var squared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
-            if (!(squared > 0))
+            var axisSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
+            if (!(axisSquared > 0))
             {
                 setNormal(0, 0, 1);
                 return;
             }
-            if (axisX * axisX + axisY * axisY > Tolerances.UPRIGHT * squared)
+            if (axisX * axisX + axisY * axisY > Tolerances.UPRIGHT * axisSquared)
             {
-                setNormal(-axisX * axisZ / squared, -axisY * axisZ / squared, 1 - axisZ * axisZ / squared);
+                setNormal(-axisX * axisZ / axisSquared, -axisY * axisZ / axisSquared, 1 - axisZ * axisZ / axisSquared);
             }
             else
             {
-                setNormal(1 - axisX * axisX / squared, -axisX * axisY / squared, -axisX * axisZ / squared);
+                setNormal(1 - axisX * axisX / axisSquared, -axisX * axisY / axisSquared, -axisX * axisZ / axisSquared);
             }
             normalise();
         }

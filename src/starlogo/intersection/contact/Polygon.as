@@ -54,7 +54,8 @@ package starlogo.intersection.contact
          */
         public function setFarthest(corners:Vector.<Number>, at:int, contact:ContactPoint, side:int):void
         {
-            var least:Number = contact.reach(corners, at, at + 9, side);
+            contact.measure(corners, at, at + 9);
+            var least:Number = side > 0 ? contact.greatest : -contact.least;
             for (var i:int = 0; i < 6; i++)
             {
                 least -= Tolerances.DIRECTION * Math.abs(corners[int(at + i + 3)] - corners[int(at + i % 3)]);
@@ -62,7 +63,8 @@ package starlogo.intersection.contact
             clear();
             for (i = at; i < at + 9; i += 3)
             {
-                if (side * contact.alongOf(corners, i) >= least)
+                var along:Number = contact.normalX * corners[i] + contact.normalY * corners[int(i + 1)] + contact.normalZ * corners[int(i + 2)];
+                if (side * along >= least)
                 {
                     setStep(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
                     add();

@@ -126,10 +126,8 @@ package starlogo.hierarchy
                 else if (leaves != null)
                 {
                     leaves.add(a, b);
-                    least = leaves.least;
-                    directionX = leaves.x;
-                    directionY = leaves.y;
-                    directionZ = leaves.z;
+                    least = leaves.points.distance;
+                    turnTo(leaves.points);
                 }
                 else
                 {
@@ -139,9 +137,7 @@ package starlogo.hierarchy
                         least = bound;
                         _nearestA = _decidingA;
                         _nearestB = _decidingB;
-                        directionX = _points.bX - _points.aX;
-                        directionY = _points.bY - _points.aY;
-                        directionZ = _points.bZ - _points.aZ;
+                        turnTo(_points);
                     }
                 }
             }
@@ -230,6 +226,13 @@ package starlogo.hierarchy
         {
             var level:int = node.level;
             return level == 0 || level > Tolerances.NESTED_LEVELS ? 1 : 1 + Tolerances.NESTED_LEVELS - level;
+        }
+
+        private function turnTo(points:ClosestPair):void
+        {
+            directionX = points.bX - points.aX;
+            directionY = points.bY - points.aY;
+            directionZ = points.bZ - points.aZ;
         }
 
         // Puts a node's children, each paired with the other node, on the stack. The nearer pair is on top.

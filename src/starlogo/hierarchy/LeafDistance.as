@@ -1,5 +1,7 @@
 package starlogo.hierarchy
 {
+    import starlogo.intersection.distance.ClosestPair;
+
     /**
      * Finds the distance of the contents of leaves. Abstract: a lower package defines the contents.
      *
@@ -7,17 +9,8 @@ package starlogo.hierarchy
      */
     public class LeafDistance
     {
-        /** The smallest distance of the pairs of leaves added, in the first model's space. */
-        public var least:Number = Infinity;
-
-        /** The vector from the first model's point to the second's at the smallest distance. */
-        public var x:Number = 0;
-
-        /** @copy #x */
-        public var y:Number = 0;
-
-        /** @copy #x */
-        public var z:Number = 0;
+        /** The closest points of the pairs of leaves added, and their distance, in the first model's space. */
+        public var points:ClosestPair;
 
         /** For subclasses only. */
         public function LeafDistance()

@@ -3,6 +3,8 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.findBoxImpact;
 
     // This function repeats the arithmetic of the kernel BoxPair, because a call through the kernel takes about three times as long.
     // KernelsAgreeTest checks that both agree.
@@ -183,7 +185,9 @@ package starlogo.intersection
             {
                 return true;
             }
-            return meetNearlyParallel(a, b);
+            // The sweep's axes do not cancel.
+            findBoxImpact(a, b, RelativeMotion.NONE);
+            return RelativeMotion.NONE.time == 0;
         }
         along = tZ * cosYX - tY * cosZX;
         reach = halfAY * absZX + halfAZ * absYX + halfBY * absXZ + halfBZ * absXY;

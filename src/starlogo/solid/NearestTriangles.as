@@ -16,9 +16,7 @@ package starlogo.solid
         /** The number of pairs of triangles measured. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
-        /** Contains the closest points of the nearest pair, in the first model's space. */
-        public var nearest:ClosestTriangles = new ClosestTriangles();
-
+        private var _nearest:ClosestTriangles = new ClosestTriangles();
         private var _solid:Solid;
         private var _moved:MovedTriangles;
 
@@ -35,6 +33,7 @@ package starlogo.solid
         public function NearestTriangles(pose:RelativePose)
         {
             _moved = new MovedTriangles(pose);
+            points = _nearest.points;
         }
 
         /** Begins with two models. The pose must relate them already. */
@@ -42,8 +41,8 @@ package starlogo.solid
         {
             _solid = a;
             _moved.begin(b == null ? POINT : b.corners);
-            least = Infinity;
-            nearest.begin();
+            points.distance = Infinity;
+            _nearest.begin();
         }
 
         /** @inheritDoc */
@@ -51,14 +50,11 @@ package starlogo.solid
         {
             _moved.move(b);
             var count:int = b.end - b.first;
-            for (var i:int = 0; i < count && nearest.squared > 0; i++)
+            for (var i:int = 0; i < count && _nearest.squared > 0; i++)
             {
                 addTriangle(a, i);
             }
-            least = Math.sqrt(nearest.squared);
-            x = nearest.points.bX - nearest.points.aX;
-            y = nearest.points.bY - nearest.points.aY;
-            z = nearest.points.bZ - nearest.points.aZ;
+            points.distance = Math.sqrt(_nearest.squared);
         }
 
         // Adds each triangle of a leaf of the first model, paired with a triangle of the second.
@@ -74,7 +70,7 @@ package starlogo.solid
             var maxX:Number = extents[int(extent + 3)];
             var maxY:Number = extents[int(extent + 4)];
             var maxZ:Number = extents[int(extent + 5)];
-            var limit:Number = nearest.squared;
+            var limit:Number = _nearest.squared;
             var isTurned:Boolean = false;
             extents = _solid.extents;
             var end:int = a.end;
@@ -121,9 +117,9 @@ package starlogo.solid
                 if (!isBeyond(_solid.corners, 9 * i))
                 {
                     triangleTests++;
-                    nearest.add(_solid.corners, 9 * i, corners, at);
-                    isTurned = nearest.squared == limit;
-                    limit = nearest.squared;
+                    _nearest.add(_solid.corners, 9 * i, corners, at);
+                    isTurned = _nearest.squared == limit;
+                    limit = _nearest.squared;
                 }
             }
         }
@@ -131,16 +127,16 @@ package starlogo.solid
         // Measures a triangle of the second model along the line between the closest points so far.
         private function turnTo(corners:Vector.<Number>, at:int):void
         {
-            var alongX:Number = nearest.points.bX - nearest.points.aX;
-            var alongY:Number = nearest.points.bY - nearest.points.aY;
-            var alongZ:Number = nearest.points.bZ - nearest.points.aZ;
+            var alongX:Number = points.bX - points.aX;
+            var alongY:Number = points.bY - points.aY;
+            var alongZ:Number = points.bZ - points.aZ;
             var p:Number = alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)];
             var q:Number = alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)];
             var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];
             p = p < q ? p : q;
             p = p < r ? p : r;
             // The projections are scaled by the vector's length, so the nearest pair's distance becomes its square.
-            _begin = p - nearest.squared;
+            _begin = p - _nearest.squared;
             _alongX = alongX;
             _alongY = alongY;
             _alongZ = alongZ;

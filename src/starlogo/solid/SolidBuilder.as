@@ -3,6 +3,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyRefiner;
     import starlogo.hierarchy.Items;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -21,6 +22,8 @@ package starlogo.solid
         private var _solid:Solid;
         private var _surface:Surface;
         private var _extremes:PartExtremes;
+        // The normal of the current triangle.
+        private var _face:ContactPoint = new ContactPoint();
 
         /**
          * @param hierarchy of triangles; receives the solid and the surface
@@ -101,36 +104,20 @@ package starlogo.solid
             var corners:Vector.<Number> = _solid.corners;
             var planes:Vector.<Number> = _solid.planes;
             var at:int = 9 * triangle;
-            var x:Number = corners[at];
-            var y:Number = corners[at + 1];
-            var z:Number = corners[at + 2];
-            var ux:Number = corners[at + 3] - x;
-            var uy:Number = corners[at + 4] - y;
-            var uz:Number = corners[at + 5] - z;
-            var vx:Number = corners[at + 6] - x;
-            var vy:Number = corners[at + 7] - y;
-            var vz:Number = corners[at + 8] - z;
-            var normalX:Number = uy * vz - uz * vy;
-            var normalY:Number = uz * vx - ux * vz;
-            var normalZ:Number = ux * vy - uy * vx;
-            var length:Number = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ);
             var to:int = 5 * triangle;
-            if (!(length > 0))
+            _face.setAcross(corners, at);
+            if (!(_face.length > 0))
             {
                 planes[to] = planes[to + 1] = planes[to + 2] = planes[to + 3] = 0;
                 planes[to + 4] = Infinity;
                 return;
             }
-            normalX /= length;
-            normalY /= length;
-            normalZ /= length;
-            var place:Number = normalX * x + normalY * y + normalZ * z;
-            planes[to] = normalX;
-            planes[to + 1] = normalY;
-            planes[to + 2] = normalZ;
+            var place:Number = _face.alongOf(corners, at);
+            planes[to] = _face.normalX;
+            planes[to + 1] = _face.normalY;
+            planes[to + 2] = _face.normalZ;
             planes[to + 3] = place;
-            planes[to + 4] = Math.max(Math.abs(normalX * corners[at + 3] + normalY * corners[at + 4] + normalZ * corners[at + 5] - place),
-                    Math.abs(normalX * corners[at + 6] + normalY * corners[at + 7] + normalZ * corners[at + 8] - place));
+            planes[to + 4] = Math.max(Math.abs(_face.alongOf(corners, at + 3) - place), Math.abs(_face.alongOf(corners, at + 6) - place));
         }
 
         private function turnRound():void

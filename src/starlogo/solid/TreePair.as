@@ -287,8 +287,8 @@ package starlogo.solid
             {
                 _nearest.begin(_a.solid, _b == null ? null : _b.solid);
                 _boxDistances.find(_a.root, _depthA, rootB, _depthB, _nearest);
-                out.copyPoints(_nearest.nearest.points);
-                out.distance = _nearest.least;
+                out.copyPoints(_nearest.points);
+                out.distance = _nearest.points.distance;
             }
             else
             {

@@ -26,6 +26,9 @@ package starlogo.intersection.ray
 
         private var _ray:Ray = null;
 
+        // The ray's point and its direction.
+        private var _place:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _way:Vector.<Number> = new Vector.<Number>(3, true);
         // The axes, ordered so that the ray goes fastest along the last.
         private var _u:int;
         private var _v:int;
@@ -60,48 +63,25 @@ package starlogo.intersection.ray
             _ray = ray;
             at = ray.to;
             triangle = -1;
-            var speedX:Number = ray.directionX;
-            var speedY:Number = ray.directionY;
-            var speedZ:Number = ray.directionZ;
-            var absX:Number = speedX < 0 ? -speedX : speedX;
-            var absY:Number = speedY < 0 ? -speedY : speedY;
-            var absZ:Number = speedZ < 0 ? -speedZ : speedZ;
-            if (absX > absY && absX > absZ)
-            {
-                _u = 1;
-                _v = 2;
-                _w = 0;
-                _x = ray.y;
-                _y = ray.z;
-                _z = ray.x;
-                _stretch = 1 / speedX;
-                _shearX = speedY / speedX;
-                _shearY = speedZ / speedX;
-            }
-            else if (absY > absZ)
-            {
-                _u = 2;
-                _v = 0;
-                _w = 1;
-                _x = ray.z;
-                _y = ray.x;
-                _z = ray.y;
-                _stretch = 1 / speedY;
-                _shearX = speedZ / speedY;
-                _shearY = speedX / speedY;
-            }
-            else
-            {
-                _u = 0;
-                _v = 1;
-                _w = 2;
-                _x = ray.x;
-                _y = ray.y;
-                _z = ray.z;
-                _stretch = 1 / speedZ;
-                _shearX = speedX / speedZ;
-                _shearY = speedY / speedZ;
-            }
+            _place[0] = ray.x;
+            _place[1] = ray.y;
+            _place[2] = ray.z;
+            _way[0] = ray.directionX;
+            _way[1] = ray.directionY;
+            _way[2] = ray.directionZ;
+            var absX:Number = Math.abs(ray.directionX);
+            var absY:Number = Math.abs(ray.directionY);
+            var absZ:Number = Math.abs(ray.directionZ);
+            _w = absY > absZ ? 1 : 2;
+            _w = absX > absY && absX > absZ ? 0 : _w;
+            _u = (_w + 1) % 3;
+            _v = (_w + 2) % 3;
+            _x = _place[_u];
+            _y = _place[_v];
+            _z = _place[_w];
+            _stretch = 1 / _way[_w];
+            _shearX = _way[_u] / _way[_w];
+            _shearY = _way[_v] / _way[_w];
             _gap = Tolerances.SURFACES * radius;
             // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
             _sliver = 6 * _gap * radius;

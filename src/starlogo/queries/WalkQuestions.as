@@ -23,6 +23,9 @@ package starlogo.queries
         private static const CLOSE:Number = 1e-6;
         private static const BEHIND_EDGE:Number = 1e-4;
 
+        // Ground as steep as the limit is not too steep, although its normal has rounding errors. A fraction of the limit's cosine.
+        private static const SLOPE_ROUNDING:Number = 1e-9;
+
         // A walk that is longer than the agent goes in pieces of the agent's size, because the ground may be even only so far. Endless walks have
         // no more pieces than this.
         private static const MOST_PIECES:int = 64;
@@ -71,7 +74,7 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             var asked:WalkOptions = options || _defaults;
-            var cosine:Number = Trigonometry.cosine(asked.slopeDegrees);
+            var cosine:Number = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(asked.slopeDegrees);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             var size:Number = _seen.placeOf(agent).size;
             var slide:Number = Math.min(asked.fall, size);

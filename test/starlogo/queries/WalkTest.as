@@ -145,6 +145,41 @@ package starlogo.queries
         }
 
         [Test]
+        public function slopesAndStepsAtTheLimitsAreWalked():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    for each (var isBlocky:Boolean in name == "bins" || shape == "sphere" ? [false] : [false, true])
+                    {
+                        var terrain:Terrain = new Terrain(12, 5, 1, -2, -2);
+                        terrain.isBlocky = isBlocky;
+                        // slopes of 45 degrees, or steps as high as stepHeight and snap
+                        fillHeights(terrain, function(column:int, row:int):Number
+                            {
+                                return (isBlocky ? 0.25 : 1) * column;
+                            });
+                        var walker:Agent = walkerAt(shape, 0, 0.1, 3);
+                        var queries:AgentQueries = queriesOf(name, new <Agent>[walker]);
+                        queries.terrain = terrain;
+                        queries.update(new <Agent>[walker]);
+                        queries.moveUntilTouch(walker, 0, 0, -9);
+                        for each (var step:Number in [0.1, -0.1])
+                        {
+                            for (var i:int = 1; i <= 80; i++)
+                            {
+                                queries.walk(walker, step, 0, _options, _footing);
+                                var x:Number = step > 0 ? 0.1 * i : 8 - 0.1 * i;
+                                assertTrue([name, shape, isBlocky, step, i, walker.x, _footing.stands].join(), _footing.stands && Math.abs(walker.x - x) < NEAR);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+
+        [Test]
         public function wallsFencesAndCeilings():void
         {
             for each (var name:String in NAMES)

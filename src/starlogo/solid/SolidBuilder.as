@@ -112,12 +112,14 @@ package starlogo.solid
                 planes[to + 4] = Infinity;
                 return;
             }
-            var place:Number = _face.alongOf(corners, at);
+            _face.measure(corners, at, at + 3);
+            var place:Number = _face.least;
             planes[to] = _face.normalX;
             planes[to + 1] = _face.normalY;
             planes[to + 2] = _face.normalZ;
             planes[to + 3] = place;
-            planes[to + 4] = Math.max(Math.abs(_face.alongOf(corners, at + 3) - place), Math.abs(_face.alongOf(corners, at + 6) - place));
+            _face.measure(corners, at + 3, at + 9);
+            planes[to + 4] = Math.max(Math.abs(_face.least - place), Math.abs(_face.greatest - place));
         }
 
         private function turnRound():void

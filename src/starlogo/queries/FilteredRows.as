@@ -26,6 +26,7 @@ package starlogo.queries
         // The number of the question, from 1 on. If a filter has breeds, the marked breeds count. Else the marked breeds do not count.
         private var _question:int = 0;
         private var _marksChosen:Boolean = false;
+        private var _excepts:Boolean = false;
 
         /** @param seen the agents that questions are about */
         public function FilteredRows(seen:SeenAgents)
@@ -62,7 +63,8 @@ package starlogo.queries
                 _excepted.length = _agents.length;
             }
             var except:Vector.<Agent> = filter.except;
-            for (var i:int = 0; except != null && i < except.length; i++)
+            _excepts = except != null;
+            for (var i:int = 0; _excepts && i < except.length; i++)
             {
                 var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);
                 if (row >= 0)
@@ -76,7 +78,7 @@ package starlogo.queries
         /** Whether a row counts. */
         public function accepts(row:int):Boolean
         {
-            if (_excepted[row] == _question)
+            if (_excepts && _excepted[row] == _question)
             {
                 return false;
             }

@@ -1,9 +1,11 @@
 package starlogo.terrain
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -26,8 +28,20 @@ package starlogo.terrain
         private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
         private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
 
-        /** The box. It must be set before <code>begin()</code>. */
-        public var box:PassingBox = new PassingBox();
+        /** The middle of the box, where its way begins. The box must be set before <code>begin()</code>. */
+        public var middle:Vector3D = new Vector3D();
+
+        /** Half the box's lengths. */
+        public var half:Vector3D = new Vector3D();
+
+        /** The box's way; RelativeMotion.NONE if it stands. Only x, y and z count. */
+        public var way:RelativeMotion = RelativeMotion.NONE;
+
+        /** How far from the standing box a triangle still counts. It may be reduced during a walk, as the limit may. */
+        public var reach:Number = 0;
+
+        /** How much of the way counts, as a multiple of the way. It may be reduced during a walk. */
+        public var limit:Number = 0;
 
         /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
@@ -52,6 +66,10 @@ package starlogo.terrain
         private var _x:Number = 0;
         private var _y:Number = 0;
         private var _z:Number = 0;
+
+        // The part of the way that cut() narrows.
+        private var _from:Number = 0;
+        private var _to:Number = 0;
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
@@ -83,23 +101,23 @@ package starlogo.terrain
         public function begin(grid:HeightGrid):void
         {
             var width:Number = grid.cellWidth;
-            var middle:Number = grid.isBlocky ? width / 2 : 0;
+            var border:Number = grid.isBlocky ? width / 2 : 0;
             var fewer:int = grid.isBlocky ? 1 : 2;
             _grid = grid;
             _lastColumn = grid.columns - fewer;
             _lastRow = grid.rows - fewer;
-            _x = grid.x - origin.x - middle;
-            _y = grid.y - origin.y - middle;
+            _x = grid.x - origin.x - border;
+            _y = grid.y - origin.y - border;
             _z = -origin.z;
             _face = _faceCount = _top = 0;
-            var wayX:Number = box.limit * Math.abs(box.way.x);
-            var wayY:Number = box.limit * Math.abs(box.way.y);
-            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(box.middle.x - _x) + Math.abs(box.middle.y - _y) + Math.abs(box.middle.z) + Math.abs(_z)
-                    + width + wayX + wayY + box.limit * Math.abs(box.way.z));
-            box.half.x += rounding;
-            box.half.y += rounding;
-            box.half.z += rounding;
-            var length:Number = Math.max(2 * box.half.x + wayX, 2 * box.half.y + wayY) + 2 * box.reach;
+            var wayX:Number = limit * Math.abs(way.x);
+            var wayY:Number = limit * Math.abs(way.y);
+            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(middle.x - _x) + Math.abs(middle.y - _y) + Math.abs(middle.z) + Math.abs(_z)
+                    + width + wayX + wayY + limit * Math.abs(way.z));
+            half.x += rounding;
+            half.y += rounding;
+            half.z += rounding;
+            var length:Number = Math.max(2 * half.x + wayX, 2 * half.y + wayY) + 2 * reach;
             var level:int = 0;
             while (level < grid.levels && length > FIRST_SQUARES * grid.widths[level])
             {
@@ -131,21 +149,21 @@ package starlogo.terrain
             var shift:int = level * HeightGrid.SHIFT;
             var last:int = Math.min(first + most - 1, _lastColumn >> shift);
             _width = _grid.widths[level];
-            box.from = 0;
-            box.to = box.limit;
-            findRange(box.middle.y - _y, box.half.y + box.reach, box.way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
-            var step:int = box.way.y < 0 ? 1 : -1;
+            _from = 0;
+            _to = limit;
+            findRange(middle.y - _y, half.y + reach, way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            var step:int = way.y < 0 ? 1 : -1;
             var row:int = step > 0 ? _first : _last;
             for (var rows:int = _last - _first + 1; rows > 0; rows--)
             {
                 _row = row;
                 row += step;
                 cutToRow();
-                findRange(box.middle.x - _x, box.half.x + box.reach, box.way.x, first, last);
-                for (var i:int = _first; i <= _last && box.from <= box.to; i++)
+                findRange(middle.x - _x, half.x + reach, way.x, first, last);
+                for (var i:int = _first; i <= _last && _from <= _to; i++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = box.way.x < 0 ? i : _first + _last - i;
+                    _squares[int(_top + 1)] = way.x < 0 ? i : _first + _last - i;
                     _squares[int(_top + 2)] = _row;
                     _top += 3;
                 }
@@ -182,26 +200,26 @@ package starlogo.terrain
         private function isOver():Boolean
         {
             cutToRow();
-            box.cut(box.middle.x, box.half.x + box.reach, box.way.x, _x + _column * _width, _x + (_column + 1) * _width);
-            var start:Number = box.middle.z + box.from * box.way.z;
-            var end:Number = box.middle.z + box.to * box.way.z;
-            var reach:Number = box.reach;
+            cut(middle.x, half.x + reach, way.x, _x + _column * _width, _x + (_column + 1) * _width);
+            var start:Number = middle.z + _from * way.z;
+            var end:Number = middle.z + _to * way.z;
+            var up:Number = reach;
             if (reach > 0)
             {
                 // what is to the side of the box is less far above or below it
-                var x:Number = gapOf(box.middle.x - _x, box.half.x, _column);
-                var y:Number = gapOf(box.middle.y - _y, box.half.y, _row);
-                reach = Math.sqrt(Math.max(0, reach * reach - x * x - y * y));
+                var x:Number = gapOf(middle.x - _x, half.x, _column);
+                var y:Number = gapOf(middle.y - _y, half.y, _row);
+                up = Math.sqrt(Math.max(0, reach * reach - x * x - y * y));
             }
-            _low = Math.min(start, end) - box.half.z - reach;
-            _high = Math.max(start, end) + box.half.z + reach;
-            return box.from <= box.to;
+            _low = Math.min(start, end) - half.z - up;
+            _high = Math.max(start, end) + half.z + up;
+            return _from <= _to;
         }
 
         // How far the box is from the current square along one axis.
-        private function gapOf(place:Number, half:Number, square:int):Number
+        private function gapOf(place:Number, extent:Number, square:int):Number
         {
-            return Math.max(0, Math.abs(place - (square + 0.5) * _width) - _width / 2 - half);
+            return Math.max(0, Math.abs(place - (square + 0.5) * _width) - _width / 2 - extent);
         }
 
         // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
@@ -300,18 +318,32 @@ package starlogo.terrain
         // Finds the part of the way that is over the current row.
         private function cutToRow():void
         {
-            box.from = 0;
-            box.to = box.limit;
-            box.cut(box.middle.y, box.half.y + box.reach, box.way.y, _y + _row * _width, _y + (_row + 1) * _width);
+            _from = 0;
+            _to = limit;
+            cut(middle.y, half.y + reach, way.y, _y + _row * _width, _y + (_row + 1) * _width);
+        }
+
+        // Narrows the part of the way to the part on which the box overlaps an interval along one axis.
+        private function cut(at:Number, extent:Number, motion:Number, low:Number, high:Number):void
+        {
+            low -= at + extent;
+            high -= at - extent;
+            if (motion == 0)
+            {
+                _to = low > 0 || high < 0 ? -1 : _to;
+                return;
+            }
+            _from = Math.max(_from, Math.min(low / motion, high / motion));
+            _to = Math.min(_to, Math.max(low / motion, high / motion));
         }
 
         // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.
-        private function findRange(place:Number, half:Number, way:Number, first:int, last:int):void
+        private function findRange(place:Number, extent:Number, motion:Number, first:int, last:int):void
         {
-            var start:Number = place + box.from * way;
-            var end:Number = place + box.to * way;
-            _first = Math.max(first, Math.min(last + 1, Math.floor((Math.min(start, end) - half) / _width)));
-            _last = Math.max(first - 1, Math.min(last, Math.floor((Math.max(start, end) + half) / _width)));
+            var start:Number = place + _from * motion;
+            var end:Number = place + _to * motion;
+            _first = Math.max(first, Math.min(last + 1, Math.floor((Math.min(start, end) - extent) / _width)));
+            _last = Math.max(first - 1, Math.min(last, Math.floor((Math.max(start, end) + extent) / _width)));
         }
     }
 }

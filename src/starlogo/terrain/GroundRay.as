@@ -26,7 +26,7 @@ package starlogo.terrain
         /** Creates a finder that has found nothing yet. */
         public function GroundRay()
         {
-            _faces.box.way = new RelativeMotion();
+            _faces.way = new RelativeMotion();
         }
 
         /**
@@ -45,15 +45,14 @@ package starlogo.terrain
                 ray.faceBack();
                 return true;
             }
-            var box:PassingBox = _faces.box;
-            box.middle.x = ray.x;
-            box.middle.y = ray.y;
-            box.middle.z = ray.z;
-            box.half.setTo(0, 0, 0);
-            box.way.x = ray.directionX;
-            box.way.y = ray.directionY;
-            box.way.z = ray.directionZ;
-            box.limit = Math.min(ray.to, FARTHEST);
+            _faces.middle.x = ray.x;
+            _faces.middle.y = ray.y;
+            _faces.middle.z = ray.z;
+            _faces.half.setTo(0, 0, 0);
+            _faces.way.x = ray.directionX;
+            _faces.way.y = ray.directionY;
+            _faces.way.z = ray.directionZ;
+            _faces.limit = Math.min(ray.to, FARTHEST);
             _faces.begin(grid);
             var isHit:Boolean = false;
             _triangles.begin(ray, grid.cellWidth);
@@ -64,7 +63,7 @@ package starlogo.terrain
                 if (_triangles.at < before || _triangles.triangle == 0 && !isHit)
                 {
                     isHit = true;
-                    box.limit = _triangles.at;
+                    _faces.limit = _triangles.at;
                     _outside.setAcross(_faces.corners, 0);
                 }
             }

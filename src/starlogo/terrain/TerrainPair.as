@@ -181,14 +181,15 @@ package starlogo.terrain
          */
         public function findOuterContact(out:ContactPoint):void
         {
-            var box:PassingBox = boxOf(_structure);
-            var low:Number = box.middle.z - box.half.z;
-            var height:Number = heightAt(box.middle.x, box.middle.y);
+            placeBox(_structure);
+            var middle:Vector3D = _faces.middle;
+            var low:Number = middle.z - _faces.half.z;
+            var height:Number = heightAt(middle.x, middle.y);
             out.setNormal(0, 0, 1);
             // The height may be NaN.
             out.depth = height > low ? height - low : 0;
-            out.x = box.middle.x;
-            out.y = box.middle.y;
+            out.x = middle.x;
+            out.y = middle.y;
             out.z = low + out.depth / 2;
             moveToWorld(out);
         }
@@ -201,10 +202,11 @@ package starlogo.terrain
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
             // Looks farther and farther away. The first guess is the distance to the surface above or below the model's middle.
-            var box:PassingBox = boxOf(_structure);
-            var height:Number = heightAt(box.middle.x, box.middle.y);
-            var above:Number = isNaN(height) ? _grid.cellWidth : Math.abs(height - box.middle.z);
-            var bound:Number = Math.max(box.half.x + box.half.y + box.half.z + above, Tolerances.SURFACES * _grid.cellWidth);
+            placeBox(_structure);
+            var half:Vector3D = _faces.half;
+            var height:Number = heightAt(_faces.middle.x, _faces.middle.y);
+            var above:Number = isNaN(height) ? _grid.cellWidth : Math.abs(height - _faces.middle.z);
+            var bound:Number = Math.max(half.x + half.y + half.z + above, Tolerances.SURFACES * _grid.cellWidth);
             _closest = out;
             do
             {
@@ -281,7 +283,7 @@ package starlogo.terrain
                 }
                 else
                 {
-                    meetInside(_faces.box.middle);
+                    meetInside(_faces.middle);
                 }
             }
             else if (_isExact)
@@ -329,29 +331,29 @@ package starlogo.terrain
             return _grid.height - _origin.z;
         }
 
-        // The box around a structure of the model.
-        private function boxOf(structure:BoundingStructure):PassingBox
+        // Puts the box around a structure of the model.
+        private function placeBox(structure:BoundingStructure):void
         {
-            var box:PassingBox = _faces.box;
+            var middle:Vector3D = _faces.middle;
+            var half:Vector3D = _faces.half;
             var margin:Number = _piece.margin;
             structure.turnedExtentsInto(_placed, _extents);
-            box.middle.x = _extents[0] + _placed.x;
-            box.middle.y = _extents[1] + _placed.y;
-            box.middle.z = _extents[2] + _placed.z;
-            box.half.x = _extents[3] + margin;
-            box.half.y = _extents[4] + margin;
-            box.half.z = _extents[5] + margin;
-            return box;
+            middle.x = _extents[0] + _placed.x;
+            middle.y = _extents[1] + _placed.y;
+            middle.z = _extents[2] + _placed.z;
+            half.x = _extents[3] + margin;
+            half.y = _extents[4] + margin;
+            half.z = _extents[5] + margin;
         }
 
         // Begins with the triangles near the box around a structure of the model, on its way, or as far to all sides as something better may
         // be found.
         private function beginFaces(structure:BoundingStructure):void
         {
-            var box:PassingBox = boxOf(structure);
-            box.way = _motion;
-            box.limit = _goal == TIME ? _best : 0;
-            box.reach = _goal == DISTANCE ? _best : 0;
+            placeBox(structure);
+            _faces.way = _motion;
+            _faces.limit = _goal == TIME ? _best : 0;
+            _faces.reach = _goal == DISTANCE ? _best : 0;
             _faces.begin(_grid);
         }
 
@@ -423,7 +425,7 @@ package starlogo.terrain
             if (_goal == DISTANCE)
             {
                 _piece.writeClosest(_closest);
-                _faces.box.reach = found;
+                _faces.reach = found;
             }
             else if (_goal == DEPTH)
             {
@@ -431,7 +433,7 @@ package starlogo.terrain
             }
             else
             {
-                _faces.box.limit = found;
+                _faces.limit = found;
                 if (_contact != null)
                 {
                     _piece.findContact(_contact);

@@ -53,8 +53,8 @@ package starlogo.terrain
             var lastRow:int = within(Math.floor((maxY - _grid.y) / _grid.cellWidth), -1, _grid.rows - 1);
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the columns of these
             // heights and over the cells between them, and over no other.
-            _faces.box.middle.x = _grid.x + (first + last) / 2 * _grid.cellWidth;
-            _faces.box.middle.y = _grid.y + (firstRow + lastRow) / 2 * _grid.cellWidth;
+            _faces.middle.x = _grid.x + (first + last) / 2 * _grid.cellWidth;
+            _faces.middle.y = _grid.y + (firstRow + lastRow) / 2 * _grid.cellWidth;
             _halfX = ((last - first) / 2 - 0.25) * _grid.cellWidth;
             _halfY = ((lastRow - firstRow) / 2 - 0.25) * _grid.cellWidth;
         }
@@ -72,7 +72,7 @@ package starlogo.terrain
             }
             _revision = _grid.revision;
             vertices.length = normals.length = triangles.length = 0;
-            _faces.box.half.setTo(_halfX, _halfY, Infinity);
+            _faces.half.setTo(_halfX, _halfY, Infinity);
             // the last level is one square
             _faces.floor = _grid.bounds[_grid.begins[_grid.levels]];
             _faces.begin(_grid);

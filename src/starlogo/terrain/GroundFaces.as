@@ -119,7 +119,7 @@ package starlogo.terrain
             half.z += rounding;
             var length:Number = Math.max(2 * half.x + wayX, 2 * half.y + wayY) + 2 * reach;
             var level:int = 0;
-            while (level < grid.levels && length > FIRST_SQUARES * grid.widths[level])
+            while (level < grid.levels && length > FIRST_SQUARES * width * (1 << (level * HeightGrid.SHIFT)))
             {
                 level++;
             }
@@ -148,7 +148,7 @@ package starlogo.terrain
         {
             var shift:int = level * HeightGrid.SHIFT;
             var last:int = Math.min(first + most - 1, _lastColumn >> shift);
-            _width = _grid.widths[level];
+            _width = _grid.cellWidth * (1 << shift);
             _from = 0;
             _to = limit;
             findRange(middle.y - _y, half.y + reach, way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
@@ -178,7 +178,7 @@ package starlogo.terrain
             var shift:int = level * HeightGrid.SHIFT;
             _column = _squares[int(_top + 1)];
             _row = _squares[int(_top + 2)];
-            _width = _grid.widths[level];
+            _width = _grid.cellWidth * (1 << shift);
             var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
             if (!isOver())
             {
@@ -189,7 +189,7 @@ package starlogo.terrain
                 visitCell(hasWalls || _grid.isBlocky);
                 return;
             }
-            var bounds:int = _grid.begins[level] + 3 * (_row * _grid.across[level] + _column);
+            var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
             if (_low <= _grid.bounds[int(bounds + 1)] + _z && (hasWalls || _high >= _grid.bounds[bounds] + _z))
             {
                 addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);

@@ -45,15 +45,6 @@ package starlogo.terrain
         /** By level: where its squares begin in <code>bounds</code>. Level 0 is the heights, which have no bounds. */
         public var begins:Vector.<int> = new <int>[0];
 
-        /** By level: how many squares there are in a row. */
-        public var across:Vector.<int>;
-
-        /** By level: how many rows there are. */
-        public var down:Vector.<int>;
-
-        /** By level: how wide a square is. */
-        public var widths:Vector.<Number>;
-
         /** The last level. */
         public var levels:int = 0;
 
@@ -118,21 +109,21 @@ package starlogo.terrain
             this.cellWidth = cellWidth;
             this.x = x;
             this.y = y;
-            across = new <int>[columns];
-            down = new <int>[rows];
-            widths = new <Number>[cellWidth];
             var size:int = 0;
-            while (across[levels] > 1 || down[levels] > 1)
+            while (countSquares(columns, levels) > 1 || countSquares(rows, levels) > 1)
             {
-                across.push(((across[levels] - 1) >> SHIFT) + 1);
-                down.push(((down[levels] - 1) >> SHIFT) + 1);
-                widths.push(widths[levels] * (1 << SHIFT));
                 levels++;
                 begins.push(size);
-                size += 3 * across[levels] * down[levels];
+                size += 3 * countSquares(columns, levels) * countSquares(rows, levels);
             }
             bounds = new Vector.<Number>(size, true);
             reset();
+        }
+
+        /** How many squares of a level there are along one axis, on which there are some heights. */
+        public static function countSquares(heights:int, level:int):int
+        {
+            return ((heights - 1) >> (level * SHIFT)) + 1;
         }
 
         /** Makes all heights 0. */
@@ -244,8 +235,8 @@ package starlogo.terrain
                 var around:int = level == 1 ? 1 : 0;
                 first = Math.max(0, first - around) >> SHIFT;
                 firstRow = Math.max(0, firstRow - around) >> SHIFT;
-                last = Math.min(across[level - 1] - 1, last + around) >> SHIFT;
-                lastRow = Math.min(down[level - 1] - 1, lastRow + around) >> SHIFT;
+                last = Math.min(countSquares(columns, level - 1) - 1, last + around) >> SHIFT;
+                lastRow = Math.min(countSquares(rows, level - 1) - 1, lastRow + around) >> SHIFT;
                 for (var row:int = firstRow; row <= lastRow; row++)
                 {
                     for (var column:int = first; column <= last; column++)
@@ -289,11 +280,11 @@ package starlogo.terrain
         // Computes the bounds of a square from the squares of the level before, or from the heights. Some rows and columns around count too.
         private function findBoundsOf(level:int, column:int, row:int, around:int):void
         {
-            var stride:int = across[level - 1];
+            var stride:int = countSquares(columns, level - 1);
             var first:int = Math.max(0, (column << SHIFT) - around);
             var firstRow:int = Math.max(0, (row << SHIFT) - around);
             var last:int = Math.min(stride, ((column + 1) << SHIFT) + around) - 1;
-            var lastRow:int = Math.min(down[level - 1], ((row + 1) << SHIFT) + around) - 1;
+            var lastRow:int = Math.min(countSquares(rows, level - 1), ((row + 1) << SHIFT) + around) - 1;
             if (level == 1)
             {
                 findRange(first, firstRow, last, lastRow);
@@ -302,7 +293,7 @@ package starlogo.terrain
             {
                 joinBounds(begins[level - 1], stride, first, firstRow, last, lastRow);
             }
-            var at:int = begins[level] + 3 * (row * across[level] + column);
+            var at:int = begins[level] + 3 * (row * countSquares(columns, level) + column);
             bounds[at] = least;
             bounds[int(at + 1)] = greatest;
             bounds[int(at + 2)] = Math.max(stepX, stepY);

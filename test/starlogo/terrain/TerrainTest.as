@@ -389,7 +389,7 @@ package starlogo.terrain
                 {
                     for (var column:int = 0; column * size < terrain.columns; column++)
                     {
-                        var at:int = grid.begins[level] + 3 * (row * grid.across[level] + column);
+                        var at:int = grid.begins[level] + 3 * (row * Math.ceil(terrain.columns / size) + column);
                         checkSquare(terrain, column * size, row * size, size, grid.bounds.slice(at, at + 3));
                     }
                 }

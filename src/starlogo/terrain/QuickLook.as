@@ -26,9 +26,6 @@ package starlogo.terrain
         // By place in the list of members: how high the ground is.
         private var _heights:Vector.<Number> = new Vector.<Number>();
 
-        // How high the current agent's middle is above the ground.
-        private var _above:Number = 0;
-
         // The gap across which agents may still touch, because of rounding.
         private var _gap:Number = 0;
 
@@ -74,12 +71,7 @@ package starlogo.terrain
                 if (above > inner && isStructure)
                 {
                     var reach:Number = isSphere ? inner + inner * slope * slope : extents.halfZ[row] + slope * (halfXs[row] + extents.halfY[row]);
-                    if (above > reach * Tolerances.OUTER + gap)
-                    {
-                        continue;
-                    }
-                    _above = above;
-                    if (isFar(extents, row, isSphere))
+                    if (above > reach * Tolerances.OUTER + gap || isFar(extents, row, i, isSphere))
                     {
                         continue;
                     }
@@ -92,8 +84,9 @@ package starlogo.terrain
             return kept;
         }
 
-        // Whether an agent is above all heights near it, or higher than the slopes between them allow. Few heights are read.
-        private function isFar(extents:Extents, row:int, isSphere:Boolean):Boolean
+        // Whether an agent, by its row and its place in the list, is above all heights near it, or higher than the slopes between them allow.
+        // Few heights are read.
+        private function isFar(extents:Extents, row:int, at:int, isSphere:Boolean):Boolean
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
@@ -119,7 +112,7 @@ package starlogo.terrain
             var riseX:Number = grid.stepX * halfX / width;
             var riseY:Number = grid.stepY * halfY / width;
             var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
-            return !grid.isBlocky && _above > reach;
+            return !grid.isBlocky && extents.z[row] - _heights[at] > reach;
         }
 
         // Whether the ground reaches up to the point of a sphere that is nearest to the plane under its middle.

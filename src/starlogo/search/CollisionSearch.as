@@ -202,23 +202,24 @@ package starlogo.search
             var outAgents:Vector.<Agent> = _outAgents;
             var agents:Vector.<Agent> = table.agents;
             var ranks:Vector.<int> = table.ranks;
+            var agent:Agent = agents[row];
             var rank:int = ranks[row];
             var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = rows[others[i]];
-                var isFirst:Boolean = rank < ranks[other];
-                var first:int = isFirst ? row : other;
-                var second:int = isFirst ? other : row;
+                var otherRank:int = ranks[other];
+                var isFirst:Boolean = rank < otherRank;
                 if (outAgents == null)
                 {
-                    indices[at] = ranks[first];
-                    indices[int(at + 1)] = ranks[second];
+                    indices[at] = isFirst ? rank : otherRank;
+                    indices[int(at + 1)] = isFirst ? otherRank : rank;
                 }
                 else
                 {
-                    outAgents[at] = agents[first];
-                    outAgents[int(at + 1)] = agents[second];
+                    var otherAgent:Agent = agents[other];
+                    outAgents[at] = isFirst ? agent : otherAgent;
+                    outAgents[int(at + 1)] = isFirst ? otherAgent : agent;
                 }
                 at += 2;
             }

@@ -151,7 +151,7 @@ package starlogo.queries
             {
                 for each (var shape:String in WALKERS)
                 {
-                    for each (var isBlocky:Boolean in name == "bins" || shape == "sphere" ? [false] : [false, true])
+                    for each (var isBlocky:Boolean in [false, true])
                     {
                         var terrain:Terrain = new Terrain(12, 5, 1, -2, -2);
                         terrain.isBlocky = isBlocky;
@@ -165,12 +165,12 @@ package starlogo.queries
                         queries.terrain = terrain;
                         queries.update(new <Agent>[walker]);
                         queries.moveUntilTouch(walker, 0, 0, -9);
-                        for each (var step:Number in [0.1, -0.1])
+                        for each (var step:Number in [0.05, -0.05])
                         {
-                            for (var i:int = 1; i <= 80; i++)
+                            for (var i:int = 1; i <= 40; i++)
                             {
                                 queries.walk(walker, step, 0, _options, _footing);
-                                var x:Number = step > 0 ? 0.1 * i : 8 - 0.1 * i;
+                                var x:Number = step > 0 ? 0.05 * i : 2 - 0.05 * i;
                                 assertTrue([name, shape, isBlocky, step, i, walker.x, _footing.stands].join(), _footing.stands && Math.abs(walker.x - x) < NEAR);
                             }
                         }

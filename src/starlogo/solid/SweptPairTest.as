@@ -17,10 +17,11 @@ package starlogo.solid
         private var _overlap:TriangleOverlap = new TriangleOverlap();
 
         // The triangles that touch first: the indices of their corners, the second's in its own space. Then the second's corners in the
-        // first model's space.
+        // first model's space. This list begins empty, as the list of MovedTriangles does, because V8 makes objects for Numbers that a method
+        // writes to lists of both kinds.
         private var _firstA:int;
         private var _firstB:int;
-        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _corners:Vector.<Number> = new Vector.<Number>();
 
         /** @inheritDoc */
         public function SweptPairTest(pose:RelativePose)

@@ -103,54 +103,50 @@ package starlogo.hierarchy
                 }
                 if (overlap)
                 {
-                    // If b's middle is over a, a child of a most likely overlaps b too. So both are divided at once.
-                    var dividesA:Boolean = a.cutoffLevel < depthA;
-                    var dividesB:Boolean = b.cutoffLevel < depthB;
-                    if (dividesA)
+                    var aEnds:Boolean = a.cutoffLevel >= depthA;
+                    var bEnds:Boolean = b.cutoffLevel >= depthB;
+                    if (aEnds && bEnds)
                     {
-                        if (dividesB)
+                        if (leaves == null || leaves.touch(a, b))
                         {
-                            if (!isDeep)
+                            nodeVisits += visits;
+                            return true;
+                        }
+                    }
+                    else
+                    {
+                        // The child on the side of the other node comes first. If b's middle is over a, a child of a most likely overlaps b
+                        // too. So both are divided at once.
+                        var axis:int;
+                        var far:HierarchyNode;
+                        if (!aEnds && (bEnds || isDeep || a.radius >= scale * b.radius))
+                        {
+                            axis = a.splitAxis;
+                            side = z;
+                            if (axis == 0)
                             {
-                                dividesA = a.radius >= scale * b.radius;
-                                dividesB = !dividesA;
+                                side = x;
+                            }
+                            else if (axis == 1)
+                            {
+                                side = y;
+                            }
+                            var near:HierarchyNode = a.low;
+                            far = a.high;
+                            if (side > 0)
+                            {
+                                near = far;
+                                far = a.low;
+                            }
+                            stack[top] = far;
+                            stack[top + 1] = b;
+                            top += 2;
+                            a = near;
+                            if (bEnds || !isDeep)
+                            {
+                                continue;
                             }
                         }
-                    }
-                    else if (!dividesB && (leaves == null || leaves.touch(a, b)))
-                    {
-                        nodeVisits += visits;
-                        return true;
-                    }
-                    // The child on the side of the other node comes first.
-                    var axis:int;
-                    var far:HierarchyNode;
-                    if (dividesA)
-                    {
-                        axis = a.splitAxis;
-                        side = z;
-                        if (axis == 0)
-                        {
-                            side = x;
-                        }
-                        else if (axis == 1)
-                        {
-                            side = y;
-                        }
-                        var near:HierarchyNode = a.low;
-                        far = a.high;
-                        if (side > 0)
-                        {
-                            near = far;
-                            far = a.low;
-                        }
-                        stack[top] = far;
-                        stack[top + 1] = b;
-                        top += 2;
-                        a = near;
-                    }
-                    if (dividesB)
-                    {
                         axis = b.splitAxis;
                         side = z;
                         if (axis == 0)
@@ -172,10 +168,6 @@ package starlogo.hierarchy
                         stack[top] = a;
                         stack[top + 1] = far;
                         top += 2;
-                        continue;
-                    }
-                    if (dividesA)
-                    {
                         continue;
                     }
                 }

@@ -29,7 +29,8 @@ package starlogo.queries
         private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
         private var _hitOf:Vector.<int> = new Vector.<int>();
 
-        // Empty lists for the hits for which accepts is called, because accepts may ask questions itself; and hits that no list needs at present.
+        // Empty lists for the hits for which accepts is called. There are several, because accepts may ask questions itself. Then hits that no
+        // list needs at present.
         private var _lists:Vector.<Vector.<RayHit>> = new Vector.<Vector.<RayHit>>();
         private var _spare:Vector.<RayHit> = new Vector.<RayHit>();
 

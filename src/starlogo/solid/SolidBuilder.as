@@ -22,6 +22,7 @@ package starlogo.solid
         private var _solid:Solid;
         private var _surface:Surface;
         private var _extremes:PartExtremes;
+
         // The normal of the current triangle.
         private var _face:ContactPoint = new ContactPoint();
 

@@ -120,7 +120,7 @@ package starlogo.terrain
             reset();
         }
 
-        /** How many squares of a level there are along one axis, on which there are some heights. */
+        /** How many squares of a level there are along a row or a column with this many heights. */
         public static function countSquares(heights:int, level:int):int
         {
             return ((heights - 1) >> (level * SHIFT)) + 1;

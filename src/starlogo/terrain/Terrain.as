@@ -88,8 +88,11 @@ package starlogo.terrain
 
         public function set isBlocky(value:Boolean):void
         {
-            grid.revision += int(value != grid.isBlocky);
-            grid.isBlocky = value;
+            if (value != grid.isBlocky)
+            {
+                grid.isBlocky = value;
+                grid.revision++;
+            }
         }
 
         /** How many heights there are along x. */

@@ -29,6 +29,7 @@ package starlogo.intersection.ray
         // The ray's point and its direction.
         private var _place:Vector.<Number> = new Vector.<Number>(3, true);
         private var _way:Vector.<Number> = new Vector.<Number>(3, true);
+
         // The axes, ordered so that the ray goes fastest along the last.
         private var _u:int;
         private var _v:int;

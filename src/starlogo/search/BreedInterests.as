@@ -78,7 +78,7 @@ package starlogo.search
             }
             for (i = 0; i < _added.length; i += 2)
             {
-                markPairs(_added[i], _added[i + 1]);
+                markPairs(numbersOf(_added[i]), numbersOf(_added[i + 1]));
             }
             areAll = true;
             for (i = 0; i < areOfInterest.length; i++)
@@ -202,16 +202,31 @@ package starlogo.search
             }
         }
 
-        private function markPairs(breed:String, otherBreed:String):void
+        // The numbers of the breeds that a name matches. A breed's name is looked up once, because a game may have hundreds of handlers.
+        private function numbersOf(name:String):Vector.<int>
         {
+            if (name != ANY_BREED)
+            {
+                return new <int>[indexOf(name)];
+            }
+            var all:Vector.<int> = new Vector.<int>();
             for (var i:int = 0; i < breedCount; i++)
             {
-                for (var j:int = 0; matches(breed, i) && j < breedCount; j++)
+                if (isOfAgents(i))
                 {
-                    if (matches(otherBreed, j))
-                    {
-                        areOfInterest[i * breedCount + j] = areOfInterest[j * breedCount + i] = true;
-                    }
+                    all.push(i);
+                }
+            }
+            return all;
+        }
+
+        private function markPairs(someNumbers:Vector.<int>, otherNumbers:Vector.<int>):void
+        {
+            for each (var number:int in someNumbers)
+            {
+                for each (var other:int in otherNumbers)
+                {
+                    areOfInterest[number * breedCount + other] = areOfInterest[other * breedCount + number] = true;
                 }
             }
         }

@@ -95,7 +95,7 @@ package starlogo.search
          *
          * @param bins knows how far apart the extents of touching rows may be; null for the ground and the edges of the world
          * @param rows the candidates are indices in this list of rows
-         * @param others the candidates. Their circles on the ground overlap the row's circle
+         * @param others the candidates. If the row is an agent's, their circles on the ground overlap its circle
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */

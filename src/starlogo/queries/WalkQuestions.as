@@ -140,7 +140,7 @@ package starlogo.queries
                 }
                 _mover.at.copyFrom(_plain);
             }
-            return findGround(Math.max(_options.snap, _close));
+            return findGround(_options.snap + _close);
         }
 
         // Finds the ground at the beginning of the walk. If the ground has risen into the agent, the agent comes up to it, by a step at most.
@@ -184,7 +184,7 @@ package starlogo.queries
             }
             slide(0);
             var farther:Number = (_mover.at.x - _plain.x) * _dx + (_mover.at.y - _plain.y) * _dy;
-            return farther > _close * _whole && findGround(height + Math.max(_options.snap, _close));
+            return farther > _close * _whole && findGround(height + _options.snap + _close);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. Returns whether there is such ground.

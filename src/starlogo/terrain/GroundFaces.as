@@ -112,8 +112,8 @@ package starlogo.terrain
             _face = _faceCount = _top = 0;
             var wayX:Number = limit * Math.abs(way.x);
             var wayY:Number = limit * Math.abs(way.y);
-            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(middle.x - _x) + Math.abs(middle.y - _y) + Math.abs(middle.z) + Math.abs(_z)
-                    + width + wayX + wayY + limit * Math.abs(way.z));
+            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_x) + Math.abs(middle.y) + Math.abs(_y) + Math.abs(middle.z)
+                    + Math.abs(_z) + width + wayX + wayY + limit * Math.abs(way.z));
             half.x += rounding;
             half.y += rounding;
             half.z += rounding;

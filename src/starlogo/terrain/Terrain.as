@@ -237,13 +237,16 @@ package starlogo.terrain
          */
         public function raiseWall(x:Number, y:Number, height:Number):void
         {
-            var column:Number = Math.floor((x - grid.x) / grid.cellWidth + 0.5);
-            var row:Number = Math.floor((y - grid.y) / grid.cellWidth + 0.5);
-            if (!(column >= 0 && row >= 0 && column < grid.columns && row < grid.rows))
+            // in cells, from the outer corner of the first column
+            var toX:Number = (x - grid.x) / grid.cellWidth + 0.5;
+            var toY:Number = (y - grid.y) / grid.cellWidth + 0.5;
+            if (!(toX >= 0 && toY >= 0 && toX <= grid.columns && toY <= grid.rows))
             {
                 throw new RangeError("a wall at (" + x + ", " + y + ") is outside of the terrain");
             }
-            setHeight(column, row, grid.heights[int(row * grid.columns + column)] + height);
+            var column:int = Math.min(toX, grid.columns - 1);
+            var row:int = Math.min(toY, grid.rows - 1);
+            setHeight(column, row, getHeight(column, row) + height);
         }
 
         /** Makes the ground flat again, of height 0. */

@@ -147,6 +147,7 @@ package starlogo.queries
         [Test]
         public function slopesAndStepsAtTheLimitsAreWalked():void
         {
+            _options.fall = 0;
             for each (var name:String in EachCollider.ALL_NAMES)
             {
                 for each (var shape:String in WALKERS)

@@ -78,6 +78,33 @@ package starlogo.terrain
             assertTrue("hits: " + hits, hits > 0.3 * count && hits < 0.95 * count);
         }
 
+        // Rounding far from the origin must not leave out the cells beyond a corner.
+        [Test]
+        public function raysThroughCornersFarOutMeetTheColumns():void
+        {
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            for each (var far:Number in [0, 1e5, -1e6])
+            {
+                for (var i:int = 0; i < 100; i++)
+                {
+                    var width:Number = _random.between(0.1, 1);
+                    var terrain:Terrain = new Terrain(8, 8, width, far, far);
+                    terrain.isBlocky = true;
+                    for (var column:int = 0; column < 8; column++)
+                    {
+                        terrain.setHeight(column, 4, 9 * width);
+                    }
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[]);
+                    // from the middle of a column over its corner, half a cell farther, and on
+                    var from:Vector3D = new Vector3D(far + 2 * width, far + 3 * width, 5 * width);
+                    var way:Vector3D = new Vector3D(far + 5 * width, far + 6 * width, 2 * width).subtract(from);
+                    var hit:RayHit = queries.cast(from, way, way.length);
+                    assertTrue(far + ", " + width + ": " + hit, hit != null && Math.abs(hit.point.z - 4.5 * width) < 1e-8);
+                }
+            }
+        }
+
         [Test]
         public function distancesAreLikeEveryTriangle():void
         {

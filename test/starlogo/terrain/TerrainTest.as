@@ -166,6 +166,8 @@ package starlogo.terrain
             assertEquals(15, _terrain.getHeight(1, 1));
             _terrain.raiseWall(-3, -3, 4);
             assertEquals(4, _terrain.getHeight(0, 0));
+            _terrain.raiseWall(3, 3, 5);
+            assertEquals(22 + 5, _terrain.getHeight(2, 2));
             _terrain.reset();
             assertEquals(0, _terrain.getHeight(1, 1));
             assertEquals(0, _terrain.heightAt(0.3, 1.2));

@@ -141,6 +141,9 @@ package starlogo.hierarchy
                             stack[top] = far;
                             stack[top + 1] = b;
                             top += 2;
+                            x += a.x - near.x;
+                            y += a.y - near.y;
+                            z += a.z - near.z;
                             a = near;
                             if (bEnds || !isDeep)
                             {

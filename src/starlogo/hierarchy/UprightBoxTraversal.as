@@ -118,6 +118,7 @@ package starlogo.hierarchy
                         // The child on the side of the other node comes first. If b's middle is over a, a child of a most likely overlaps b
                         // too. So both are divided at once.
                         var axis:int;
+                        var near:HierarchyNode;
                         var far:HierarchyNode;
                         if (!aEnds && (bEnds || isDeep || a.radius >= scale * b.radius))
                         {
@@ -131,7 +132,7 @@ package starlogo.hierarchy
                             {
                                 side = y;
                             }
-                            var near:HierarchyNode = a.low;
+                            near = a.low;
                             far = a.high;
                             if (side > 0)
                             {
@@ -160,16 +161,16 @@ package starlogo.hierarchy
                         {
                             side = cos * y - sin * x;
                         }
+                        near = b.low;
                         far = b.high;
-                        b = b.low;
                         if (side < 0)
                         {
-                            near = b;
-                            b = far;
-                            far = near;
+                            near = far;
+                            far = b.low;
                         }
                         stack[top] = a;
                         stack[top + 1] = far;
+                        b = near;
                         top += 2;
                         continue;
                     }

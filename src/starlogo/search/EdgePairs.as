@@ -136,6 +136,7 @@ package starlogo.search
             _margin = table.marginOf(row) + Tolerances.ROUNDING * _largest;
             for (var edge:int = 0; edge < 6; edge++)
             {
+                // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
                 _places[edge] = along(edge, 1, 1, 1) * fixture.edges[edge];
                 var reach:Number = Math.abs(along(edge, extents.halfX[row], extents.halfY[row], extents.halfZ[row]));
                 var beyond:Number = reach + (along(edge, extents.x[row], extents.y[row], extents.z[row]) - _places[edge]);

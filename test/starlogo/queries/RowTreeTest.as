@@ -101,6 +101,7 @@ package starlogo.queries
             _y = new Vector.<Number>(RowList.GUESTS);
             _z = new Vector.<Number>(RowList.GUESTS);
             _sizes = new Extents();
+            _sizes.grow(RowList.GUESTS + MOST_ROWS);
             _rows = new Vector.<int>();
             var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, MOST_ROWS);
             for (var row:int = RowList.GUESTS; row < RowList.GUESTS + count; row++)

@@ -14,6 +14,9 @@ import { unitsOf } from "./unit.mjs";
 
 const ENGINE_PREFIX = "starlogo_engine__";
 
+// V8 holds the two names' values as objects. If a Number may be one of them, it makes an object for the Number too.
+const WITHOUT_NAMES = new Map([["Infinity", "(1 / 0 /* Infinity */)"], ["NaN", "(0 / 0 /* NaN */)"]]);
+
 // Statics that only tests set. Elsewhere they are false, and code that they switch on is left out.
 const SWITCHES = new Set(["flash.geom.Matrix3D.isSingle"]);
 
@@ -375,7 +378,7 @@ export class Program {
 	#identifierText(node) {
 		if (node.name === "undefined" || this.#isLocal(node.name)) return node.name;
 		const known = this.#shortNames.get(node.name) ?? this.externals[node.name];
-		return known ? this.#reference(node.name) : node.name;
+		return known ? this.#reference(node.name) : WITHOUT_NAMES.get(node.name) ?? node.name;
 	}
 
 	#reference(qname) {

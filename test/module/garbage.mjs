@@ -4,7 +4,7 @@
  *   node --expose-gc --min-semi-space-size=64 --max-semi-space-size=64 test/module/garbage.mjs
  */
 import { garbageOf as garbage } from "./bytes.mjs";
-import * as engine from "../../bin/module/starlogo-collision.min.js";
+import * as engine from "../../bin/module/starlogo-collision.js";
 
 const { Agent, BinCollider, BuiltInModel, Collision, GreatLand, Terrain, TightestFitCollider } = engine;
 

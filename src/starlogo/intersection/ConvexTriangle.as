@@ -409,7 +409,9 @@ package starlogo.intersection
                 _finder.find(_structure, _edge, _tried);
                 keepLeast(out);
             }
-            _point.setTo(-out.normalX, -out.normalY, -out.normalZ);
+            _point.x = -out.normalX;
+            _point.y = -out.normalY;
+            _point.z = -out.normalZ;
             _sum.setTo(_structure, displacement);
             _sum.supportInto(_feature, _point);
             _feature.setStep(_radius * _point.x, _radius * _point.y, _radius * _point.z);

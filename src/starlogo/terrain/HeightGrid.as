@@ -87,9 +87,6 @@ package starlogo.terrain
         /** @copy #stepX */
         public var stepY:Number = 0;
 
-        // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
-        private var _nothing:Number = NaN;
-
         // The triangles of places: see findCorners.
         private var _corners:Vector.<int> = new <int>[0];
         private var _sides:Vector.<int> = new <int>[0];
@@ -201,7 +198,7 @@ package starlogo.terrain
                 if (!(toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow))
                 {
                     _corners[i] = _sides[i] = 0;
-                    _mores[i] = _lesses[i] = _nothing;
+                    _mores[i] = _lesses[i] = NaN;
                     continue;
                 }
                 // The conversion to int rounds down, because the numbers are not negative.
@@ -326,7 +323,7 @@ package starlogo.terrain
                 // in cells, from the outer corner of the first column
                 var toX:Number = (xs[at] - x) / cellWidth + 0.5;
                 var toY:Number = (ys[at] - y) / cellWidth + 0.5;
-                out[i] = _nothing;
+                out[i] = NaN;
                 if (toX >= 0 && toY >= 0 && toX <= columns && toY <= this.rows)
                 {
                     findRange(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, this.rows - 1));

@@ -60,9 +60,6 @@ package starlogo.intersection.ray
         /** Where the line leaves the shape. Input of narrow. */
         public var far:Number = 0;
 
-        // A variable and not the constant, because V8 allocates an object for the next Number that is written after the constant.
-        private var _infinity:Number = Infinity;
-
         /** Creates a ray without a direction. */
         public function Ray()
         {
@@ -148,15 +145,15 @@ package starlogo.intersection.ray
         /** Sets near and far to the whole line. */
         public function beginWhole():void
         {
-            near = -_infinity;
-            far = _infinity;
+            near = -Infinity;
+            far = Infinity;
         }
 
         /** Sets near and far to an empty part. */
         public function beginEmpty():void
         {
-            near = _infinity;
-            far = -_infinity;
+            near = Infinity;
+            far = -Infinity;
         }
 
         /**
@@ -187,7 +184,7 @@ package starlogo.intersection.ray
             {
                 if (offset > half || offset < -half)
                 {
-                    far = -_infinity;
+                    far = -Infinity;
                 }
                 return false;
             }

@@ -1,7 +1,7 @@
 /** The page's games, in Blockly's notation. */
 import { texts } from "../shared/language.js";
 import {
-	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, forward, get, go, goal, ground, hatch, heading, key, many, math, mound, move, nearest, number, numbers, paint,
+	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, get, go, goal, ground, hatch, heading, key, many, math, mound, move, nearest, number, numbers, paint,
 	program, remove, repeat, say, scatter, score, set, size, stand, start, step, sweep, timer, touch, trait, turn, up, when,
 } from "./notation.js";
 
@@ -101,10 +101,10 @@ const space = many(["shields"],
 		create(1, "spaceships", "spaceship", size(1.8), heading(90)),
 		create(5, "rocks", "sphere", scatter, when(compare("LT", { block: { type: "starlogo_distance", inputs: { AGENT: nearest("spaceships", 50) } } }, number(4)), move(8)), size(2.2), paint("me", colour("grey"))),
 	)),
-	folded(key("up", "held", "spaceships", forward(number(0.1)))),
+	folded(key("up", "held", "spaceships", move(0.1))),
 	folded(key("left", "held", "spaceships", turn("left", number(3)))),
 	folded(key("right", "held", "spaceships", turn("right", number(3)))),
-	folded(each("shots", forward(number(0.3)), when(compare("GT", trait("age"), number(0.8)), remove("me")))),
+	folded(each("shots", move(0.3), when(compare("GT", trait("age"), number(0.8)), remove("me")))),
 );
 
 const [PEARLS, MISSES] = [12, 3];

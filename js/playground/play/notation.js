@@ -13,7 +13,6 @@ export const inside = (...blocks) => ({ block: chain(...blocks) });
 /** The content of an input: a number, or a block. */
 const input = (value) => (typeof value === "number" ? number(value) : value);
 export const move = (steps) => ({ type: "starlogo_forward", inputs: { STEPS: input(steps) } });
-export const forward = (steps) => ({ type: "starlogo_forward", inputs: { STEPS: steps } });
 export const turn = (DIRECTION, degrees) => ({ type: "starlogo_turn", fields: { DIRECTION }, inputs: { DEGREES: degrees } });
 export const paint = (WHO, COLOUR) => ({ type: "starlogo_colour", fields: { WHO }, inputs: { COLOUR } });
 export const size = (value) => ({ type: "starlogo_size", inputs: { SIZE: number(value) } });

@@ -360,7 +360,11 @@ package starlogo.collision
             _lastAgents.length = agents.length;
             for (var i:int = 0; i < agents.length; i++)
             {
-                _lastAgents[i] = agents[i];
+                // writing a reference costs more than comparing it
+                if (_lastAgents[i] !== agents[i])
+                {
+                    _lastAgents[i] = agents[i];
+                }
             }
         }
 

@@ -220,10 +220,9 @@ package starlogo.queries
             }
         }
 
-        // Finds when the row first touches another. A sheet may be wholly under the ground at the beginning, and then it touches no surface.
+        // Finds when the row, which stands at its end, first touches another. A sheet may be wholly under the ground at the beginning, and then it touches no surface.
         private function findImpact(other:int, share:Number, out:ContactPoint):void
         {
-            _moving.put(_end, share);
             _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, out);
             if (_motion.time == RelativeMotion.NEVER && _table.forms[other] == ModelShape.GROUND)
             {
@@ -260,6 +259,7 @@ package starlogo.queries
                 return false;
             }
             var share:Number = shareOf(_moving);
+            _moving.put(_end, share);
             findImpact(other, share, _tried);
             var first:Number = _motion.time;
             if (!(first < time))

@@ -29,12 +29,13 @@ package starlogo.search
     {
         private var _pairs:RowPairs;
 
-        // By edge: the direction out of the world, the edge's place in this direction, and how far the row is beyond it (less than 0 if the row is
-        // before it). _nearest is the edge that the row of the last contact is furthest beyond.
+        // By edge: the direction out of the world, the edge's place in this direction, how far the row is beyond it (less than 0 if the row is
+        // before it), and how far the row's motion goes towards it. _nearest is the edge that the row of the last contact is furthest beyond.
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
         private var _places:Vector.<Number> = new Vector.<Number>(6, true);
         private var _beyond:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _come:Vector.<Number> = new Vector.<Number>(6, true);
         private var _nearest:int = 0;
 
         // Half of the row's largest extent, and the largest gap between the row and an edge that still counts as a touch.
@@ -68,7 +69,7 @@ package starlogo.search
             for (var edge:int = 0; edge < 6; edge++)
             {
                 var end:Number = _beyond[edge] + _margin;
-                var start:Number = end - along(edge, motion.x, motion.y, motion.z);
+                var start:Number = end - _come[edge];
                 if (start >= 0)
                 {
                     motion.time = 0;
@@ -92,7 +93,7 @@ package starlogo.search
             _nearest = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                _beyond[edge] -= left * along(edge, motion.x, motion.y, motion.z);
+                _beyond[edge] -= left * _come[edge];
                 _nearest = _beyond[edge] > _beyond[_nearest] ? edge : _nearest;
             }
             findFarthest(table, a, _nearest);
@@ -141,7 +142,8 @@ package starlogo.search
                 var reach:Number = Math.abs(along(edge, extents.halfX[row], extents.halfY[row], extents.halfZ[row]));
                 var beyond:Number = reach + (along(edge, extents.x[row], extents.y[row], extents.z[row]) - _places[edge]);
                 _beyond[edge] = beyond;
-                if (table.forms[row] == ModelShape.TREE && (beyond >= -_margin || beyond - along(edge, motion.x, motion.y, motion.z) >= -_margin))
+                _come[edge] = along(edge, motion.x, motion.y, motion.z);
+                if (table.forms[row] == ModelShape.TREE && (beyond >= -_margin || beyond - _come[edge] >= -_margin))
                 {
                     findFarthest(table, row, edge);
                     _beyond[edge] -= _motion.time * along(edge, _motion.x, _motion.y, _motion.z);

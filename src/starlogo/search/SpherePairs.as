@@ -38,7 +38,7 @@ package starlogo.search
             var x:Number = extents.x[a] - extents.x[b];
             var y:Number = extents.y[a] - extents.y[b];
             var z:Number = extents.z[a] - extents.z[b];
-            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
+            findReach(table, a, b);
             return x * x + y * y + z * z <= _points.reach * _points.reach;
         }
 
@@ -46,16 +46,16 @@ package starlogo.search
         override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             tests++;
-            var isAtEnd:Boolean = areTouching(table, a, b);
             var extents:Extents = table.extents;
             _points.x = extents.x[a] - extents.x[b] + motion.startX;
             _points.y = extents.y[a] - extents.y[b] + motion.startY;
             _points.z = extents.z[a] - extents.z[b] + motion.startZ;
-            // areTouching has found the reach. The motion's own rounding errors are added
+            findReach(table, a, b);
+            // the motion's own rounding errors are added too
             _points.reach += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _points.findEntry(motion);
             // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && isAtEnd)
+            if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
             {
                 motion.time = 1;
             }
@@ -74,6 +74,13 @@ package starlogo.search
         override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
             return true;
+        }
+
+        // Finds the largest distance of the middles at which two rows touch.
+        private function findReach(table:AgentTable, a:int, b:int):void
+        {
+            var halfX:Vector.<Number> = table.extents.halfX;
+            _points.reach = (halfX[a] + halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
         }
 
         private static function readSphere(extents:Extents, row:int, sphere:Sphere):void

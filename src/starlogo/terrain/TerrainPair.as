@@ -377,7 +377,8 @@ package starlogo.terrain
             {
                 var inset:Number = _faces.inset;
                 _isFound = true;
-                // the four places that are an inset beside it along x and y, or its own place if there is no inset
+                // The four places that are an inset beside it along x and y, or its own place if there is no inset. This repeats heightAt(), because
+                // V8 would make objects for its Numbers.
                 for (var side:int = inset > 0 ? 0 : 3; side < 4 && _isFound; side++)
                 {
                     var toX:Number = (side & 1) == 0 ? -inset : inset;

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 /**
- * Bundles the playground into static files.
+ * Bundles the playground into static files, and into a single one.
  *
  * node js/playground/build.mjs MODULE OUT MODULE is the npm package of the engine (bin/module)
  */
@@ -13,6 +13,7 @@ import { models } from "../../assets/generator/models/index.mjs";
 import { palette } from "../../assets/generator/palette.mjs";
 import { flatten } from "../../assets/generator/scene.mjs";
 import { writeDocs } from "./docs.mjs";
+import { picturesInside, writeSingle } from "./single.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
@@ -28,7 +29,7 @@ const WARNINGS = /[\w$]+\("Blockly\.Workspace\.get\w*Variable\w*","v12","v13","[
  * Changes two things in Blockly. It sets a style attribute, which the page's policy forbids; an SVG attribute has the same effect. And it
  * writes console warnings about deprecated methods that it calls itself.
  */
-const tameBlockly = {
+const tameBlockly = (isSingle) => ({
 	name: "tame-blockly",
 	setup({ onLoad, onResolve, resolve }) {
 		// its keyboard plugin imports all of it
@@ -36,20 +37,21 @@ const tameBlockly = {
 		onLoad({ filter: /blockly_compressed\.js$/ }, ({ path: file }) => {
 			const text = readFileSync(file, "utf8");
 			if (!text.includes(STYLE) || text.search(WARNINGS) < 0) throw new Error(`${file} is not as it was: look whether it needs taming`);
-			return { contents: text.replaceAll(STYLE, 'display:"none"').replace(WARNINGS, ""), loader: "js" };
+			const tame = text.replaceAll(STYLE, 'display:"none"').replace(WARNINGS, "");
+			return { contents: isSingle ? picturesInside(tame, path.join(npm, "blockly/media")) : tame, loader: "js" };
 		});
 	},
-};
+});
 
 /**
  * Only files of the user need the readers of model files. They are in a second bundle of the engine, which loads with the first such file.
  */
-const formatsApart = {
+const formatsApart = (isSingle) => ({
 	name: "formats-apart",
 	setup({ onResolve }) {
-		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: readable, suffix: importer.endsWith("formats.js") ? "?formats" : "" }));
+		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: readable, suffix: !isSingle && importer.endsWith("formats.js") ? "?formats" : "" }));
 	},
-};
+});
 
 /** Keeps only those of Blockly's messages that bundled code names, in each language. */
 const fewMessages = {
@@ -133,9 +135,8 @@ const leanThree = {
 	},
 };
 
-rmSync(out, { recursive: true, force: true });
-mkdirSync(out, { recursive: true });
-const result = await build({
+/** The settings of esbuild for the page, as it is served or as a single file. */
+const settings = (isSingle) => ({
 	entryPoints: [path.join(here, "main.js")],
 	outdir: out,
 	bundle: true,
@@ -148,15 +149,20 @@ const result = await build({
 	chunkNames: "parts/[name]-[hash]",
 	alias: { ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
-	plugins: [tameBlockly, formatsApart, fewMessages, leanThree],
+	plugins: [tameBlockly(isSingle), formatsApart(isSingle), fewMessages, leanThree],
 	logLevel: "warning",
 });
-for (const file of ["index.html", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+const result = await build(settings(false));
+for (const file of ["index.html", "open.js", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
 cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: true, filter: (file) => !/\.(mp3|ogg|wav)$/.test(file) });
 mkdirSync(path.join(out, "models"));
 for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
 writeDocs(path.join(here, "../.."), path.join(out, "docs"));
+await writeSingle(out, "starlogo-nova.html", settings(true));
 
 for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {
 	const first = neededFor(`js/playground/${entry}`);

@@ -2,6 +2,7 @@
 import { button, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
+import { DOCS } from "../shared/served.js";
 import { javascriptOf } from "./javascript.js";
 
 const words = texts.play.javascript;
@@ -30,7 +31,7 @@ export function showJavascript(program, title, file, models) {
 	const dialog = h("dialog.ask.javascript", { "aria-label": words.title, onclose: () => dialog.remove() },
 		h("h2", {}, words.title), h("p", {}, words.note),
 		h("div.tools", {}, button(texts.compare.copy, copy, { class: "primary" }), button(words.download, () => hand(text, `${file}.mjs`, "text/javascript")),
-			h("a", { href: "docs/index.html", target: "_blank" }, words.documentation), h("a", { href: "docs/examples.html", target: "_blank" }, words.examples), said,
+			...(DOCS ? [h("a", { href: `${DOCS}index.html`, target: "_blank" }, words.documentation), h("a", { href: `${DOCS}examples.html`, target: "_blank" }, words.examples)] : []), said,
 			button(texts.gallery.close, () => dialog.close(), { class: "close" })),
 		h("pre", { tabindex: "0", "aria-label": words.title }, code));
 	document.body.append(dialog);

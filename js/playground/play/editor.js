@@ -4,6 +4,7 @@ import "./locale.js";
 import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { button, h, isDark, onThemeChange } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
+import { ICON, MEDIA } from "../shared/served.js";
 import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, meet } from "./blocks.js";
 
 const PARTS = {
@@ -69,7 +70,7 @@ class FieldShape extends Blockly.FieldDropdown {
 
 	showEditor_(event) {
 		super.showEditor_(event);
-		for (const picture of Blockly.DropDownDiv.getContentDiv().querySelectorAll("img")) picture.src = pictures.of(picture.dataset.shape) ?? "icon.svg";
+		for (const picture of Blockly.DropDownDiv.getContentDiv().querySelectorAll("img")) picture.src = pictures.of(picture.dataset.shape) ?? ICON;
 	}
 }
 Blockly.fieldRegistry.register("field_shape", FieldShape);
@@ -164,7 +165,7 @@ function meetAll(program) {
  */
 export function showBlocks(host, program, highest) {
 	meetAll(program);
-	const workspace = adoptStyles(() => Blockly.inject(host, { theme: themes.light, renderer: "zelos", media: "media/", sounds: false, readOnly: true, trashcan: false, zoom: { minScale: 0.1 }, move: { scrollbars: false, drag: false, wheel: false } }));
+	const workspace = adoptStyles(() => Blockly.inject(host, { theme: themes.light, renderer: "zelos", media: MEDIA, sounds: false, readOnly: true, trashcan: false, zoom: { minScale: 0.1 }, move: { scrollbars: false, drag: false, wheel: false } }));
 	Blockly.serialization.workspaces.load(program, workspace);
 	const blocks = workspace.getTopBlocks(true);
 	for (const block of blocks) block.setCollapsed(false);
@@ -191,7 +192,9 @@ export function showBlocks(host, program, highest) {
 	document.querySelector(".blocklyComputeCanvas")?.setAttribute("aria-hidden", "true");
 }
 
-let isKeyboardReady = false;
+// Blockly takes no more styles after it has shown blocks, as a sheet for printing does
+KeyboardNavigation.registerKeyboardNavigationStyles();
+KeyboardNavigation.registerFlyoutCursor();
 
 export class Editor {
 	#isLoading = false;
@@ -209,13 +212,8 @@ export class Editor {
 		pictures.of = pictureOf;
 		const narrow = innerWidth < 520;
 		this.workspace = adoptStyles(() => {
-			if (!isKeyboardReady) {
-				KeyboardNavigation.registerKeyboardNavigationStyles();
-				KeyboardNavigation.registerFlyoutCursor();
-				isKeyboardReady = true;
-			}
 			const workspace = Blockly.inject(host, {
-				toolbox: TOOLBOX, theme: theme(), renderer: "zelos", media: "media/", sounds: false, trashcan: false, horizontalLayout: narrow,
+				toolbox: TOOLBOX, theme: theme(), renderer: "zelos", media: MEDIA, sounds: false, trashcan: false, horizontalLayout: narrow,
 				zoom: { controls: false, wheel: false, pinch: true, startScale: SCALE, scaleSpeed: ZOOM, minScale: SMALLEST, maxScale: LARGEST }, move: { scrollbars: true, drag: true, wheel: true },
 			});
 			this.keyboard = new KeyboardNavigation(workspace);

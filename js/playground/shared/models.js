@@ -1,6 +1,7 @@
 /** The game's models: the twelve in the thesis's table, and two that only the playground has. */
 import { BuiltInModel, Model } from "starlogo-collision";
 import { turtle, wall } from "./made.js";
+import { readModel } from "./served.js";
 
 const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder(), turtle, wall };
 
@@ -21,9 +22,7 @@ export function loadModel(name) {
 
 async function read(name) {
 	if (name in BUILT_IN) return BUILT_IN[name]();
-	const response = await fetch(`models/${name}.json`);
-	if (!response.ok) throw new Error(`${name}.json: ${response.status}`);
-	const { vertices, triangles, colours } = await response.json();
+	const { vertices, triangles, colours } = JSON.parse(await readModel(name));
 	return Object.assign(new Model(name, vertices, triangles), { colours });
 }
 

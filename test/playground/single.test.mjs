@@ -1,0 +1,165 @@
+/** The page as one file: copied alone to a folder of its own, as to a stick, and opened by a double click, without a server. */
+import assert from 'node:assert/strict';
+import { copyFileSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
+import { serve } from '../headless/server.mjs';
+import { PATIENCE, SIZES, drawNothing, press, ready, root } from './browser.mjs';
+
+const NAME = 'starlogo-nova.html';
+const skip = isChromium ? false : 'one browser is enough';
+let browser;
+let stick;
+before(async () => {
+	stick = mkdtempSync(path.join(os.tmpdir(), 'stick-'));
+	copyFileSync(path.join(root, 'bin/playground', NAME), path.join(stick, NAME));
+	browser = await launch();
+});
+after(async () => {
+	await browser.close();
+	rmSync(stick, { recursive: true });
+});
+
+/** A page in a browser that remembers nothing; said is what came on the console, and requests for other files. */
+async function newPage(options = {}) {
+	const context = await browser.newContext({ ...SIZES.desktop, reducedMotion: 'reduce', locale: 'en-US', ...options });
+	context.setDefaultTimeout(PATIENCE);
+	await drawNothing(context);
+	const page = await context.newPage();
+	const said = [];
+	page.on('console', (message) => saysItWaits(message.text()) || said.push(`${message.type()}: ${message.text()}`));
+	page.on('pageerror', (error) => said.push(String(error)));
+	page.on('request', (request) => /^(blob|data):/.test(request.url()) || request.isNavigationRequest() || said.push(`asked for ${request.url()}`));
+	return { page, said };
+}
+
+const at = (hash) => `${pathToFileURL(path.join(stick, NAME)).href}${hash}`;
+const done = (page) => page.waitForFunction(() => /^Done! .{20}/.test(document.querySelector('.why').textContent));
+
+const number = (NUM) => ({ type: 'math_number', fields: { NUM } });
+const nearest = (distance) => ({ type: 'starlogo_nearest', fields: { BREED: 'turtles' }, inputs: { DISTANCE: number(distance) } });
+const forward = (steps) => ({ type: 'starlogo_forward', inputs: { STEPS: number(steps) } });
+const say = (TEXT) => ({ type: 'starlogo_say', inputs: { TEXT } });
+const each = (BREED, DO) => ({ type: 'starlogo_each', fields: { BREED }, inputs: { DO } });
+
+/** What solves each lesson, as its hint says: a system; or blocks, and the script behind whose last block they come, or in whose place. */
+const SOLUTIONS = {
+	blocks: { behind: 'starlogo_each', block: forward(0.05) },
+	helmet: { system: 'exact' },
+	wing: { system: 'hierarchies' },
+	main: { behind: 'starlogo_start', block: { type: 'starlogo_hierarchical', fields: { WHO: 'dragons', ON: 'on' } } },
+	fast: { behind: 'starlogo_start', block: { type: 'starlogo_sweep', fields: { WHO: 'paintballs', ON: 'on' } } },
+	starts: { inPlaceOf: 'starlogo_collision', block: { type: 'starlogo_touch_start', fields: { BREED: 'turtles', OTHER: 'walls' }, inputs: { DO: { type: 'starlogo_score_change', inputs: { SCORE: number(1) } } } } },
+	room: { block: { type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: { DO: { type: 'starlogo_bounce' } } } },
+	near: { block: each('bears', say({ type: 'starlogo_count', fields: { BREED: 'turtles' }, inputs: { DISTANCE: number(5) } })) },
+	see: { block: each('bears', say({ type: 'starlogo_can_see', inputs: { AGENT: nearest(50) } })) },
+	hunt: { inPlaceOf: 'starlogo_each', block: each('bears', { type: 'starlogo_face', inputs: { AGENT: nearest(50) }, next: forward(0.15) }) },
+};
+
+/** Changes the blocks as a pupil does, or chooses the system, and starts the game. */
+async function solve(page, name) {
+	const { system, ...change } = SOLUTIONS[name];
+	if (system) await page.getByLabel('Collision system').selectOption(system);
+	else await page.evaluate(({ behind, inPlaceOf, block }) => {
+		const { workspace } = globalThis.playground.editor;
+		const make = ({ type, fields = {}, inputs = {}, next }) => {
+			const made = workspace.newBlock(type);
+			for (const [field, value] of Object.entries(fields)) made.setFieldValue(value, field);
+			made.initSvg();
+			for (const [input, inner] of Object.entries(inputs)) {
+				const child = make(inner);
+				made.getInput(input).connection.connect(child.outputConnection ?? child.previousConnection);
+			}
+			if (next) made.nextConnection.connect(make(next).previousConnection);
+			made.render();
+			return made;
+		};
+		if (inPlaceOf) workspace.getBlocksByType(inPlaceOf)[0].dispose(false);
+		const made = make(block);
+		if (!behind) return;
+		let last = workspace.getBlocksByType(behind)[0].getInputTargetBlock('DO');
+		while (last.getNextBlock()) last = last.getNextBlock();
+		last.nextConnection.connect(made.previousConnection);
+	}, change);
+	await page.getByLabel('Speed').fill('5');
+	await press(page, 'Run');
+}
+
+test('without a server, all ten lessons are solved', { skip }, async () => {
+	const { page, said } = await newPage();
+	await page.goto(at(''));
+	await ready(page, 'play');
+	assert.equal(await page.locator('.silent').count(), 0, 'what is said where no script arrives is gone');
+	await page.locator('.gallery .next').click();
+	const names = await page.evaluate(() => globalThis.playground.programs.groups[0].entries.map(({ id }) => id.replace('lesson-', '')));
+	assert.equal(names.length, 10);
+	for (const [i, name] of names.entries()) {
+		await page.waitForFunction((number) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${number} of 10`), i + 1);
+		await solve(page, name);
+		await done(page);
+		await press(page, 'Stop').catch(() => {});
+		if (i < 9) await press(page, 'Next');
+	}
+	await press(page, 'Lessons and games');
+	assert.equal(await page.locator('.gallery .tick').count(), 10);
+	assert.deepEqual(said, []);
+	await page.context().close();
+});
+
+test('without a server, every view works, programs and models are kept, and nothing is asked for', { skip }, async () => {
+	const { page, said } = await newPage();
+	await page.goto(at('#inspect'));
+	await ready(page, 'inspect');
+	await page.waitForFunction(() => /^Bear: \d/.test(document.querySelector('.status').textContent));
+	for (const view of ['compare', 'measure']) {
+		await page.goto(at(`#${view}`));
+		await ready(page, view);
+	}
+	await page.goto(at('#teach/hunt'));
+	await page.waitForSelector('[data-drawn="hunt"]');
+	assert.ok(await page.locator('.shown-blocks .blocklyPath').count() > 3);
+	await page.goto(at('#play/maze'));
+	await ready(page, 'play');
+	await page.setInputFiles('input[type=file]', path.join(root, 'assets/bear.obj'));
+	await page.waitForFunction(() => /Agents can have the shape “bear 2”.*keeps it/.test(document.querySelector('.controls .status').textContent));
+	await press(page, 'Keep a copy');
+	await page.reload();
+	await ready(page, 'play');
+	assert.deepEqual(await page.evaluate(() => [document.querySelector('.title').value, globalThis.playground.own.names]), ['Maze (mine)', ['bear 2']]);
+	assert.deepEqual(said, []);
+	await page.context().close();
+});
+
+test('the page that is served leads to the file if it is opened by a double click', { skip }, async () => {
+	const { page } = await newPage();
+	await page.goto(`${pathToFileURL(path.join(root, 'bin/playground/index.html')).href}#play/maze`);
+	await page.waitForURL(/starlogo-nova\.html#play\/maze$/);
+	await ready(page, 'play');
+	assert.equal(await page.inputValue('.title'), 'Maze');
+	await page.context().close();
+});
+
+test('where the script does not arrive, the page says so', { skip }, async () => {
+	const server = await serve(null, { '': path.join(root, 'bin/playground') });
+	for (const [options, address] of [[{}, `${server.url}index.html`], [{ javaScriptEnabled: false }, `${server.url}index.html`], [{ javaScriptEnabled: false }, at('')]]) {
+		const { page } = await newPage(options);
+		await page.route('**/main.js', (route) => route.abort());
+		await page.goto(address);
+		assert.equal(await page.locator('.silent').isVisible(), false, 'not while it may still come');
+		await page.locator('.silent').waitFor({ state: 'visible' });
+		assert.match(await page.textContent('.silent'), /has not started[^]*ist nicht gestartet/);
+		await page.context().close();
+	}
+	server.close();
+});
+
+test('the file has its own strict policy, and the licences of what is in it', () => {
+	const html = readFileSync(path.join(root, 'bin/playground', NAME), 'utf8');
+	const [, policy] = /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(html);
+	assert.match(policy, /^default-src 'none'; script-src 'sha256-[^ ]+'; style-src 'sha256-[^ ]+'; img-src data:;/);
+	assert.doesNotMatch(policy, /unsafe|https?:|\*|connect/);
+	assert.match(html, /blockly 12[^]*Apache-2.0[^]*three 0\.[^]*MIT/);
+});

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
     import starlogo.search.AskedStructure;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -24,6 +25,12 @@ package starlogo.queries
      * <p>Every list is complete, and sorted by distance. Agents at the same distance keep the order of the list given to <code>update()</code>.
      * The distance of two agents is the distance of their places <code>(x, y, z)</code>. An agent exactly on the border of a radius or a cone is
      * in the answer. If you pass <code>out</code>, nothing is allocated. An agent whose model is loading has a place, but touches nothing.</p>
+     *
+     * <p>The agents of the ground and of the edges of the world have no place. Questions that begin at an agent's place refuse them with an
+     * ArgumentError.</p>
+     *
+     * <p>Points and structures have to be in the world, as agents are: between -1e9 and 1e9 patches along each axis. A structure is in the world
+     * if its middle is, and half of its length along each axis is at most 1e9. All else is refused with a RangeError, before anything changes.</p>
      *
      * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
@@ -173,7 +180,7 @@ package starlogo.queries
         /**
          * Lists the agents near a point. It works like <code>near()</code>, but measures distances from the point.
          *
-         * @param point in the world, finite
+         * @param point in the world
          * @param radius the largest distance in patches
          * @param filter the agents that count; null for all
          * @param out receives the list; null for a new list
@@ -188,7 +195,7 @@ package starlogo.queries
         /**
          * Counts the agents near a point. It works like <code>countNear()</code>, but measures distances from the point.
          *
-         * @param point in the world, finite
+         * @param point in the world
          * @param radius the largest distance in patches
          * @param filter the agents that count; null for all
          */
@@ -201,7 +208,7 @@ package starlogo.queries
         /**
          * The agent nearest to a point. It works like <code>nearest()</code>, but measures distances from the point.
          *
-         * @param point in the world, finite
+         * @param point in the world
          * @param radius the largest distance in patches
          * @param filter the agents that count; null for all
          * @return null if there is none
@@ -283,14 +290,11 @@ package starlogo.queries
          * @param filter the agents that count; null for all. <code>accepts</code> is called for the agents that it would touch, beginning with
          *     the nearest
          * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
-         * @throws RangeError if the place is not finite
+         * @throws RangeError if the place is not in the world
          */
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
-            if (!isFinite(x) || !isFinite(y) || !isFinite(z))
-            {
-                throw new RangeError("a place must be finite: (" + x + ", " + y + ", " + z + ")");
-            }
+            requireInWorld("a place", x, y, z);
             return _touches.overlapsAgent(agent, x, y, z, filter);
         }
 
@@ -304,7 +308,7 @@ package starlogo.queries
          * @param out receives the list; null for a new list
          * @return out, or the new list
          * @throws ArgumentError if the structure is null or of another kind
-         * @throws RangeError if it is not finite
+         * @throws RangeError if it is not in the world
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
@@ -347,12 +351,12 @@ package starlogo.queries
          * or touches it. In exact mode it is the distance to the nearest triangle.
          *
          * @param agent seen where it is now
-         * @param point in the world, finite
+         * @param point in the world
          * @param out receives the agent's point that is nearest to the point; or null. If the point is inside the agent, it is the point itself
          * @return in patches. While the agent's model is loading, it is Infinity and out is unchanged
          * @throws ArgumentError if the agent or the point is null, or if the agent's model is unknown or lacks data that the collision system
          *     needs
-         * @throws RangeError if the point is not finite
+         * @throws RangeError if the point is not in the world
          */
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
         {
@@ -384,8 +388,8 @@ package starlogo.queries
          *     the nearest, until one is accepted
          * @param hit receives the answer; null for a new RayHit
          * @return hit, or the new RayHit. It is null if the ray meets no agent, and hit is then unchanged
-         * @throws ArgumentError if origin or direction is null or not finite, or if the direction is 0
-         * @throws RangeError if maxDistance is negative or not a number
+         * @throws ArgumentError if origin or direction is null, or if the direction is 0 or not finite
+         * @throws RangeError if the origin is not in the world, or if maxDistance is negative or not a number
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
@@ -402,8 +406,8 @@ package starlogo.queries
          * @param out receives the list; null for a new list. The hits in it are overwritten, and surplus hits are removed and used again later.
          *     Copy a hit that you want to keep
          * @return out, or the new list
-         * @throws ArgumentError if origin or direction is null or not finite, or if the direction is 0
-         * @throws RangeError if maxDistance is negative or not a number
+         * @throws ArgumentError as cast does
+         * @throws RangeError as cast does
          */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null):Vector.<RayHit>
@@ -441,7 +445,7 @@ package starlogo.queries
          * @param hit receives the answer; null for a new ShapeHit
          * @return hit, or the new ShapeHit. It is null if the way is free, and hit is then unchanged
          * @throws ArgumentError if the structure is null or of another kind
-         * @throws RangeError if the structure or the motion is not finite
+         * @throws RangeError if the structure is not in the world, or if a part of the motion is more than 1e9 either way or not a number
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
@@ -483,7 +487,7 @@ package starlogo.queries
          * @param hit receives the answer; null for a new ShapeHit
          * @return hit, or the new ShapeHit. It is null if the way is free or the agent's model is loading, and hit is then unchanged
          * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
-         * @throws RangeError if the motion is not finite
+         * @throws RangeError if a part of the motion is more than 1e9 either way, or not a number
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
@@ -531,7 +535,8 @@ package starlogo.queries
          *     1
          * @return the free part of the way, from 0 to 1
          * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
-         * @throws RangeError if the motion is not finite. The agent has then not moved
+         * @throws RangeError if a part of the motion is more than 1e9 either way or not a number, or if the agent would leave the world. It has then
+         *     not moved
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code> for an agent in the list
          */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
@@ -595,10 +600,7 @@ package starlogo.queries
             {
                 throw new ArgumentError("a point is needed, not null");
             }
-            if (!isFinite(point.x) || !isFinite(point.y) || !isFinite(point.z))
-            {
-                throw new RangeError("a point must be finite: " + point);
-            }
+            requireInWorld("a point", point.x, point.y, point.z);
         }
     }
 }

@@ -2,10 +2,10 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
+    import starlogo.geometry.requireInWorld;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
 
@@ -136,13 +136,10 @@ package starlogo.queries
         public function begin(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, reach:Number = 0,
                 up:Number = 0, down:Number = 0):int
         {
-            if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
+            requireInWorld("a motion", dx, dy, dz);
+            if (structure == null)
             {
-                throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
-            }
-            if (agent != null && Breeds.isReserved(agent.breedNumber))
-            {
-                throw new ArgumentError(agent + " does not move: it stands for the ground or the edges of the world");
+                _seen.placeOf(agent);
             }
             var row:int = _seen.rowOfEither(agent, structure);
             _found.begin(FoundRows.ALL, Infinity, agent, filter);

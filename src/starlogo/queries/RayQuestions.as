@@ -3,6 +3,8 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.AgentTable;
 
@@ -47,7 +49,7 @@ package starlogo.queries
         /** See AgentQueries.cast. */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
         {
-            begin(origin, direction, maxDistance, filter);
+            begin(checked(origin), direction, maxDistance, filter);
             if (filter != null && filter.accepts != null)
             {
                 return findAccepted(hit);
@@ -69,7 +71,7 @@ package starlogo.queries
         /** See AgentQueries.castAll. */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>):Vector.<RayHit>
         {
-            begin(origin, direction, maxDistance, filter);
+            begin(checked(origin), direction, maxDistance, filter);
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
             list(hits);
             if (filter != null && filter.accepts != null)
@@ -109,17 +111,28 @@ package starlogo.queries
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
+            var at:Placement = _seen.placeOf(agent);
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
             if (table.shapes[row] == null)
             {
-                out.setTo(agent.x, agent.y, agent.z);
+                out.setTo(at.x, at.y, at.z);
             }
             else
             {
                 out.setTo(table.extents.x[row], table.extents.y[row], table.extents.z[row]);
             }
             table.endGuests();
+        }
+
+        // The middles between which canSee looks may be a little outside of the world, the origin of a ray not.
+        private static function checked(origin:Vector3D):Vector3D
+        {
+            if (origin != null)
+            {
+                requireInWorld("a ray's origin", origin.x, origin.y, origin.z);
+            }
+            return origin;
         }
 
         private function begin(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void

@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
     import starlogo.collision.BaseCollider;
@@ -132,10 +133,14 @@ package starlogo.queries
             return table.rowOf(agent);
         }
 
-        /** Where an agent is now. */
+        /** Where an agent is now. Throws an ArgumentError if it is null, or has no place because it is the ground's or the edges'. */
         public function placeOf(agent:Agent):Placement
         {
             requireAgent(agent);
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
+            }
             return agent.placement;
         }
 

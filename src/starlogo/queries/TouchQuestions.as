@@ -48,6 +48,7 @@ package starlogo.queries
         /** See AgentQueries.overlapsAgent. */
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
+            _seen.placeOf(agent);
             _place.setTo(x, y, z);
             return touchesAny(agent, filter, _place);
         }

@@ -1,5 +1,7 @@
 package starlogo.queries
 {
+    import starlogo.agents.Agent;
+
     /** How an agent walks. If a property refuses a number, it keeps its old value. */
     public final class WalkOptions
     {
@@ -16,7 +18,7 @@ package starlogo.queries
         {
         }
 
-        /** The greatest height of a step that it climbs, in patches. 0 for none. @throws RangeError if it is negative or not finite */
+        /** The greatest height of a step that it climbs, in patches. 0 for none. @throws RangeError if it is negative, above 1e9 or not a number */
         public function get stepHeight():Number
         {
             return _stepHeight;
@@ -24,7 +26,7 @@ package starlogo.queries
 
         public function set stepHeight(value:Number):void
         {
-            _stepHeight = checked("stepHeight", value, Infinity);
+            _stepHeight = checked("stepHeight", value);
         }
 
         /**
@@ -40,14 +42,18 @@ package starlogo.queries
 
         public function set slopeDegrees(value:Number):void
         {
-            _slopeDegrees = checked("slopeDegrees", value, 90);
+            if (!(value >= 0 && value < 90))
+            {
+                throw new RangeError("slopeDegrees must be at least 0, and less than 90: " + value);
+            }
+            _slopeDegrees = value;
         }
 
         /**
          * The greatest depth of the ground below it, in patches, at which it stays on the ground. So it can go downhill and down steps. If
          * the ground is deeper, it falls. With 0 it stays only on ground that it touches.
          *
-         * @throws RangeError if it is negative or not finite
+         * @throws RangeError if it is negative, above 1e9 or not a number
          */
         public function get snap():Number
         {
@@ -56,14 +62,14 @@ package starlogo.queries
 
         public function set snap(value:Number):void
         {
-            _snap = checked("snap", value, Infinity);
+            _snap = checked("snap", value);
         }
 
         /**
          * How far the agent falls in one walk if it does not stand on anything, in patches. With Infinity it lands at once. With 0 it does
          * not fall, so that a game can have gravity of its own.
          *
-         * @throws RangeError if it is negative or not a number
+         * @throws RangeError if it is negative, not a number, or above 1e9 but not Infinity
          */
         public function get fall():Number
         {
@@ -72,14 +78,14 @@ package starlogo.queries
 
         public function set fall(value:Number):void
         {
-            _fall = value == Infinity ? value : checked("fall", value, Infinity);
+            _fall = value == Infinity ? value : checked("fall (if it is not Infinity)", value);
         }
 
-        private static function checked(name:String, value:Number, limit:Number):Number
+        private static function checked(name:String, value:Number):Number
         {
-            if (!(value >= 0 && value < limit))
+            if (!(value >= 0 && value <= Agent.LARGEST_COORDINATE))
             {
-                throw new RangeError(name + " must be at least 0, and less than " + limit + ": " + value);
+                throw new RangeError(name + " must be between 0 and " + Agent.LARGEST_COORDINATE + ": " + value);
             }
             return value;
         }

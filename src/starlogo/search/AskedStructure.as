@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
 
     use namespace engine;
 
@@ -37,26 +38,20 @@ package starlogo.search
          * @param row 0 for the first guest, or RowList.BOX
          * @return the row
          * @throws ArgumentError if it is null, or not a sphere, box or capsule
-         * @throws RangeError if it is not finite
+         * @throws RangeError if it is not in the world
          */
         public function readInto(table:AgentTable, structure:BoundingStructure, row:int = 0):int
         {
             require(structure);
             _placement.x = _placement.y = _placement.z = 0;
             structure.turnedExtentsInto(_placement, _extents);
-            for (var i:int = 0; i < 6; i++)
-            {
-                if (!isFinite(_extents[i]))
-                {
-                    throw new RangeError("a structure must be finite: " + structure);
-                }
-            }
+            requireInWorld("half of a structure's length", _extents[3], _extents[4], _extents[5]);
+            requireInWorld("a structure's middle", _extents[0], _extents[1], _extents[2]);
             _placement.x = -_extents[0];
             _placement.y = -_extents[1];
             _placement.z = -_extents[2];
             var shape:ModelShape = _shapes[structure.kind] ||= newShape();
             shape.setStructure(structure.place(_placement, shape.structure));
-            // the place may be farther away than an agent can be
             _agent.placement.x = _extents[0];
             _agent.placement.y = _extents[1];
             _agent.placement.z = _extents[2];

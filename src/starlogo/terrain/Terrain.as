@@ -4,6 +4,7 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
+    import starlogo.geometry.requireInWorld;
 
     use namespace engine;
 
@@ -47,10 +48,8 @@ package starlogo.terrain
             {
                 throw new RangeError("a terrain's cellWidth must be between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_COORDINATE + ": " + cellWidth);
             }
-            requireCoordinate("a terrain's x", x);
-            requireCoordinate("a terrain's y", y);
-            requireCoordinate("the end of a terrain", x + columns * cellWidth);
-            requireCoordinate("the end of a terrain", y + rows * cellWidth);
+            requireInWorld("a terrain's x and y", x, y, 0);
+            requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
             _agent = new FixtureAgent(Breeds.TERRAIN);
             _agent.terrain = this;
@@ -178,7 +177,7 @@ package starlogo.terrain
             }
             for (var i:int = 0; i < heights.length; i++)
             {
-                requireCoordinate("a terrain's height", heights[i]);
+                requireInWorld("a terrain's height", heights[i], 0, 0);
             }
             for (i = 0; i < heights.length; i++)
             {
@@ -196,13 +195,12 @@ package starlogo.terrain
          */
         public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
         {
-            requireCoordinate("a mound's x", x);
-            requireCoordinate("a mound's y", y);
-            requireCoordinate("a mound's height", height);
+            requireInWorld("a mound's place and height", x, y, height);
+            requireInWorld("a mound's width", width, 0, 0);
             var reach:Number = width / 2 / grid.cellWidth;
             var middleColumn:Number = (x - grid.x) / grid.cellWidth;
             var middleRow:Number = (y - grid.y) / grid.cellWidth;
-            if (!(width > 0 && width < Infinity && middleColumn + reach >= 0 && middleColumn - reach < grid.columns && middleRow + reach >= 0
+            if (!(width > 0 && middleColumn + reach >= 0 && middleColumn - reach < grid.columns && middleRow + reach >= 0
                         && middleRow - reach < grid.rows))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
@@ -237,6 +235,7 @@ package starlogo.terrain
          */
         public function raiseWall(x:Number, y:Number, height:Number):void
         {
+            requireInWorld("a wall's place", x, y, 0);
             // in cells, from the outer corner of the first column
             var toX:Number = (x - grid.x) / grid.cellWidth + 0.5;
             var toY:Number = (y - grid.y) / grid.cellWidth + 0.5;
@@ -259,9 +258,11 @@ package starlogo.terrain
          * How high the ground is at a place. At a border between columns it is the height of the higher column.
          *
          * @return NaN outside of the terrain
+         * @throws RangeError if the place is not in the world
          */
         public function heightAt(x:Number, y:Number):Number
         {
+            requireInWorld("a place", x, y, 0);
             grid.placeX = x;
             grid.placeY = y;
             grid.findHeight();
@@ -274,6 +275,7 @@ package starlogo.terrain
          *
          * @param out takes it; made if null
          * @return out, or the new one; null outside of the terrain
+         * @throws RangeError if the place is not in the world
          */
         public function normalAt(x:Number, y:Number, out:Vector3D = null):Vector3D
         {
@@ -332,14 +334,6 @@ package starlogo.terrain
                 }
             }
             return greys;
-        }
-
-        private static function requireCoordinate(what:String, value:Number):void
-        {
-            if (!(value >= -Agent.LARGEST_COORDINATE && value <= Agent.LARGEST_COORDINATE))
-            {
-                throw new RangeError(what + " must be between " + -Agent.LARGEST_COORDINATE + " and " + Agent.LARGEST_COORDINATE + ": " + value);
-            }
         }
     }
 }

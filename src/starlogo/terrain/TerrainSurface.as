@@ -39,12 +39,17 @@ package starlogo.terrain
          * @param maxX its greatest x
          * @param maxY its greatest y
          * @throws ArgumentError if the terrain is null
+         * @throws RangeError if a border is not a number
          */
         public function TerrainSurface(terrain:Terrain, minX:Number = Number.NEGATIVE_INFINITY, minY:Number = Number.NEGATIVE_INFINITY, maxX:Number = Infinity, maxY:Number = Infinity)
         {
             if (terrain == null)
             {
                 throw new ArgumentError("there is no terrain to draw: null");
+            }
+            if (isNaN(minX) || isNaN(minY) || isNaN(maxX) || isNaN(maxY))
+            {
+                throw new RangeError("the borders of a rectangle must be numbers, not " + [minX, minY, maxX, maxY]);
             }
             _grid = terrain.grid;
             var first:int = within(Math.ceil((minX - _grid.x) / _grid.cellWidth), 0, _grid.columns);

@@ -386,8 +386,8 @@ package starlogo.queries
             {
                 assertThrows(ArgumentError, /origin and a direction, not null/, question, null, up);
                 assertThrows(ArgumentError, /and null/, question, zero, null);
-                assertThrows(ArgumentError, /origin must be finite/, question, new Vector3D(0, NaN, 0), up);
-                assertThrows(ArgumentError, /origin must be finite/, question, new Vector3D(0, 0, -Infinity), up);
+                assertThrows(RangeError, /origin must be .*finite.*: NaN/, question, new Vector3D(0, NaN, 0), up);
+                assertThrows(RangeError, /origin must be .*finite.*: -Infinity/, question, new Vector3D(0, 0, -Infinity), up);
                 assertThrows(ArgumentError, /needs a direction/, question, zero, zero);
                 assertThrows(ArgumentError, /needs a direction/, question, zero, new Vector3D(0, NaN, 1));
                 assertThrows(RangeError, /maxDistance must not be negative: -1/, question, zero, up, -1);

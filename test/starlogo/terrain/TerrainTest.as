@@ -354,7 +354,7 @@ package starlogo.terrain
                     function():void
                     {
                         _terrain.raiseWall(0, NaN, 1);
-                    }, "(0, NaN)",
+                    }, "NaN",
                     function():void
                     {
                         _terrain.raiseWall(0, 0, NaN);

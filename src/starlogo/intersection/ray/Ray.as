@@ -91,17 +91,13 @@ package starlogo.intersection.ray
         /**
          * Sets the ray to begin at a point in a direction of any length.
          *
-         * @throws ArgumentError if one of them is null or not finite, or if the direction is 0
+         * @throws ArgumentError if one of them is null, or if the direction is 0 or not finite
          */
         public function aim(origin:Vector3D, direction:Vector3D):void
         {
             if (origin == null || direction == null)
             {
                 throw new ArgumentError("a ray needs an origin and a direction, not " + origin + " and " + direction);
-            }
-            if (!(Math.abs(origin.x) + Math.abs(origin.y) + Math.abs(origin.z) < Infinity))
-            {
-                throw new ArgumentError("a ray's origin must be finite: " + origin);
             }
             var largest:Number = Math.max(Math.abs(direction.x), Math.abs(direction.y));
             largest = Math.max(largest, Math.abs(direction.z));

@@ -1,0 +1,26 @@
+package starlogo.geometry
+{
+    /**
+     * Throws a RangeError if one of three numbers is not in the world: not a number, or beyond Agent.LARGEST_COORDINATE. Everything that a
+     * game passes goes through it: points, places, motions, and the middles and the half lengths of structures.
+     *
+     * @param what names the numbers in the message
+     * @param x a coordinate; y and z are others, or 0
+     * @private
+     */
+    public function requireInWorld(what:String, x:Number, y:Number, z:Number):void
+    {
+        var most:Number = 1e9;
+        // each comparison is false for NaN too
+        if (!(x >= -most && x <= most && y >= -most && y <= most && z >= -most && z <= most))
+        {
+            // the largest one, because an infinite coordinate of a structure makes others NaN
+            var wrong:Number = NaN;
+            for each (var value:Number in [x, y, z])
+            {
+                wrong = Math.abs(value) > most && !(Math.abs(value) <= Math.abs(wrong)) ? value : wrong;
+            }
+            throw new RangeError(what + " must be between " + -most + " and " + most + ", a finite number: " + wrong);
+        }
+    }
+}

@@ -2,14 +2,15 @@ import http from 'node:http';
 import sirv from 'sirv';
 
 /**
- * Serves folders on loopback, each below a path of its own, and one page at `/`.
+ * Serves folders, each below a path of its own, and one page at `/`.
  *
  * @param {string | null} page the page's HTML, if there is one
  * @param {Record<string, string>} folders what to serve: path ('/assets', or '' for all other) to folder; the first that fits counts
- * @param {{port?: number, headers?: Record<string, string>}} options the port, any free one unless told; what every answer says
+ * @param {{port?: number, host?: string, headers?: Record<string, string>}} options the port, any free one unless told; the address to listen on, loopback
+ * unless told; what every answer says
  * @returns {Promise<{url: string, close: () => void}>}
  */
-export async function serve(page, folders, { port = 0, headers = {} } = {}) {
+export async function serve(page, folders, { port = 0, host = '127.0.0.1', headers = {} } = {}) {
 	const mounts = Object.entries(folders).map(([path, folder]) => ({
 		path,
 		handle: sirv(folder, { dev: true, etag: false }),
@@ -37,10 +38,10 @@ export async function serve(page, folders, { port = 0, headers = {} } = {}) {
 	});
 	await new Promise((resolve, reject) => {
 		server.once('error', reject);
-		server.listen(port, '127.0.0.1', resolve);
+		server.listen(port, host, resolve);
 	});
 	return {
-		url: `http://127.0.0.1:${server.address().port}/`,
+		url: `http://${host === '0.0.0.0' || host === '::' ? '127.0.0.1' : host}:${server.address().port}/`,
 		close: () => {
 			server.close();
 			server.closeAllConnections?.();

@@ -52,31 +52,47 @@ package starlogo.geometry.hull
         public var offset:Number;
 
         /** The first point on the list of points beyond this face, or -1 if there is none. */
-        public var firstOutside:int = -1;
+        public var firstOutside:int;
 
         /** The point on that list that is farthest from the plane, or -1 if there is none. */
-        public var farthest:int = -1;
+        public var farthest:int;
 
         /** The farthest point's distance from the plane. */
-        public var farthestDistance:Number = 0;
+        public var farthestDistance:Number;
+
+        /** The faces before and after this one in a list of OutsidePoints, or null. */
+        public var before:HullFace = null;
+
+        /** @copy #before */
+        public var after:HullFace = null;
 
         /** Whether a vertex that was added later lies beyond this face. Then the face is no longer part of the hull. */
-        public var isBuried:Boolean = false;
+        public var isBuried:Boolean;
 
         /** Whether a walk over the finished hull has visited this face. */
-        public var isVisited:Boolean = false;
+        public var isVisited:Boolean;
+
+        /** Creates a face without corners. */
+        public function HullFace()
+        {
+        }
 
         /**
+         * Makes this a new face, which has no neighbours yet, and no points beyond it. A buried face may become a new one.
+         *
          * @param points x, y, z of every point
          * @param a index of the first corner
          * @param b index of the second, counter-clockwise seen from outside
          * @param c index of the third
          */
-        public function HullFace(points:Vector.<Number>, a:int, b:int, c:int)
+        public function setTo(points:Vector.<Number>, a:int, b:int, c:int):void
         {
             this.a = a;
             this.b = b;
             this.c = c;
+            firstOutside = farthest = -1;
+            farthestDistance = 0;
+            isBuried = isVisited = false;
             var i:int = 3 * a;
             var x:Number = points[i];
             var y:Number = points[i + 1];

@@ -11,11 +11,17 @@ package starlogo.geometry.hull
         private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
         private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
+        // Twice each level's distance is the distance of the next. No distance in the grid reaches the last level's.
+        private static const LEVELS:int = 27;
+
         private var _points:Vector.<Number>;
 
-        // For each point, the next point on its face's list, or -1. The faces that have received a list.
+        // For each point, the next point on its face's list, or -1.
         private var _next:Vector.<int>;
-        private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
+
+        // The faces that have received a list, in a list for each level of their farthest points' distances. Each begins with a face that
+        // is not of the hull.
+        private var _pending:Vector.<HullFace> = new Vector.<HullFace>(LEVELS, true);
 
         // The current redistribution: the lists, the next list, the next point on the list before it or -1, and the point that is left out.
         private var _lists:Vector.<HullFace> = null;
@@ -30,20 +36,66 @@ package starlogo.geometry.hull
         {
             _points = points;
             _next = new Vector.<int>(points.length / 3);
+            for (var i:int = 0; i < LEVELS; i++)
+            {
+                _pending[i] = new HullFace();
+            }
         }
 
-        /** Returns a face of the hull that has points beyond it, each face once. Returns null if there is none. */
+        /**
+         * Returns the face of the hull whose farthest point is farthest from it, up to a factor of 2. Returns null if no face has points
+         * beyond it.
+         *
+         * <p>So the hull becomes finer everywhere at the same time. If one part of a curve were finished first, each vertex of the opposite
+         * part would see most of its faces.</p>
+         */
         public function nextFace():HullFace
         {
-            while (_pending.length > 0)
+            for (var level:int = LEVELS - 1; level >= 0; level--)
             {
-                var face:HullFace = _pending.pop();
-                if (!face.isBuried && face.farthest >= 0)
+                if (_pending[level].after != null)
                 {
-                    return face;
+                    return _pending[level].after;
                 }
             }
             return null;
+        }
+
+        // Lists faces that have received all of their points.
+        private function list(faces:Vector.<HullFace>):void
+        {
+            for each (var face:HullFace in faces)
+            {
+                if (face.farthest >= 0)
+                {
+                    var level:int = 0;
+                    for (var distance:Number = face.farthestDistance; distance > 1; distance /= 2)
+                    {
+                        level++;
+                    }
+                    face.before = _pending[level];
+                    face.after = face.before.after;
+                    face.before.after = face;
+                    if (face.after != null)
+                    {
+                        face.after.before = face;
+                    }
+                }
+            }
+        }
+
+        /** Removes a face that was buried from the list that it is on, if there is one. */
+        public function remove(face:HullFace):void
+        {
+            if (face.before != null)
+            {
+                face.before.after = face.after;
+            }
+            if (face.after != null)
+            {
+                face.after.before = face.before;
+            }
+            face.before = face.after = null;
         }
 
         /** Whether lists are being redistributed. */
@@ -96,6 +148,7 @@ package starlogo.geometry.hull
                 else
                 {
                     _lists = null;
+                    list(faces);
                     break;
                 }
             }
@@ -142,10 +195,6 @@ package starlogo.geometry.hull
 
         private function put(point:int, face:HullFace, distance:Number):void
         {
-            if (face.firstOutside < 0)
-            {
-                _pending.push(face);
-            }
             _next[point] = face.firstOutside;
             face.firstOutside = point;
             if (distance > face.farthestDistance + CERTAIN)

@@ -10,8 +10,8 @@ package starlogo.geometry.hull
      * are whole numbers up to 2^25, so a face's normal is exact in one double, and a point's side of the face is exact in two. So coplanar,
      * collinear and duplicate points need no special case: a point in a face's plane does not see that face.</p>
      *
-     * <p>The cost is about n log n for n points. The worst case is quadratic, but no model comes near it. A step takes one or two
-     * milliseconds.</p>
+     * <p>The cost is about n log n for n points, for curves and rings too: OutsidePoints chooses the next vertex so that few faces see it. A
+     * step takes one or two milliseconds.</p>
      *
      * @private
      */
@@ -39,6 +39,9 @@ package starlogo.geometry.hull
         // For the current vertex, the faces that it sees and the new faces.
         private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();
+
+        // Buried faces that become new ones.
+        private var _spare:Vector.<HullFace> = new Vector.<HullFace>();
 
         // After the hull is built: all of its faces, how many of them the walk has passed, and how many edges meet at each point. Edges
         // inside of a flat side are not counted.
@@ -87,8 +90,8 @@ package starlogo.geometry.hull
             _outside = new OutsidePoints(_points);
             _faceFrom = new Vector.<HullFace>(count);
             // A triangle with two sides. One of them sees the fourth corner.
-            var front:HullFace = new HullFace(_points, a, b, c);
-            var back:HullFace = new HullFace(_points, a, c, b);
+            var front:HullFace = newFace(a, b, c);
+            var back:HullFace = newFace(a, c, b);
             front.acrossAB = front.acrossBC = front.acrossCA = back;
             back.acrossAB = back.acrossBC = back.acrossCA = front;
             var seesFront:Boolean = front.side(_points, d) > 0;
@@ -146,10 +149,13 @@ package starlogo.geometry.hull
         // Fills _seen with the faces that the eye sees, and _created with a face from the eye to each edge around them.
         private function findFaces(eye:int, face:HullFace):void
         {
+            for each (var old:HullFace in _seen)
+            {
+                _spare.push(old);
+            }
             _created.length = 0;
             _seen.length = 0;
-            face.isBuried = true;
-            _seen.push(face);
+            bury(face);
             for (var i:int = 0; i < _seen.length; i++)
             {
                 face = _seen[i];
@@ -168,15 +174,28 @@ package starlogo.geometry.hull
             }
             if (neighbor.side(_points, eye) > 0)
             {
-                neighbor.isBuried = true;
-                _seen.push(neighbor);
+                bury(neighbor);
                 return;
             }
-            var created:HullFace = new HullFace(_points, from, to, eye);
+            var created:HullFace = newFace(from, to, eye);
             created.acrossAB = neighbor;
             neighbor.setNeighbor(to, from, created);
             _faceFrom[from] = created;
             _created.push(created);
+        }
+
+        private function bury(face:HullFace):void
+        {
+            face.isBuried = true;
+            _outside.remove(face);
+            _seen.push(face);
+        }
+
+        private function newFace(a:int, b:int, c:int):HullFace
+        {
+            var face:HullFace = _spare.length > 0 ? _spare.pop() : new HullFace();
+            face.setTo(_points, a, b, c);
+            return face;
         }
 
         private function startWalk():void
@@ -254,7 +273,7 @@ package starlogo.geometry.hull
 
         private function restart(corners:Vector.<int>):void
         {
-            var base:HullFace = new HullFace(_points, corners[0], corners[1], corners[2]);
+            var base:HullFace = newFace(corners[0], corners[1], corners[2]);
             var i:int = 3;
             while (base.side(_points, corners[i]) == 0)
             {

@@ -5,12 +5,12 @@
 import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
 import { chiefOf } from "./shared/files.js";
-import { speak, texts } from "./shared/language.js";
+import { further, learnClass, speak, texts } from "./shared/language.js";
 
-/** The languages, each with its own name and its words. */
+/** The languages, each with its own name, its words, and those for teachers. */
 const LANGUAGES = {
-	en: { name: "English", load: () => import("./languages/en.js") },
-	de: { name: "Deutsch", load: () => import("./languages/de.js") },
+	en: { name: "English", load: () => import("./languages/en.js"), loadClass: () => import("./languages/class/en.js") },
+	de: { name: "Deutsch", load: () => import("./languages/de.js"), loadClass: () => import("./languages/class/de.js") },
 };
 const LANGUAGE_KEY = "starlogo-playground.language";
 
@@ -19,7 +19,7 @@ const VIEWS = {
 	inspect: () => import("./inspect/view.js"),
 	compare: () => import("./compare/view.js"),
 	measure: () => import("./measure/view.js"),
-	teach: () => import("./teach/view.js"),
+	teach: () => learnClass().then(() => import("./teach/view.js")),
 };
 
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
@@ -60,6 +60,7 @@ async function begin() {
 	lendColours(document.documentElement);
 	const code = languageOf();
 	speak((await LANGUAGES[code].load()).texts);
+	further.load = LANGUAGES[code].loadClass;
 	document.documentElement.lang = code;
 	document.querySelector("h1 span").textContent = texts.page.name;
 	const views = document.getElementById("views");
@@ -76,10 +77,11 @@ async function begin() {
 let main = document.getElementById("view");
 let shown = null;
 
-/** The view in the address and its argument: #play/abc. */
+/** The view in the address and its argument: #play/abc. Play says if there is no such view. */
 function address() {
-	const [name, argument = ""] = location.hash.slice(1).split("/");
-	return { name: name in VIEWS ? name : "play", argument };
+	const hash = location.hash.slice(1);
+	const [name, argument = ""] = hash.split("/");
+	return Object.hasOwn(VIEWS, name) ? { name, argument } : { name: "play", argument: hash };
 }
 
 async function show() {

@@ -231,7 +231,7 @@ test('the first three lessons are done with fingers, from the first screen on; n
 
 test('a game of one\'s own is made, named, kept, shared and opened elsewhere, with its collision system', async () => {
 	const { page, said, leave } = await open(site, 'play', Desktop);
-	await page.locator('.gallery').getByRole('button', { name: 'New' }).click();
+	await page.locator('.gallery').locator('.new').click();
 	await titled(page, 'My program');
 	assert.equal(await page.textContent('.keeping'), '✓ kept');
 	assert.deepEqual((await agents(page)).map(({ breed }) => breed), ['bears']);

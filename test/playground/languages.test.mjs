@@ -8,7 +8,8 @@ import { isChromium } from '../headless/browsers.mjs';
 import { begin, drawNothing, open, ready, root } from './browser.mjs';
 
 const folder = path.join(root, 'js/playground/languages');
-const languages = Object.fromEntries(await Promise.all(readdirSync(folder).map(async (file) => [path.parse(file).name, (await import(pathToFileURL(path.join(folder, file)).href)).texts])));
+const wordsIn = async (file) => (await import(pathToFileURL(path.join(folder, file)).href)).texts;
+const languages = Object.fromEntries(await Promise.all(readdirSync(folder).filter((file) => file.endsWith('.js')).map(async (file) => [path.parse(file).name, { ...await wordsIn(file), ...await wordsIn(`class/${file}`) }])));
 const { en, ...others } = languages;
 const German = { locale: 'de-AT', viewport: { width: 1366, height: 768 }, isDrawn: false };
 
@@ -25,7 +26,7 @@ function flat(words, name = '') {
 }
 
 /** Names of keys, systems and the like, and words that languages share. */
-const SHARED = /^(numbers|traits\.[xyz]|inspect\.(ups|time)|blocks\.(traits\.[xyz]|mouse\.[xy]|comparisons|arithmetic|keys\.[wasd]|logic_|math_number|math_arithmetic|variables_get|starlogo_agent|starlogo_pick)|play\.keysOf|blockly\.|compare\.system$|questions\.other|play\.(another|speeds|after|panel\.tests)|gallery\.name|colours\.orange)/;
+const SHARED = /^(numbers|traits\.[xyz]|inspect\.(ups|time)|blocks\.(traits\.[xyz]|mouse\.[xy]|comparisons|arithmetic|keys\.[wasd]|logic_|math_number|math_arithmetic|variables_get|starlogo_agent|starlogo_pick)|play\.keysOf|blockly\.|compare\.system$|questions\.other|play\.(another|speeds|after|panel\.tests)|gallery\.name|handing\.name|colours\.orange)/;
 const isOfSigns = (text) => !/\p{L}/u.test(text.replaceAll(/%\d/g, ''));
 
 for (const [code, words] of Object.entries(others)) {

@@ -275,7 +275,7 @@ test('Measure: times of each system, live, in a chart that is kept, downloaded, 
 	assert.deepEqual(said.splice(0), []);
 });
 
-test('for teachers: each lesson has a page that is printed on one sheet, its time, and a link that opens it', async () => {
+test('for teachers: each lesson has a page that is printed on one sheet, the solution on a second one, its time, and a link that opens it', async () => {
 	const { page, said } = await shared('teach');
 	const links = await page.locator('.sheet tbody tr').evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('a')].map((each) => each.getAttribute('href'))));
 	assert.equal(links.length, 10);
@@ -292,9 +292,10 @@ test('for teachers: each lesson has a page that is printed on one sheet, its tim
 		await page.waitForSelector(`[data-drawn="${sheet.split('/')[1]}"]`);
 		assert.ok(await page.evaluate(() => document.querySelector('.shown').naturalWidth) === 800);
 		const { blocks, isCut, overlap } = await page.evaluate(() => {
-			const { right, bottom } = document.querySelector('.shown-blocks').getBoundingClientRect();
-			const boxes = [...document.querySelectorAll('.shown-blocks .blocklyBlockCanvas .blocklyPath')].map((each) => each.getBoundingClientRect());
-			const scripts = [...document.querySelectorAll('.shown-blocks .blocklyBlockCanvas > *')].map((each) => each.getBoundingClientRect());
+			const given = document.querySelector('.shown-blocks');
+			const { right, bottom } = given.getBoundingClientRect();
+			const boxes = [...given.querySelectorAll('.blocklyBlockCanvas .blocklyPath')].map((each) => each.getBoundingClientRect());
+			const scripts = [...given.querySelectorAll('.blocklyBlockCanvas > *')].map((each) => each.getBoundingClientRect());
 			const overlaps = scripts.flatMap((a, i) => scripts.slice(i + 1).filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom));
 			return { blocks: boxes.length, isCut: boxes.some((box) => box.right > right + 1 || box.bottom > bottom + 1), overlap: scripts.length > 1 ? overlaps.length : -1 };
 		});
@@ -304,6 +305,13 @@ test('for teachers: each lesson has a page that is printed on one sheet, its tim
 		// A4 at 96 pixels an inch, with margins of half an inch
 		await page.setViewportSize({ width: 698, height: 1026 });
 		assert.ok(await page.evaluate(() => document.querySelector('.sheet').scrollHeight) <= 1026, sheet);
+		// the solution is on a second page, which can stay with the teacher
+		const { height, breaks, words, solved } = await page.evaluate(() => {
+			const second = document.querySelector('.solution');
+			return { height: second.scrollHeight, breaks: getComputedStyle(second).breakBefore, words: document.querySelector('.sheet').textContent, solved: second.querySelectorAll('.shown-blocks .blocklyPath').length };
+		});
+		assert.ok(height <= 1026 && breaks === 'page' && solved >= blocks, `${sheet}: ${height} ${breaks} ${solved}`);
+		assert.doesNotMatch(words, /A solution/);
 		assert.equal(await page.locator('.bar').isVisible(), false);
 		await page.emulateMedia({ media: 'screen' });
 	}

@@ -248,7 +248,7 @@ test('broken programs and links say so, and leave what was there', async () => {
 	assert.equal((await agents(page, 'bears')).length, 1);
 	await leave();
 	const other = await open(site, 'play/nonsense', Desktop);
-	assert.equal(await say(other.page), 'The program in this link could not be read.');
+	assert.equal(await say(other.page), 'Nothing is at the address “nonsense”. Perhaps a letter is wrong. Here are the lessons and games.');
 	await other.leave();
 });
 

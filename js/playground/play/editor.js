@@ -162,8 +162,9 @@ function meetAll(program) {
  * @param {HTMLElement} host as wide as the picture
  * @param {object} program in Blockly's notation
  * @param {number} highest the largest height of the picture, in pixels
+ * @param {number} smallest the smallest scale; with it the picture may be higher
  */
-export function showBlocks(host, program, highest) {
+export function showBlocks(host, program, highest, smallest = 0) {
 	meetAll(program);
 	const workspace = adoptStyles(() => Blockly.inject(host, { theme: themes.light, renderer: "zelos", media: MEDIA, sounds: false, readOnly: true, trashcan: false, zoom: { minScale: 0.1 }, move: { scrollbars: false, drag: false, wheel: false } }));
 	Blockly.serialization.workspaces.load(program, workspace);
@@ -182,7 +183,8 @@ export function showBlocks(host, program, highest) {
 		ends[column] += height + 2 * MARGIN;
 		widths[column] = Math.max(widths[column], width);
 	});
-	const scale = Math.min(SCALE, host.clientWidth / (widths[0] + widths[1] + 3 * MARGIN), highest / Math.max(...ends));
+	const widest = Math.min(SCALE, host.clientWidth / (widths[0] + widths[1] + 3 * MARGIN));
+	const scale = Math.min(widest, Math.max(smallest, highest / Math.max(...ends)));
 	workspace.setScale(scale);
 	host.style.height = `${Math.ceil(Math.max(...ends) * scale)}px`;
 	Blockly.svgResize(workspace);

@@ -8,8 +8,9 @@ export class Home {
 	/**
 	 * @param {import("./programs.js").Programs} programs
 	 * @param {HTMLElement} main shows the screen instead of everything else
+	 * @param {string} note why it is shown, if the user has not asked for it
 	 */
-	constructor(programs, main) {
+	constructor(programs, main, note) {
 		Object.assign(this, { programs, main });
 		this.heading = h("h2", { tabindex: "-1" }, words.title);
 		const isOpen = Boolean(programs.view.editor);
@@ -17,7 +18,9 @@ export class Home {
 			if (key === "Escape" && isOpen) this.#close();
 		} },
 		h("div.head", {}, h("div", {}, this.heading, h("p.intro", {}, texts.play.intro)), isOpen ? button(words.close, () => this.#close()) : null),
-		...programs.groups.map((group) => this.#group(group)));
+		note ? h("p.status.problem", { role: "alert" }, note) : null,
+		...programs.groups.map((group) => this.#group(group)),
+		h("div.tools", {}, button(words.handIn, () => programs.handIn()), button(words.nextPupil, () => programs.nextPupil())));
 		main.append(this.element);
 		main.classList.add("choosing");
 		scrollTo(0, 0);

@@ -1,5 +1,5 @@
 /** The user's own models. The browser keeps them between visits, if it can. */
-import { contentOf } from "../shared/files.js";
+import { contentOf, toBytes, toText } from "../shared/files.js";
 import { parseModel } from "../shared/models.js";
 import { texts } from "../shared/language.js";
 import { meet } from "./blocks.js";
@@ -42,6 +42,12 @@ export class Models {
 		this.view = view;
 	}
 
+	/** The files of all models that the browser keeps, as text. */
+	static async kept() {
+		const all = await within((store) => store.getAll()).catch(() => []);
+		return Object.fromEntries(all.map(({ name, bytes }) => [name, toText(bytes)]));
+	}
+
 	get names() {
 		return [...this.#known.keys()];
 	}
@@ -77,9 +83,7 @@ export class Models {
 		}
 		let name = this.#nameOf(bytes);
 		if (name === null) {
-			const title = file.name.replace(MODEL_FILE, "");
-			name = title;
-			for (let number = 2; this.view.models.has(name); number++) name = words.another(title, number);
+			name = this.#freeName(file.name.replace(MODEL_FILE, ""));
 			try {
 				await this.#take(name, bytes);
 			} catch (error) {
@@ -88,6 +92,46 @@ export class Models {
 			}
 		}
 		await this.#keep(name, bytes);
+	}
+
+	/** The user's own models in a program: their names and their files as text. */
+	in(program) {
+		const found = {};
+		JSON.stringify(program, (key, value) => {
+			if (key === "SHAPE" && this.#known.has(value)) found[value] = toText(this.#known.get(value));
+			return value;
+		});
+		return found;
+	}
+
+	/**
+	 * Takes the models that came with a program.
+	 *
+	 * @param {object} program
+	 * @param {Record<string, string>} models by their names, their files as text
+	 * @returns {Promise<object>} the program with the names that the models have here
+	 */
+	async bring(program, models) {
+		const names = new Map();
+		for (const [name, text] of Object.entries(models)) {
+			try {
+				const bytes = toBytes(text);
+				const here = this.#nameOf(bytes) ?? this.#freeName(name);
+				if (!this.#known.has(here)) await this.#take(here, bytes);
+				await this.#keep(here, bytes);
+				names.set(name, here);
+			} catch (error) {
+				this.view.say(words.brokenModel(error.message), true);
+			}
+		}
+		return JSON.parse(JSON.stringify(program, (key, value) => (key === "SHAPE" ? names.get(value) ?? value : value)));
+	}
+
+	/** A name that no shape has. */
+	#freeName(title) {
+		let name = title;
+		for (let number = 2; this.view.models.has(name); number++) name = words.another(title, number);
+		return name;
 	}
 
 	/** The name of a file that was added before, or null. */
@@ -104,6 +148,11 @@ export class Models {
 		} catch {
 			this.view.say(words.newShapeForNow(name), true);
 		}
+	}
+
+	/** Makes the browser forget all models. */
+	forgetAll() {
+		return within((store) => store.clear()).catch(() => {});
 	}
 
 	/** Makes the browser forget a model. This can be undone. */

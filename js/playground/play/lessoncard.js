@@ -24,6 +24,15 @@ class Ticks {
 
 	add(name) {
 		this.#names.add(name);
+		this.#keep();
+	}
+
+	clear() {
+		this.#names.clear();
+		this.#keep();
+	}
+
+	#keep() {
 		try {
 			localStorage.setItem(KEY, JSON.stringify([...this.#names]));
 		} catch {
@@ -38,10 +47,23 @@ export class LessonCard {
 	#ticks = new Ticks();
 	#lessons = null;
 
-	/** @param {(name: string|null) => void} onOpen called to open a lesson's program; with null to leave the lesson */
-	constructor(onOpen) {
-		this.onOpen = onOpen;
+	/**
+	 * @param {(name: string|null) => void} onOpen called to open a lesson's program; with null to leave the lesson
+	 * @param {Record<string, () => void>} onward what follows the last lesson, by the names of its words
+	 */
+	constructor(onOpen, onward) {
+		Object.assign(this, { onOpen, onward });
 		this.element = h("div.lead", { hidden: true });
+	}
+
+	/** The lessons that were done and the games that were won. */
+	get results() {
+		return { done: LESSON_NAMES.filter((name) => this.isDone(name)), won: Object.keys(texts.play.games).filter((name) => this.isWon(name)) };
+	}
+
+	/** Forgets what was done, for the browser's next user. */
+	forget() {
+		this.#ticks.clear();
 	}
 
 	/** Whether a lesson has been done, now or earlier. */
@@ -72,7 +94,8 @@ export class LessonCard {
 		const { title, text, challenge, hint } = words.list[name];
 		const go = (to) => () => this.onOpen(LESSON_NAMES[to]);
 		this.sign = h("p.why", { role: "status" });
-		this.next = button(words.next, go(at + 1), { disabled: at === LESSON_NAMES.length - 1 });
+		this.isLast = at === LESSON_NAMES.length - 1;
+		this.next = this.isLast ? button(words.onward.games, this.onward.games) : button(words.next, go(at + 1));
 		this.heading = h("h2", { tabindex: "-1" }, title);
 		const fold = button("", () => this.#fold(!card.classList.contains("folded")), { class: "fold" });
 		const card = h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
@@ -104,6 +127,7 @@ export class LessonCard {
 		if (!this.isDone(this.#name)) return;
 		const isAll = LESSON_NAMES.every((name) => this.isDone(name));
 		this.sign.replaceChildren(h("strong.done", {}, words.done), ` ${words.list[this.#name].why}${isAll ? ` ${words.all}` : ""}`);
+		if (this.isLast) this.sign.append(h("span.onward", {}, ...["change", "own"].map((name) => button(words.onward[name], this.onward[name]))));
 		this.next.classList.add("primary");
 	}
 

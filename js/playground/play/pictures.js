@@ -1,7 +1,8 @@
 /** Draws pictures of games' beginnings, for pages that play no game. */
 import { GreatLand } from "starlogo-collision";
 import { h } from "../shared/dom.js";
-import { loadModel } from "../shared/models.js";
+import { toBytes } from "../shared/files.js";
+import { loadModel, parseModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { STAGE, Scene } from "./scene.js";
@@ -10,35 +11,67 @@ import { World } from "./world.js";
 /** The size of the pictures in pixels. It is large enough for printing. */
 export const PICTURE = [800, 500];
 
-let loading = null;
-
-async function load() {
-	const models = new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)])));
+/** What a game needs of models: the models by their names, and the engine's land of them. */
+function landOf(models) {
 	const greatLand = new GreatLand();
 	for (const model of models.values()) greatLand.addModel(model);
 	return { models, greatLand };
 }
 
-/**
- * Draws the beginning of a program's game.
- *
- * @param {object} program
- * @param {HTMLElement} parent contains the stage while it draws
- * @returns {Promise<string|null>} the picture's address; null if nothing can be drawn
- */
-export async function pictureOf(program, parent) {
-	loading ??= load();
-	const { models, greatLand } = await loading;
-	const world = new World(greatLand);
-	world.begin(program);
-	world.step();
-	const host = h("div.studio", { "aria-hidden": "true" });
-	parent.append(host);
-	const stage = new Stage(host, { ...STAGE, label: "" });
-	try {
-		return new Scene(stage, world, models, host).pictureOfGame(program, world, ...PICTURE);
-	} finally {
-		stage.close();
-		host.remove();
+let loading = null;
+const load = async () => landOf(new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)]))));
+/** The lands of pupils with models of their own. */
+const lands = new WeakMap();
+
+/** The page's land with further models, given as their files' text. */
+async function withOwn(brought, own) {
+	if (Object.keys(own).length === 0) return brought;
+	if (!lands.has(own)) {
+		const models = new Map(brought.models);
+		for (const [name, text] of Object.entries(own)) if (!models.has(name)) models.set(name, await parseModel(name, toBytes(text)));
+		lands.set(own, landOf(models));
+	}
+	return lands.get(own);
+}
+
+/** A stage that is not seen, for pictures. */
+export class Studio {
+	/** @param {HTMLElement} parent contains the stage while it draws */
+	static async open(parent) {
+		loading ??= load();
+		return new Studio(parent, await loading);
+	}
+
+	constructor(parent, brought) {
+		this.brought = brought;
+		this.host = h("div.studio", { "aria-hidden": "true" });
+		parent.append(this.host);
+		this.stage = new Stage(this.host, { ...STAGE, label: "" });
+	}
+
+	/**
+	 * Draws the beginning of a program's game.
+	 *
+	 * @param {object} program
+	 * @param {Record<string, string>} own the program's own models: their files as text
+	 * @param {number} width
+	 * @param {number} height
+	 * @returns {Promise<string|null>} the picture's address; null if nothing can be drawn
+	 */
+	async pictureOf(program, own = {}, width = PICTURE[0], height = PICTURE[1]) {
+		try {
+			const { models, greatLand } = await withOwn(this.brought, own);
+			const world = new World(greatLand);
+			world.begin(program);
+			world.step();
+			return new Scene(this.stage, world, models, this.host).pictureOfGame(program, world, width, height);
+		} catch {
+			return null;
+		}
+	}
+
+	close() {
+		this.stage.close();
+		this.host.remove();
 	}
 }

@@ -2,11 +2,12 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
-import { texts } from "../shared/language.js";
+import { learnClass, texts } from "../shared/language.js";
 import { MODEL_FILE } from "./kept.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { create, program as programOf, size, start } from "./notation.js";
-import { Shelf, fileName, fromLink, isProgram, meaning, toLink } from "./storage.js";
+import { isProgram, isWork, modelsOf } from "../shared/packing.js";
+import { Shelf, fileName, fromLink, meaning, toLink } from "./storage.js";
 
 const words = texts.play;
 /** On the first screen, the ids of models have this prefix. */
@@ -16,6 +17,12 @@ const LESSON = "lesson-";
 const FIRST = "paintball";
 /** The address's argument for the first screen. */
 const HOME = "all";
+/** Addresses of programs that a teacher has opened begin with this. */
+const HANDED = "handed-";
+/** The id of one of the user's programs. */
+const OWN = /^own-[a-z\d]+-[a-z\d]+$/;
+/** A link with a program is longer. */
+const LONGEST_NAME = 60;
 
 const library = () => import("./library.js");
 const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
@@ -41,14 +48,17 @@ export class Programs {
 	constructor(view) {
 		this.view = view;
 		this.shelf = new Shelf();
-		this.lessons = new LessonCard((name) => (name === null ? this.#leaveLesson() : this.choose(LESSON + name, true)));
+		this.lessons = new LessonCard((name) => (name === null ? this.#leaveLesson() : this.choose(LESSON + name, true)), {
+			games: () => this.openHome(), change: () => this.choose(FIRST), own: () => this.openNew(),
+		});
 		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#rename() });
 		this.kept = h("span.keeping");
 		this.element = h("div.naming", {},
 			h("div.tools", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept),
 			h("div.tools.files", {}, button(words.new, () => this.openNew()), button(words.save, () => this.#download()),
 				fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
-				button(words.share, () => this.share()), button("</>", () => this.#showJavascript(), { class: "code", "aria-label": words.javascript.title, title: words.javascript.title })));
+				button(words.share, () => this.share()), button("</>", () => this.#showJavascript(), { class: "code", "aria-label": words.javascript.title, title: words.javascript.title }),
+				button(words.print, () => this.#print()), button(texts.gallery.handIn, () => this.handIn())));
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
@@ -73,20 +83,36 @@ export class Programs {
 			if (isFirst) await this.#openLast();
 			if (isHome && !this.#home?.element.isConnected) await this.openHome();
 		} else if (isBrought(argument) || this.shelf.find(argument)) await this.choose(argument);
+		else if (argument.startsWith(HANDED)) await this.#openHanded(argument);
 		else await this.#openLink(argument);
 	}
 
 	async #openLink(argument) {
 		try {
-			const { name, ...program } = await fromLink(argument);
+			const { name, lesson, ...program } = await fromLink(argument);
 			const title = name ?? words.fromLink;
 			const mine = this.shelf.all.find((each) => each.name === title && meaning(each.program) === meaning(program));
 			if (mine) this.#show(mine.program, mine.id, title);
-			else this.#show(program, "link", title);
+			else this.#show(program, "link", title, lesson);
 		} catch {
-			if (this.#name === null) await this.#openLast();
-			this.view.say(words.brokenLink, true);
+			await this.#openNone(OWN.test(argument) ? words.keptElsewhere : argument.length > LONGEST_NAME ? words.brokenLink : words.noAddress(argument));
 		}
+	}
+
+	/** Opens a program that a pupil has handed in. */
+	async #openHanded(argument) {
+		const { handed } = await import("../shared/handed.js");
+		const found = handed.at(argument);
+		if (!found) return this.#openNone(words.handedElsewhere);
+		const { name, lesson, program, models, pupil } = found;
+		return this.#show(await this.view.own.bring(program, models), "link", words.handedBy(name, pupil), lesson);
+	}
+
+	/** Says what is wrong with an address, and shows the first screen. */
+	async #openNone(problem) {
+		if (this.#name === null) await this.#openLast();
+		this.view.say(problem, true);
+		await this.openHome(problem);
 	}
 
 	/** The program that will be opened, if it is known already. */
@@ -130,17 +156,17 @@ export class Programs {
 		}
 	}
 
-	/** Shows a program. If it is none, it throws, and the old one stays. */
-	#show(program, name, title = this.#titleOf(name)) {
+	/** Shows a program. If it is none, it throws, and the old one stays. It may come with a lesson that it belongs to. */
+	#show(program, name, title = this.#titleOf(name), lesson = null) {
 		const { view } = this;
-		const before = this.#name === null ? null : { program: this.program, name: this.#name, title: this.#title };
+		const before = this.#name === null ? null : { program: this.program, name: this.#name, title: this.#title, lesson: this.#lesson };
 		view.editor.show(program, isBrought(name) || name === "link");
 		if (before || this.#asked !== null) this.#home?.leave();
 		this.#name = name;
 		this.#isTaken = false;
 		this.#system = CollisionBlocks.systemNames.includes(program.system) ? program.system : null;
 		// a program made from a lesson's program still belongs to the lesson
-		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? null;
+		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? (LESSON_NAMES.includes(lesson) ? lesson : null);
 		this.lessons.show(this.#lesson);
 		this.#showTitle(title);
 		view.reset();
@@ -152,8 +178,8 @@ export class Programs {
 	}
 
 	/** Opens the program that another one has replaced, unchanged. */
-	#goBackTo({ program, name, title }) {
-		this.#show(program, name, title);
+	#goBackTo({ program, name, title, lesson }) {
+		this.#show(program, name, title, lesson);
 		if (name !== "link") this.shelf.last = name;
 		this.#setAddress(name);
 	}
@@ -194,12 +220,12 @@ export class Programs {
 		else history.replaceState(null, "", hash);
 	}
 
-	/** Opens the first screen: all programs and lessons, with pictures. */
-	async openHome() {
+	/** Opens the first screen: all programs and lessons, with pictures. It may say why it is shown. */
+	async openHome(note = "") {
 		if (this.view.isRunning) this.view.stop();
 		const { Home } = await import("./home.js");
 		this.#home?.leave();
-		this.#home = new Home(this, this.view.main);
+		this.#home = new Home(this, this.view.main, note);
 	}
 
 	/** The first screen's groups of programs, and what the user can do with them. */
@@ -363,26 +389,64 @@ export class Programs {
 			return;
 		}
 		try {
-			const { name, ...program } = JSON.parse(await file.text());
+			const { name, lesson, models, ...program } = JSON.parse(await file.text());
+			if (isWork(program)) {
+				this.view.say(words.isWork(file.name), true);
+				return;
+			}
 			if (!isProgram(program)) throw new Error("no program");
-			this.#open(program, name ?? file.name.replace(/\.json$/i, ""));
+			this.#open(await this.view.own.bring(program, modelsOf(models)), name ?? file.name.replace(/\.json$/i, ""), lesson);
 		} catch {
 			this.view.say(words.brokenProgram, true);
 		}
 	}
 
 	/** Opens a program as a new one of the user's. Throws if it is none. */
-	#open(program, title) {
+	#open(program, title, lesson = null) {
 		this.#asked = title;
-		this.#show(program, "link", title);
+		this.#show(program, "link", title, lesson);
 		const name = this.#putNew(title);
 		const [, back] = this.view.status.childNodes;
 		if (back) this.view.status.firstChild.textContent = words.opened(name);
 		if (!this.shelf.isKept) this.view.say(words.notKept, true);
 	}
 
+	/** The open program with its name and its lesson, for a file or a link. */
+	get #whole() {
+		return { name: this.#title, ...(this.#lesson && { lesson: this.#lesson }), ...this.program };
+	}
+
 	#download() {
-		hand(JSON.stringify({ name: this.#title, ...this.program }, null, 1), `${fileName(this.#title)}.json`, "application/json");
+		const models = this.view.own.in(this.program);
+		hand(JSON.stringify({ ...this.#whole, ...(Object.keys(models).length > 0 && { models }) }, null, 1), `${fileName(this.#title)}.json`, "application/json");
+	}
+
+	/** Opens the dialog that hands in all of the user's work. */
+	async handIn() {
+		await learnClass();
+		const { handIn } = await import("./handin.js");
+		handIn(this);
+	}
+
+	/** Opens the dialog that makes the browser forget this pupil. */
+	async nextPupil() {
+		await learnClass();
+		const { nextPupil } = await import("./handin.js");
+		nextPupil(this);
+	}
+
+	/** Opens a page that prints the program. */
+	async #print() {
+		location.hash = `teach/${this.#name === "link" ? await toLink(this.#whole) : this.#name}`;
+	}
+
+	/** Makes the browser forget everything of its user, for the next one. */
+	async forgetAll() {
+		this.shelf.forget();
+		this.lessons.forget();
+		await this.view.own.forgetAll();
+		location.hash = `play/${HOME}`;
+		location.reload();
 	}
 
 	async #showJavascript() {
@@ -392,14 +456,16 @@ export class Programs {
 
 	async share() {
 		const address = new URL(location.href);
-		address.hash = `play/${await toLink({ name: this.#title, ...this.program })}`;
+		address.hash = `play/${await toLink(this.#whole)}`;
+		const models = Object.keys(this.view.own.in(this.program));
+		const but = location.protocol === "file:" ? ` ${words.sharedFile}` : models.length > 0 ? ` ${words.sharedWithout(models.join(", "))}` : "";
 		try {
 			await navigator.clipboard.writeText(address.href);
-			this.view.say(words.shared);
+			this.view.say(words.shared + but);
 		} catch {
 			const link = h("input.address", { type: "text", readonly: true, value: address.href, "aria-label": words.link });
 			this.view.say(words.sharedHere);
-			this.view.status.append(" ", link);
+			this.view.status.append(" ", link, but);
 			link.select();
 		}
 	}

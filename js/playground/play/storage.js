@@ -1,4 +1,5 @@
 /** Stores programs: in the browser, each under its own name, in files, and in links. */
+import { isProgram, packed, unpacked } from "../shared/packing.js";
 
 const KEY = "starlogo-playground.programs";
 /** The key for the last program, from a release in which programs had no names. */
@@ -39,6 +40,12 @@ export class Shelf {
 
 	remove(id) {
 		this.#write(this.all.filter((each) => each.id !== id));
+	}
+
+	/** Removes all programs, and the memory of the last one. */
+	forget() {
+		this.#write([]);
+		this.last = null;
 	}
 
 	/** The id of the program that was open last. */
@@ -82,42 +89,12 @@ function read(key) {
 	}
 }
 
-/** Whether a value from outside can be a program. */
-export const isProgram = (value) => Array.isArray(value?.blocks?.blocks);
-
-/** A program without data that Blockly makes again: ids of blocks, places. */
-function bare(value, key) {
-	if (Array.isArray(value)) return value.map((each) => bare(each));
-	if (value === null || typeof value !== "object") return value;
-	const isBlock = "type" in value && key !== "variables";
-	return Object.fromEntries(Object.entries(value).filter(([name]) => !(isBlock && ["id", "x", "y"].includes(name)) && name !== "languageVersion")
-		.map(([name, each]) => [name, name === "variables" ? each : bare(each, name)]));
-}
-
-/** Frequent words in links, for the compressor. */
-const WORDS = ["starlogo_", "\"inputs\":{", "\"fields\":{", "{\"block\":{\"type\":\"", "{\"shadow\":{\"type\":\"math_number\",\"fields\":{\"NUM\":", "\"next\":{\"block\":{\"type\":\"", "\"BREED\":\"", "\"WHO\":\"", "\"SHAPE\":\"", "\"COLOUR\":", "\"STEPS\":", "\"DO\":{\"block\":{\"type\":\"", "\"collapsed\":true", "\"DEGREES\":", "\"}},", "}}}"];
-const shorten = (text) => WORDS.reduce((all, word, i) => all.replaceAll(word, String.fromCharCode(1 + i)), text);
-const lengthen = (text) => WORDS.reduceRight((all, word, i) => all.replaceAll(String.fromCharCode(1 + i), word), text);
-
-// A Response would read it in one call. But if it cannot be read, Firefox writes an error on the console.
-async function squeezed(text, stream) {
-	const parts = [];
-	const reader = new Blob([text]).stream().pipeThrough(stream).getReader();
-	for (let part = await reader.read(); !part.done; part = await reader.read()) parts.push(part.value);
-	return new Uint8Array(await new Blob(parts).arrayBuffer());
-}
-
 /** A program as text for an address. */
-export async function toLink(program) {
-	const bytes = await squeezed(shorten(JSON.stringify(bare(program))), new CompressionStream("deflate-raw"));
-	const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
-	return text.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-}
+export const toLink = packed;
 
 /** The program in such a text. Throws if there is none. */
 export async function fromLink(text) {
-	const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
-	const program = JSON.parse(lengthen(new TextDecoder().decode(await squeezed(bytes, new DecompressionStream("deflate-raw")))));
+	const program = await unpacked(text);
 	if (!isProgram(program)) throw new Error("no program");
 	return program;
 }

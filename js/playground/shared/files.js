@@ -3,6 +3,15 @@ import { texts } from "./language.js";
 
 const MODEL = /\.(obj|dae|zae|glb|gltf|stl)$/i;
 
+/** Bytes as text, with the letters of base 64. */
+export function toText(bytes) {
+	let text = "";
+	for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+	return btoa(text);
+}
+
+export const toBytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+
 /** The main file among some files. */
 export function chiefOf(files) {
 	return files.find(({ name }) => MODEL.test(name)) ?? files.find(({ name }) => /\.json$/i.test(name)) ?? files[0];
@@ -41,9 +50,4 @@ function gltfIn(bytes) {
 }
 
 /** A data address with a file's content. */
-async function inPlace(file) {
-	const bytes = new Uint8Array(await file.arrayBuffer());
-	let text = "";
-	for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
-	return `data:application/octet-stream;base64,${btoa(text)}`;
-}
+const inPlace = async (file) => `data:application/octet-stream;base64,${toText(new Uint8Array(await file.arrayBuffer()))}`;

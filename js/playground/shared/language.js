@@ -6,6 +6,14 @@ export function speak(words) {
 	Object.assign(texts, words);
 }
 
+/** Loads the words of the teacher's pages and of handing in. The page's first script sets it. */
+export const further = { load: null };
+
+/** Waits until these words are there. */
+export async function learnClass() {
+	if (!texts.handing) speak((await further.load()).texts);
+}
+
 /** A number with this many decimals, with the language's decimal sign. */
 export const fixed = (value, digits) => value.toFixed(digits).replace(".", texts.numbers.decimal);
 

@@ -1,5 +1,5 @@
 /** For teachers: each lesson's aim, time and solution, with a link to it and one page to print. */
-import { button, h } from "../shared/dom.js";
+import { button, h, tick } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.teach;
@@ -8,10 +8,12 @@ const MINUTES = { blocks: 10, helmet: 10, wing: 10, main: 15, fast: 15, starts: 
 const NAMES = Object.keys(MINUTES);
 /** The largest height of a lesson's blocks in pixels, so that everything fits on one sheet of paper. */
 const HIGHEST = 390;
+/** The same of the solution's blocks, which have a page of their own. */
+const HIGHEST_SOLVED = 700;
 
 export async function createView(main, name) {
 	const view = new TeachView(main);
-	view.open(name);
+	await view.open(name);
 	return view;
 }
 
@@ -23,15 +25,37 @@ class TeachView {
 	/** Shows the page of a lesson, or of all of them. */
 	open(name) {
 		delete this.main.dataset.drawn;
-		if (name in MINUTES) this.#showLesson(name);
-		else this.#showAll();
+		this.asked = name;
 		this.main.scrollTop = 0;
+		if (name in MINUTES) this.#showLesson(name);
+		else if (name === "") this.#showAll();
+		else return this.#showPage(name);
+		return null;
 	}
 
-	#showAll() {
+	/** Shows the page of a class, or a program to print. */
+	async #showPage(name) {
+		const [{ ClassPage }, { showProgram }] = await Promise.all([import("./class.js"), import("./program.js")]);
+		if (this.asked !== name || !this.main.isConnected) return;
+		if (name === "class") this.class = new ClassPage(this.main);
+		else if (!await showProgram(this.main, name)) this.#showAll(words.noPage);
+	}
+
+	/** Takes files that are dropped on the page: what pupils hand in. */
+	async openFile(file, files) {
+		if (this.asked !== "class") {
+			history.pushState(null, "", "#teach/class");
+			await this.open("class");
+		}
+		await this.class.take(files);
+	}
+
+	#showAll(note = "") {
 		const total = Object.values(MINUTES).reduce((sum, minutes) => sum + minutes, 0);
 		this.main.replaceChildren(h("section.sheet", { "aria-label": words.title },
+			note ? h("p.status.problem", { role: "alert" }, note) : null,
 			h("h2", {}, words.title), h("p", {}, words.intro(NAMES.length, total)),
+			h("p", {}, h("a", { href: "#teach/class" }, texts.handing.classTitle), `: ${words.classNote}`),
 			h("div.table", {}, h("table", {},
 				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.page, words.open].map((text) => h("th", { scope: "col" }, text)))),
 				h("tbody", {}, ...NAMES.map((name, i) => h("tr", {},
@@ -48,29 +72,42 @@ class TeachView {
 		const part = (head, ...content) => [h("h3", {}, head), ...content.map((each) => h("p", {}, each))];
 		const picture = h("img.shown", { alt: words.picture(title), width: 800, height: 500 });
 		const blocks = h("div.shown-blocks", { role: "img", "aria-label": words.program(title), inert: true });
-		this.main.replaceChildren(h("section.sheet", { "aria-label": title },
-			h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" })),
-			h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])),
-			h("h2", {}, title),
-			h("p", {}, h("a.address", { href: address.href }, address.href)),
-			picture, ...part(words.aim, aim), ...part(words.told, text), ...part(texts.lessons.challenge, challenge), ...part(texts.lessons.hint, hint),
-			h("h3", {}, words.given), blocks,
-			...part(words.ask, ask), h("div.lines", { "aria-hidden": "true" }), ...part(words.solution, solution)));
-		this.#draw(name, picture, blocks);
+		const solvedBlocks = h("div.shown-blocks", { role: "img", "aria-label": words.solved(title), inert: true });
+		// on a page of its own, so that it can stay with the teacher
+		const solvedSheet = h("section.sheet.solution", { "aria-label": words.solution }, h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])), h("h2", {}, `${title}: ${words.solution}`), h("p", {}, solution), solvedBlocks,
+			...part(words.why, texts.lessons.list[name].why));
+		this.main.replaceChildren(
+			h("section.sheet", { "aria-label": title },
+				h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" }), tick(words.withSolution, true, (isOn) => {
+					solvedSheet.hidden = !isOn;
+				})),
+				h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])),
+				h("h2", {}, title),
+				h("p", {}, h("a.address", { href: address.href }, address.href)),
+				picture, ...part(words.aim, aim), ...part(words.told, text), ...part(texts.lessons.challenge, challenge), ...part(texts.lessons.hint, hint),
+				h("h3", {}, words.given), blocks,
+				...part(words.ask, ask), h("div.lines", { "aria-hidden": "true" })),
+			solvedSheet);
+		this.#draw(name, picture, blocks, solvedBlocks);
 	}
 
 	/** Draws the pictures, which come late. The words can be read meanwhile. */
-	async #draw(name, picture, blocks) {
-		const [{ LESSONS }, { pictureOf }, messages] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js")]);
+	async #draw(name, picture, blocks, solvedBlocks) {
+		const [{ LESSONS }, { Studio }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js"), import("./solutions.js")]);
 		if (!picture.isConnected) return;
 		const { program } = LESSONS[name];
-		const address = await pictureOf(program, this.main);
+		const studio = await Studio.open(this.main);
+		const address = await studio.pictureOf(program);
+		studio.close();
 		if (address) picture.src = address;
 		else picture.remove();
-		await messages.loadMessages();
+		await loadMessages();
 		const { showBlocks } = await import("../play/editor.js");
 		if (!blocks.isConnected) return;
 		showBlocks(blocks, program, HIGHEST);
+		// a system is chosen above the world, so the blocks stay as they are
+		if (isSolvedBySystem(name)) solvedBlocks.remove();
+		else showBlocks(solvedBlocks, solved(name), HIGHEST_SOLVED);
 		this.main.dataset.drawn = name;
 	}
 

@@ -1,0 +1,42 @@
+/** The words of the teacher's pages and of handing in, in English. They load with those pages. */
+const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
+
+export const texts = {
+	teach: {
+		title: "Ten lessons for a class", intro: (lessons, minutes) => `${lessons} lessons for pupils from twelve on, who work alone or in pairs. Together they take ${minutes} minutes. Nobody needs an account: send pupils the link of a lesson, or write it on the board.`,
+		lesson: "Lesson", minutes: "Minutes", page: "Page to print", open: "Open", numbered: (number, title) => `${number}. ${title}`,
+		pageOf: (number) => `Page to print of lesson ${number}`, openOf: (number) => `Open lesson ${number}`,
+		all: "All lessons", print: "Print", of: (number, all, minutes) => `Lesson ${number} of ${all}, ${minutes} minutes`,
+		aim: "What pupils learn", told: "What the lesson says", ask: "To talk about", solution: "A solution",
+		withSolution: "With the solution on a second page", why: "Why", blocks: "The blocks", backToPlay: "Back to the program", noPage: "There is no such page here. These are the lessons.", solved: (title) => `The blocks of “${title}”, solved`,
+		classNote: "see who has solved what, and play every program.",
+		picture: (title) => `How “${title}” begins`, program: (title) => `The blocks of “${title}” as they are given`, given: "The blocks that are given",
+		list: {
+			blocks: { aim: "A script runs for each agent, many times a second. The order of blocks is the order of what happens.", ask: "The script has no loop, and yet the turtles keep walking. Why?", solution: "Put “forward” below “turn” in the script “every frame, each of turtles”." },
+			helmet: { aim: "A computer tests simple shapes in place of models, so it can miss a touch.", ask: "Where else do people look only roughly, to be quicker?", solution: "Choose “Tightest fits”, “Hierarchies” or “Exact” above the world, and press Step." },
+			wing: { aim: "A shape that holds all of a model also holds air: a false collision.", ask: "Which is worse in a game, a false collision or a missed one?", solution: "Choose “Hierarchies” or “Exact” above the world, and press Step." },
+			main: { aim: "Precision costs time. A program can spend it where the player looks.", ask: "For which characters of a game that you know should the test be exact?", solution: "Put “set hierarchical of all turtles to on” at the end of the script of the start." },
+			fast: { aim: "A computer sees the world in frames. Between two of them much can happen.", ask: "A film has 24 pictures a second. What does it miss?", solution: "Put “collide along the way, all paintballs: on” into the script of the start." },
+			starts: { aim: "A touch lasts for many frames. The start of a touch happens once.", ask: "A door bell rings once, no matter how long you press it. How does it know?", solution: "Replace “on collision” by “when touching starts: turtles with walls”, with the same block inside." },
+			room: { aim: "The engine only reports a touch. The program decides what happens then.", ask: "In which games may one walk through things, and why?", solution: "Add “on collision of bears with walls do”, and put “bounce off” into it." },
+			near: { aim: "Agents can count the others within a distance.", ask: "What does it cost to ask this for each of a thousand agents?", solution: "Put “say”, with “count of turtles within 5” in it, into a script “every frame, each of bears”." },
+			see: { aim: "“Is it near?” and “Can I see it?” are different questions, because a wall can hide things.", ask: "Can the turtle see the bear whenever the bear sees the turtle?", solution: "Put “say”, with “I can see nearest of turtles within 20” in it, into a script “every frame, each of bears”." },
+			hunt: { aim: "Senses, decisions and movement together make a character that seems to think.", ask: "Is the nearest turtle always the best one to chase?", solution: "Put “turn towards”, with “nearest of turtles within 50” in it, above “forward”, and let the bear go faster." },
+		},
+	},
+	/** A pupil's work, which goes to the teacher, and the page of a class. */
+	handing: {
+		title: "Hand in your work", name: "Name", needsName: "Write your name first.",
+		what: (lessons, programs) => `This gives your teacher all of your work: ${count(lessons, "lesson", "lessons")} that you have done and ${count(programs, "program", "programs")}.`,
+		save: "Save a file", copy: "Copy a code", code: "The code", how: "Give the file to your teacher, or send the code in a message. Nothing is sent by itself.",
+		fileName: (pupil) => `${pupil} – StarLogo.json`, saved: (file) => `“${file}” is in your downloads. Give it to your teacher.`,
+		copied: (letters) => `The code is on the clipboard (${letters} letters). Paste it into a message to your teacher.`, notCopied: "Copy this code by hand, and send it to your teacher.",
+		nextNote: (lessons, programs) => `Is somebody else here now? This browser forgets everything of the last pupil: ${count(lessons, "lesson", "lessons")} done, ${count(programs, "program", "programs")}, all models and the name. This cannot be undone.`,
+		handFirst: "Hand in first", forget: "Forget everything",
+		classTitle: "The work of a class", classNote: "Pupils press “Hand in…” in Play. Open their files here, all at once, or paste their codes. They stay in this tab, and go nowhere else.",
+		openFiles: "Open files…", codeHere: "Or paste codes here", takeCode: "Take the codes", nothing: "Nothing is open yet. You can also drop the files here.",
+		taken: (added, again) => `${count(added, "work is", "works are")} new.${again > 0 ? ` ${count(again, "was", "were")} here already.` : ""}`, broken: (files) => `No work of this page: ${files}.`, brokenCode: "No whole code is in this text. Copy all of it, from SL1 on.",
+		table: "Who has solved what", pupil: "Pupil", games: "Games won", programs: "Programs", all: (pupils) => `All ${pupils}`, tried: "begun", signs: "✓ solved, … begun. A click on a picture plays the program.",
+		remove: (pupil) => `Remove the work of ${pupil}`, noPrograms: "No programs.",
+	},
+};

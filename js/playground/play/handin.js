@@ -1,0 +1,96 @@
+/** Hands in a pupil's work: lessons, games, programs and models, as a file or a code for the teacher. Makes room for the next pupil. */
+import { button, field, h } from "../shared/dom.js";
+import { hand } from "../shared/hand.js";
+import { toCode, toFile } from "../shared/handed.js";
+import { texts } from "../shared/language.js";
+import { fileName } from "./storage.js";
+
+const words = texts.handing;
+const KEY = "starlogo-playground.pupil";
+
+function keptName() {
+	try {
+		return localStorage.getItem(KEY) ?? "";
+	} catch {
+		return "";
+	}
+}
+
+function keepName(name) {
+	try {
+		if (name === "") localStorage.removeItem(KEY);
+		else localStorage.setItem(KEY, name);
+	} catch {
+		// it is asked for again
+	}
+}
+
+/** All of the pupil's work. */
+function workOf({ shelf, lessons, view }, pupil) {
+	const programs = shelf.all.map(({ name, lesson, program }) => ({ name, ...(lesson && { lesson }), program }));
+	return { pupil, ...lessons.results, programs, models: view.own.in(programs) };
+}
+
+function openDialog(title, ...content) {
+	const dialog = h("dialog.ask.handing", { "aria-label": title, onclose: () => dialog.remove() }, h("h2", {}, title), ...content);
+	document.body.append(dialog);
+	dialog.showModal();
+	return dialog;
+}
+
+/**
+ * Opens a dialog that hands in.
+ *
+ * @param {import("./programs.js").Programs} programs
+ */
+export function handIn(programs) {
+	const said = h("p.note", { role: "status" });
+	const place = h("textarea", { readonly: true, rows: 4, hidden: true, "aria-label": words.code });
+	const name = h("input", { type: "text", maxlength: 60, value: keptName(), autocomplete: "off", onchange: () => keepName(name.value.trim()) });
+	const work = () => {
+		const pupil = name.value.trim();
+		if (pupil !== "") return workOf(programs, pupil);
+		said.textContent = words.needsName;
+		name.focus();
+		return null;
+	};
+	const save = () => {
+		const all = work();
+		if (!all) return;
+		hand(toFile(all), words.fileName(fileName(all.pupil)), "application/json");
+		said.textContent = words.saved(words.fileName(fileName(all.pupil)));
+	};
+	const copy = async () => {
+		const all = work();
+		if (!all) return;
+		const code = await toCode(all);
+		place.value = code;
+		place.hidden = false;
+		place.select();
+		try {
+			await navigator.clipboard.writeText(code);
+			said.textContent = words.copied(code.length);
+		} catch {
+			said.textContent = words.notCopied;
+		}
+	};
+	const { done, programs: listed } = workOf(programs, "");
+	const dialog = openDialog(words.title,
+		h("p", {}, words.what(done.length, listed.length)), field(words.name, name),
+		h("div.tools", {}, button(words.save, save, { class: "primary" }), button(words.copy, copy), button(texts.play.ask.leave, () => dialog.close())),
+		said, place, h("p.note", {}, words.how));
+	if (name.value === "") name.focus();
+}
+
+/** Opens a dialog that makes the browser forget this pupil. */
+export function nextPupil(programs) {
+	const { done, programs: listed } = workOf(programs, "");
+	const dialog = openDialog(texts.gallery.nextPupil, h("p", {}, words.nextNote(done.length, listed.length)),
+		h("div.tools", {}, button(words.handFirst, () => {
+			dialog.close();
+			handIn(programs);
+		}, { class: "primary" }), button(words.forget, () => {
+			keepName("");
+			programs.forgetAll();
+		}), button(texts.play.ask.leave, () => dialog.close())));
+}

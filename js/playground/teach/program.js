@@ -1,0 +1,60 @@
+/** A program to print: its name, its picture and its blocks. */
+import { button, h } from "../shared/dom.js";
+import { handed } from "../shared/handed.js";
+import { texts } from "../shared/language.js";
+import { loadMessages } from "../play/messages.js";
+
+const words = texts.teach;
+/** The largest height of the blocks in pixels, so that everything fits on one sheet of paper. */
+const HIGHEST = 640;
+/** The smallest scale at which blocks can be read. A long program takes more than one sheet. */
+const SMALLEST = 0.5;
+
+/** The program of an address, with its name, its pupil's name and its own models; null if there is none. */
+async function find(address) {
+	const [{ BROUGHT }, { Shelf, fromLink }] = await Promise.all([import("../play/library.js"), import("../play/storage.js")]);
+	const entry = handed.at(address) ?? new Shelf().find(address);
+	if (entry) return entry;
+	if (Object.hasOwn(BROUGHT, address)) {
+		const lesson = address.replace(/^lesson-/, "");
+		return { program: BROUGHT[address], name: texts.play.games[address] ?? texts.play.examples[address] ?? texts.lessons.list[lesson].title };
+	}
+	try {
+		const { name, ...program } = await fromLink(address);
+		return { name: name ?? texts.play.fromLink, program };
+	} catch {
+		return null;
+	}
+}
+
+/**
+ * Shows a program's page.
+ *
+ * @param {HTMLElement} main shows the page
+ * @param {string} address the program's name, its id, or its link
+ * @returns {Promise<boolean>} whether there is such a program
+ */
+export async function showProgram(main, address) {
+	const found = await find(address);
+	if (!found) return false;
+	const { name, program, pupil, models } = found;
+	const picture = h("img.shown", { alt: words.picture(name), width: 800, height: 500 });
+	const blocks = h("div.shown-blocks", { role: "img", "aria-label": words.program(name), inert: true });
+	const system = texts.systems[program.system ?? "tightest fits"];
+	main.replaceChildren(h("section.sheet", { "aria-label": name },
+		h("div.tools.no-print", {}, h("a", { href: `#play/${address}` }, words.backToPlay), button(words.print, () => print(), { class: "primary" })),
+		h("h2", {}, name), h("p.by", {}, `${texts.handing.name}: `, pupil ? h("strong", {}, pupil) : h("span.blank-line")), picture,
+		h("p.note", {}, `${texts.play.system}: ${system}`), h("h3", {}, words.blocks), blocks));
+	const [{ Studio }, { Models }] = await Promise.all([import("../play/pictures.js"), import("../play/kept.js"), loadMessages()]);
+	const studio = await Studio.open(main);
+	const own = Object.entries(models ?? await Models.kept()).filter(([each]) => JSON.stringify(program).includes(JSON.stringify(each)));
+	const drawn = await studio.pictureOf(program, Object.fromEntries(own));
+	studio.close();
+	if (drawn) picture.src = drawn;
+	else picture.remove();
+	const { showBlocks } = await import("../play/editor.js");
+	if (!blocks.isConnected) return true;
+	showBlocks(blocks, program, HIGHEST, SMALLEST);
+	main.dataset.drawn = address;
+	return true;
+}

@@ -57,6 +57,20 @@ package headless
             return ms == null ? getTimer() : ms;
         }
 
+        /** Milliseconds of the processor that the program has used. Only Node tells them; elsewhere it is <code>now</code>. */
+        public static function get processorMs():Number
+        {
+            var ms:* = tell("headless.processorMs");
+            return ms == null ? now : ms;
+        }
+
+        /** The most memory in bytes that the program has had at once. Only Node tells it; elsewhere it is -1. */
+        public static function get mostMemory():Number
+        {
+            var bytes:* = tell("headless.mostMemory");
+            return bytes == null ? -1 : bytes;
+        }
+
         /** The name and version of the player or machine that runs the program. */
         public static function get player():String
         {

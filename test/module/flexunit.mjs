@@ -109,6 +109,8 @@ export const ExternalInterface = {
 	call(name) {
 		if (name === "headless.now") return performance.now();
 		if (name === "headless.memory") return process.memoryUsage().heapUsed;
+		if (name === "headless.processorMs") return (process.cpuUsage().user + process.cpuUsage().system) / 1000;
+		if (name === "headless.mostMemory") return 1024 * process.resourceUsage().maxRSS;
 		if (name === "headless.collect") return globalThis.gc?.();
 		if (name === "headless.player") return `Node ${process.versions.node}, as an ES module`;
 		throw new Error(`${name} is nothing that a test may ask for`);

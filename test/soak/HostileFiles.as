@@ -1,6 +1,7 @@
 package soak
 {
     import flash.utils.ByteArray;
+    import flash.utils.Endian;
     import support.Collada;
     import support.Zip;
 
@@ -14,7 +15,8 @@ package soak
         /** The names of all of them. */
         public static function get names():Array
         {
-            return ["OBJ: one line", "OBJ: continued lines", "OBJ: one number", "OBJ: one face, zigzag", "OBJ: faces, zigzag", "OBJ: groups",
+            return ["OBJ: a word of zeros", "OBJ: words of zeros", "OBJ: commas", "OBJ: old Mac lines", "OBJ: small faces", "STL: a word of zeros",
+                    "STL: old Mac lines", "STL: a count", "COLLADA: a word of zeros", "OBJ: one line", "OBJ: continued lines", "OBJ: one number", "OBJ: one face, zigzag", "OBJ: faces, zigzag", "OBJ: groups",
                     "OBJ: empty lines", "OBJ: spaces", "UTF-16",
                     "XML: small elements", "XML: siblings", "XML: deep", "XML: attributes", "XML: entities", "XML: laughs", "XML: comments",
                     "XML: broken at the end",
@@ -22,7 +24,13 @@ package soak
                     "COLLADA: many primitives", "COLLADA: many meshes of one source", "COLLADA: an error among siblings",
                     "COLLADA: transforms placed again", "COLLADA: instances placed again", "COLLADA: controllers",
                     "COLLADA: deep nodes", "COLLADA: long numbers", "COLLADA: counts",
-                    "ZIP: manifest of spaces", "ZIP: manifest of tags", "ZIP: many files", "ZIP: bomb"];
+                    "ZIP: manifest of spaces", "ZIP: manifest of tags", "ZIP: many files", "ZIP: bomb"].concat(HostileGltf.names);
+        }
+
+        /** Whether the size of a file is only the number that the file declares, or that it repeats: its cost must not grow at all. */
+        public static function isDeclared(name:String):Boolean
+        {
+            return name.indexOf("declared") >= 0;
         }
 
         /**
@@ -36,6 +44,25 @@ package soak
         {
             switch (name)
             {
+                case "OBJ: a word of zeros":
+                    return "v " + times("0", size) + "x 0 0\n";
+                case "OBJ: words of zeros":
+                    return times("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n#" + times("0", 1000) + "x\n", size / 1040) + "v 0 0 " + times("0", 9000) + "x\n";
+                case "OBJ: commas":
+                    return "v 0 0 " + times("0,", size / 2) + "\n";
+                case "OBJ: old Mac lines":
+                    return times("v 0 0 0\rv 1 0 0\rv 0 1 0\rf -1 -2 -3\r", size / 35);
+                case "OBJ: small faces":
+                    return "v 0 0 0\nv 1 0 0\n" + times("f 1 2\n", size / 6);
+                case "STL: a word of zeros":
+                    return "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 " + times("0", size) + "x\n";
+                case "STL: old Mac lines":
+                    return "solid a\r" + times("facet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 0\rendloop\rendfacet\r",
+                            size / 92) + "endsolid\r";
+                case "STL: a count":
+                    return stl(size);
+                case "COLLADA: a word of zeros":
+                    return Collada.document(Collada.geometry("a", "0 0 " + times("0", size) + "x", TRIANGLE));
                 case "OBJ: one line":
                     return "v 0 0 0\nv 1 0 0\nv 1 1 0\nf " + times("1 2 3 ", size / 6) + "\n";
                 case "OBJ: continued lines":
@@ -106,7 +133,7 @@ package soak
                 case "ZIP: bomb":
                     return Zip.of(["a.dae", zeros(size)], true, 60000000);
                 default:
-                    throw new ArgumentError("there is no hostile file \"" + name + "\"");
+                    return HostileGltf.make(name, size);
             }
         }
 
@@ -226,6 +253,17 @@ package soak
                 text += "<!ENTITY l" + i + ' "' + times("&l" + (i - 1) + ";", 10) + '">';
             }
             return text + "]><COLLADA>" + times("&l29;&x;", size / 8) + "</COLLADA>";
+        }
+
+        // A binary file of triangles at one place.
+        private static function stl(size:int):ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            bytes.length = 84 + 50 * int(size / 50);
+            bytes.position = 80;
+            bytes.writeUnsignedInt(size / 50);
+            return bytes;
         }
 
         private static function manyFiles(size:int):ByteArray

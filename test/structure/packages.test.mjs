@@ -25,6 +25,10 @@ const isEngine = (name) => name.startsWith('starlogo.');
 const isClient = (name) => name === 'Client' || name.startsWith('client.');
 const mayUseAway3d = (name) => name.startsWith('starlogo.away3d.') || isClient(name);
 
+test('no source has a character that nobody sees: a pattern says \\s, and a text \\uFEFF', () => {
+	assert.deepEqual([...sourcesBelow('src'), ...sourcesBelow('js')].filter((file) => /[\u00AD\u200B-\u200F\u2028-\u202E\u2060\uFEFF]/.test(read(file))), []);
+});
+
 test('the engine has files, and they use one another', () => {
 	assert.ok([...sources.keys()].filter(isEngine).length > 80);
 	assert.ok([...uses.values()].flat().length > 500);

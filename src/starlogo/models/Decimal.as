@@ -19,8 +19,8 @@ package starlogo.models
         private static const SMALLEST:Number = 1e-7;
         private static const LARGEST:Number = 1e15;
 
-        // sign, digits, digits after the point, exponent; leading zeros are left out
-        private static const PARTS:RegExp = /^([-+]?)(?=\.?\d)0*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?$/;
+        // Sign, digits, digits after the point, exponent. Each character fits only one part, so a wrong word is found in linear time.
+        private static const PARTS:RegExp = /^([-+]?)(?=\.?\d)(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?$/;
         private static const MOST_DIGITS:int = 30;
         private static const LARGEST_EXPONENT:Number = 99999;
         private static const POWERS:Vector.<Number> = powersOfTen(22);
@@ -47,9 +47,10 @@ package starlogo.models
             {
                 return NaN;
             }
-            // some players read "1e" as a number
+            // Some players read "1e", "0x10", "0b11" or white space before a number.
             var last:int = word.charCodeAt(length - 1);
-            if (length <= SHORT && last < 0x3A && last > 0x2D)
+            var first:int = word.charCodeAt(0);
+            if (length <= SHORT && last < 0x3A && last > 0x2D && first < 0x3A && first > 0x2A && !(word.charCodeAt(1) > 0x39 || word.charCodeAt(2) > 0x39))
             {
                 var number:Number = Number(word);
                 var size:Number = number < 0 ? -number : number;
@@ -67,7 +68,7 @@ package starlogo.models
             {
                 return NaN;
             }
-            var fraction:String = parts[3];
+            var fraction:String = parts[3] || "";
             var digits:String = (parts[2] + fraction).replace(/^0+/, "");
             var exponent:Number = parts[4] ? Math.max(-LARGEST_EXPONENT, Math.min(Number(parts[4]), LARGEST_EXPONENT)) : 0;
             exponent += Math.max(0, digits.length - MOST_DIGITS) - fraction.length;

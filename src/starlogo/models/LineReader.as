@@ -61,7 +61,7 @@ package starlogo.models
         /** Adds the steps that read a text. @param source the text; a byte-order mark is skipped */
         protected final function readLines(source:String):void
         {
-            _source = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
+            _source = TextTokens.unmarked(source);
             repeat(readSome);
         }
 

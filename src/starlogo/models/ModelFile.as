@@ -35,8 +35,7 @@ package starlogo.models
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
             refuseIf(bytes.length > ModelLimits.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " +
                     ModelLimits.BYTES);
-            var result:String = decoded(name, bytes, format);
-            return result.charCodeAt(0) == 0xFEFF ? result.substr(1) : result;
+            return TextTokens.unmarked(decoded(name, bytes, format));
         }
 
         private static function decoded(name:String, bytes:ByteArray, format:String):String

@@ -12,7 +12,7 @@ package starlogo.models
         internal static const STL:String = "stl";
 
         private static const HEAD_LENGTH:int = 10000;
-        private static const TAG:RegExp = /^﻿?\s*</;
+        private static const TAG:RegExp = /^\s*</;
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|zae|gltf|stl)([?#]|$)/i;
 
@@ -29,6 +29,7 @@ package starlogo.models
          */
         internal static function of(text:String, url:String):String
         {
+            text = TextTokens.unmarked(text);
             if (TAG.test(text.substr(0, 1000)))
             {
                 return COLLADA;

@@ -49,6 +49,12 @@ package starlogo.models
             return word.length > LONGEST_WORD ? shorten(word) : word;
         }
 
+        /** The text without a byte-order mark at its beginning. */
+        public static function unmarked(text:String):String
+        {
+            return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
+        }
+
         /** The text without the white space at its ends. */
         public static function trimmed(text:String):String
         {

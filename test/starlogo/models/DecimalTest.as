@@ -44,10 +44,25 @@ package starlogo.models
                 assertEquals(large, -Infinity, Decimal.of("-" + large));
             }
             for each (var wrong:String in [null, "", " ", ".", "-", "+", "e5", ".e5", "1e", "1e+", "1e-", "1.2.3", "--1", "1x", "Infinity", "NaN",
-                        "1,5", "1.234567890123456789e", "1.234567890123456789-", "- 1.2345678901234567"])
+                        "1,5", "1.234567890123456789e", "1.234567890123456789-", "- 1.2345678901234567", "0x10", "0X1", "-0x10", "+0x1", "0b11", "0o17", "\u00A01", "\f1", "\v1",
+                        "\uFEFF1", "1\u00A0", "1\f2", "0x", "0x1234567890123456", "1_0", "\u0661"])
             {
                 assertTrue(wrong, isNaN(Decimal.of(wrong)));
             }
+        }
+
+        [Test]
+        public function wrongWordsAreFoundInLinearTime():void
+        {
+            for each (var digits:String in ["0", "9", "0.", "00000000.0", "-"])
+            {
+                var word:String = new Array(20001).join(digits);
+                for each (var end:String in ["x", "e", "e+", ".x", "e1x", "."])
+                {
+                    assertTrue(digits + end, isNaN(Decimal.of(word + "." + word + end)));
+                }
+            }
+            assertEquals(0.1, Decimal.of("." + new Array(3).join("0").substr(2) + "1" + new Array(100001).join("0")));
         }
 
         private static function hexadecimal(word:uint):String

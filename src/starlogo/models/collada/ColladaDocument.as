@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.Decimal;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
@@ -123,7 +124,7 @@ package starlogo.models.collada
         public function integer(element:ColladaElement, attribute:String, missing:Number):Number
         {
             var text:String = element.attribute(attribute);
-            var number:Number = text == "" ? missing : Number(text);
+            var number:Number = text == "" ? missing : Decimal.of(TextTokens.trimmed(text));
             refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), modelName, "expected " +
                     attribute + " to be a whole number, not negative, but found \"" + TextTokens.shorten(text) + "\"", element);
             return number;

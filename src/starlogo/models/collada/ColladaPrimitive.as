@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.Decimal;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
@@ -147,7 +148,7 @@ package starlogo.models.collada
         {
             for (var i:int = first; i < end; i++)
             {
-                var size:Number = Number(_sizes[i]);
+                var size:Number = Decimal.of(_sizes[i]);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
                     throw new ModelError(_document.modelName, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
@@ -247,7 +248,7 @@ package starlogo.models.collada
         /** The point of a corner. The corner's indices begin at the given word. */
         private function cornerAt(word:int):uint
         {
-            var value:Number = Number(_words[int(word + _offset)]);
+            var value:Number = Decimal.of(_words[int(word + _offset)]);
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {

@@ -76,7 +76,7 @@ package starlogo.models.gltf
         /** Whether the text is JSON with the marks of glTF. */
         public static function isText(text:String):Boolean
         {
-            return /^﻿?\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
+            return /^\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
         }
 
         /**
@@ -132,10 +132,7 @@ package starlogo.models.gltf
                 _text = ModelFile.text(_name, _bytes, "glTF");
                 _bytes = null;
             }
-            else if (_text.charCodeAt(0) == 0xFEFF)
-            {
-                _text = _text.substr(1);
-            }
+            _text = TextTokens.unmarked(_text);
         }
 
         private function openChunks():void

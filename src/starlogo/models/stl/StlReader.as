@@ -72,7 +72,7 @@ package starlogo.models.stl
         /** Whether the text is an STL file's text. */
         public static function isText(text:String):Boolean
         {
-            return /^﻿?\s*solid\b[^\n\r]*[\n\r]\s*(facet|endsolid)\b/i.test(text.substr(0, 1000));
+            return /^\s*solid\b[^\n\r]*[\n\r]\s*(facet|endsolid)\b/i.test(text.substr(0, 1000));
         }
 
         /** @inheritDoc */

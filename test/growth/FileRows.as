@@ -68,12 +68,12 @@ package growth
                     return StlModel.fromBytes("a", bytes || bytesOf(text));
                 case "cooked":
                     return CookedModel.fromBytes("a", bytes);
-                case "XML":
-                case "COLLADA":
-                case "ZIP":
-                    return bytes == null ? new ColladaModel("a", text) : ColladaModel.fromBytes("a", bytes);
+                case "OBJ":
+                    return new ObjModel("a", text);
+                case "UTF-16":
+                    return new ObjModel("a", ModelFile.text("a", bytes));
                 default:
-                    return new ObjModel("a", bytes == null ? text : ModelFile.text("a", bytes));
+                    return bytes == null ? new ColladaModel("a", text) : ColladaModel.fromBytes("a", bytes);
             }
         }
 

@@ -14,7 +14,6 @@ export const EXTERNALS = {
 	ArgumentError: ["language.mjs", "ArgumentError"],
 	"flash.errors.EOFError": ["ByteArray.mjs", "EOFError"],
 	"flash.utils.ByteArray": ["ByteArray.mjs", "ByteArray"],
-	"starlogo.collision.contactWhenAsked": ["contacts.mjs", "contactWhenAsked"],
 	"starlogo.search.textOf": ["language.mjs", "$named"],
 	"starlogo.handlers.mayTakeMore": ["contacts.mjs", "mayTakeMore"],
 	"standin.LocalStore.read": ["machine.mjs", "readLocal"],

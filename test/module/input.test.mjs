@@ -359,7 +359,28 @@ test("handlers get the contact, however they say what they take", () => {
 	assert.equal(seen[0][0], "end");
 });
 
-test("a contact that is asked for late is that of its own pair", () => {
+test("a contact is that of the frame before handlers, however they say what they take", () => {
+	const collision = new Collision(new BinCollider());
+	collision.terrain = new engine.Terrain(11, 11, 1, -5, -5);
+	collision.bounds = new engine.WorldBounds(-9, -9, -9, 9, 9, 9);
+	const depths = [];
+	const change = (ball, ground) => {
+		collision.terrain.setHeights(0, 0, 11, 11, new Float64Array(121).fill(5));
+		collision.bounds.setTo(-1, -1, -1, 1, 1, 1);
+	};
+	const ways = [(...all) => depths.push(all[2].depth), (a, b, contact = null) => depths.push(contact.depth), function() {
+		depths.push(arguments[2].depth);
+	}, ((a, b, contact) => depths.push(contact.depth)).bind(null), (a, b, contact) => depths.push(contact.depth)];
+	for (const way of [change, ...ways]) for (const other of [Collision.TERRAIN, Collision.EDGE]) collision.onCollision("a", other, way);
+	const balls = [new Agent("x", "a"), new Agent("x", "a")];
+	balls[0].moveTo(0, 0, -0.1);
+	balls[1].moveTo(8.6, 0, 6);
+	collision.update(balls);
+	assert.equal(depths.length, 10);
+	for (const depth of depths) assert.ok(Math.abs(depth - 0.1) < 1e-9, String(depth));
+});
+
+test("a contact for a handler that does not declare it is that of its own pair", () => {
 	const collider = new BinCollider();
 	const collision = new Collision(collider);
 	const agents = Array.from({ length: 12 }, () => new Agent("x", "a"));

@@ -148,7 +148,7 @@ package soak
                 return "";
             }
             _counts.add("pairs checked");
-            return isSweeping(i) || isSweeping(j) ? verdictOfWays(i, j, time) : verdictOfStanding(i, j, time);
+            return (isSweeping(i) || isSweeping(j)) && (hasMoved(i) || hasMoved(j)) ? verdictOfWays(i, j, time) : verdictOfStanding(i, j, time);
         }
 
         private function verdictOfStanding(i:int, j:int, time:*):String
@@ -239,6 +239,12 @@ package soak
         private function isSweeping(i:int):Boolean
         {
             return _agents[i].sweeps && _ways[i] != null;
+        }
+
+        private function hasMoved(i:int):Boolean
+        {
+            var agent:Agent = _agents[i];
+            return _ways[i] != null && (agent.x != _ways[i].x || agent.y != _ways[i].y || agent.z != _ways[i].z);
         }
 
         private function collideAt(i:int, j:int, time:Number):Boolean

@@ -5,7 +5,7 @@ package starlogo.broadphase
     {
         // A level reaches this many widths from the origin. At that distance a position is rounded to 2^-29 of a width, and shapes within
         // 2^-20 of a width touch.
-        private static const REACH:Number = 1 << 24;
+        internal static const REACH:Number = 1 << 24;
 
         private static const SLACK:Number = 1 / (1 << 18);
 

@@ -7,8 +7,8 @@ package starlogo.broadphase
      */
     public final class BinLevels
     {
-        // A point at the origin has no width, so it gets this one.
-        private static const MIN_WIDTH:Number = 1e-300;
+        // The width of the finest level, for points too. It reaches 256 patches, so points of SpaceLand need no coarser level. A power of two.
+        private static const LEAST_WIDTH:Number = 1 / (1 << 16);
 
         // The levels by number, as extents refer to them. byWidth has them from the coarsest to the finest.
         internal var byNumber:Vector.<BinLevel> = new <BinLevel>[null];
@@ -33,21 +33,22 @@ package starlogo.broadphase
                 half = other;
             }
             var level:BinLevel = byNumber[extents.level[row]];
-            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf)
-            {
-                level = levelFor(Math.max(2 * half, MIN_WIDTH));
-            }
+            var isFitting:Boolean = level != null && half <= level.largestHalf && half > level.tooSmallHalf;
+            var width:Number = isFitting ? level.width : widthFor(2 * half);
+            var reach:Number = width * BinLevel.REACH;
             var middleX:Number = extents.x[row];
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
             var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            var isFar:Boolean = false;
-            while (distanceSquared >= level.reachSquared)
+            var isFar:Boolean = distanceSquared >= reach * reach;
+            if (isFar)
             {
-                level = levelFor(2 * level.width);
-                isFar = true;
+                width = widthFor(Math.sqrt(distanceSquared) / BinLevel.REACH);
             }
-            extents.level[row] = level.number;
+            if (isFar || !isFitting)
+            {
+                extents.level[row] = levelOf(width).number;
+            }
             return isFar;
         }
 
@@ -60,18 +61,20 @@ package starlogo.broadphase
             return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].reachSquared;
         }
 
-        // The level whose width is the smallest power of two that is at least this large.
-        private function levelFor(least:Number):BinLevel
+        // The smallest power of two that is at least this large, and not less than LEAST_WIDTH.
+        private static function widthFor(least:Number):Number
         {
-            var width:Number = 1;
-            while (width < least)
+            var width:Number = LEAST_WIDTH;
+            while (width < least && width < Infinity)
             {
                 width *= 2;
             }
-            while (width >= 2 * least)
-            {
-                width *= 0.5;
-            }
+            return width;
+        }
+
+        // The level of a width, which is a power of two.
+        private function levelOf(width:Number):BinLevel
+        {
             var index:int = 0;
             while (index < byWidth.length && byWidth[index].width > width)
             {
@@ -80,6 +83,10 @@ package starlogo.broadphase
             if (index == byWidth.length || byWidth[index].width != width)
             {
                 var level:BinLevel = new BinLevel(byNumber.length, width);
+                if (width == LEAST_WIDTH)
+                {
+                    level.tooSmallHalf = -1;
+                }
                 byWidth.splice(index, 0, level);
                 byNumber.push(level);
             }

@@ -94,10 +94,37 @@ package starlogo.collision
             return contact;
         }
 
+        /** @private The engine's collider that this one is or contains, or null. It belongs to one Collision at most. */
+        engine function get innermost():Collider
+        {
+            return _collisionSystem is BaseCollider ? BaseCollider(_collisionSystem).innermost : null;
+        }
+
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */
         engine function get collider():Collider
         {
             return null;
+        }
+
+        /** @private Calls <code>findPairs</code>. Meanwhile calls of the engine's collider within it belong to the frame too. */
+        engine final function findFrame(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
+        {
+            var inside:Collider = innermost;
+            try
+            {
+                if (inside != null)
+                {
+                    inside.isInFrame = true;
+                }
+                findPairs(agents, interests, takePart, fixtures, out);
+            }
+            finally
+            {
+                if (inside != null)
+                {
+                    inside.isInFrame = false;
+                }
+            }
         }
 
         /**

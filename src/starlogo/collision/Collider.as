@@ -37,6 +37,13 @@ package starlogo.collision
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
+        /** @private Whether a frame of its Collision is being searched, also if a BaseCollider around it calls findCollisions. */
+        engine var isInFrame:Boolean = false;
+
+        // The Collision that has it, or null; the search for other calls of findCollisions, or null.
+        private var _owner:Object = null;
+        private var _asked:CollisionSearch = null;
+
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
         private var _contactPoint:ContactPoint = new ContactPoint();
@@ -81,7 +88,16 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            measure(agents, interests, null, null, _found, found);
+            if (_owner != null && !isInFrame)
+            {
+                // the game's own call must not change where the next frame's motions begin
+                _asked ||= new CollisionSearch(choice, pairs);
+                measure(_asked, agents, interests, null, null, _found, found);
+            }
+            else
+            {
+                measure(search, agents, interests, null, null, _found, found);
+            }
             if (found.length > 2 * _found.count)
             {
                 found.length = 2 * _found.count;
@@ -91,6 +107,7 @@ package starlogo.collision
 
         /**
          * Computes how two agents touch. If both were in the last search, it takes them as they were then. Otherwise it takes them as they are now.
+         * If the collider belongs to a Collision, the last search is the search of its last frame.
          *
          * @param collider the normal points to it
          * @param collidee another agent
@@ -118,12 +135,33 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
+        override engine function get innermost():Collider
         {
-            measure(agents, interests, takePart, fixtures, out, null);
+            return this;
         }
 
-        private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs,
+        /** @private Gives the collider to a Collision, or takes it back with null. For a new owner no agent has a motion. */
+        engine function set owner(value:Object):void
+        {
+            if (value != null && value !== _owner)
+            {
+                if (_owner != null)
+                {
+                    throw new ArgumentError("the collider belongs to another Collision, whose motions and contacts it keeps: give each Collision "
+                            + "a collider of its own, or first exchange the collisionSystem of the other");
+                }
+                search.table.forgetMotions();
+            }
+            _owner = value;
+        }
+
+        /** @private */
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
+        {
+            measure(search, agents, interests, takePart, fixtures, out, null);
+        }
+
+        private function measure(search:CollisionSearch, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs,
                 outAgents:Vector.<Agent>):void
         {
             var start:Number = getTimer();

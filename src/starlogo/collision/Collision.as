@@ -31,8 +31,9 @@ package starlogo.collision
      * <p>In a pair, the handlers of the agent that is first in the list run first. Handlers of one agent run in the order in which they were added.
      * The two agents' breeds count as they are when the pair's turn comes.</p>
      *
-     * <p>Any number of Collisions and collision systems may share agents. A handler of one Collision may update another. The time for the calls is
-     * in proportion to the number of agents and calls. An agent removed from the list costs one search of the list.</p>
+     * <p>Any number of Collisions may share agents. A handler of one Collision may update another. But each Collision needs a collider of its own,
+     * because a collider keeps the agents' positions of the last frame. The time for the calls is in proportion to the number of agents and
+     * calls. An agent removed from the list costs one search of the list.</p>
      */
     public class Collision
     {
@@ -75,7 +76,7 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _table:HandlerTable = null;
+        private var _table:HandlerTable = new HandlerTable();
         private var _tableIsStale:Boolean = true;
         private var _touchesAreStale:Boolean = false;
         private var _contacts:FrameContacts = new FrameContacts();
@@ -83,26 +84,34 @@ package starlogo.collision
         private var _snapshots:Snapshots = new Snapshots();
         private var _isUpdating:Boolean = false;
 
+        // The engine's collider in the collision system, or null; the one of the frame under way, which stays reserved until its end.
+        private var _owned:Collider = null;
+        private var _inUse:Collider = null;
+
         // The system that found the last frame's pairs, or null; whether it refused the list.
         private var _searched:Collider = null;
         private var _isRefused:Boolean = false;
         private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
-
-        // Whether the filter lets an agent take part, by its index in the list.
-        private var _takePart:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _asked:AskedList = new AskedList();
 
         /**
          * Creates a Collision without handlers.
          *
          * @param collisionSystem decides which agents collide
-         * @throws ArgumentError if it is null
+         * @throws ArgumentError as the property collisionSystem does
          */
         public function Collision(collisionSystem:CollisionSystem)
         {
             this.collisionSystem = collisionSystem;
         }
 
-        /** Decides which agents collide. It may be exchanged between frames; a handler may exchange it for the next frame. */
+        /**
+         * Decides which agents collide. It may be exchanged between frames; a handler may exchange it for the next frame. A collider belongs to
+         * this Collision until it is exchanged, whether it is the system itself or inside a BaseCollider. Motions begin anew with
+         * another collider: agents that sweep do so from its second frame on.
+         *
+         * @throws ArgumentError if it is null, or if its collider belongs to another Collision. Nothing has changed then
+         */
         public function get collisionSystem():CollisionSystem
         {
             return _collisionSystem;
@@ -114,8 +123,17 @@ package starlogo.collision
             {
                 throw new ArgumentError("collisionSystem must not be null");
             }
+            var system:BaseCollider = BaseCollider.of(value);
+            var owned:Collider = system.innermost;
+            if (owned != null)
+            {
+                owned.owner = this;
+            }
+            var before:Collider = _owned;
             _collisionSystem = value;
-            _system = BaseCollider.of(value);
+            _system = system;
+            _owned = owned;
+            releaseUnused(before);
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -194,26 +212,32 @@ package starlogo.collision
         }
 
         /**
-         * Removes a handler of onCollision, onCollisionStart or onCollisionEnd. If it was added several times, one of them is removed. A removed
-         * handler is not called again, not even in this frame.
+         * Removes a handler of onCollision, onCollisionStart or onCollisionEnd. If it was added several times, the first of them is removed. A
+         * removed handler is not called again, not even in this frame.
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
          * @param handler the same function
+         * @param kind "collision", "start" or "end": by which of the three methods it was added; null for any of them
          * @return whether it was there
-         * @throws ArgumentError if one is null, or a breed has no name
+         * @throws ArgumentError if one of the first three is null, a breed has no name, or there is no such kind
          */
-        public function removeHandler(breed:String, otherBreed:String, handler:Function):Boolean
+        public function removeHandler(breed:String, otherBreed:String, handler:Function, kind:String = null):Boolean
         {
             requireHandler(breed, otherBreed, handler);
+            var wanted:int = CollisionHandler.KINDS.indexOf(kind);
+            if (kind != null && wanted < 0)
+            {
+                throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
+            }
             for (var i:int = 0; i < _handlers.length; i++)
             {
                 var added:CollisionHandler = _handlers[i];
-                if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler)
+                if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler && (kind == null || added.kind == wanted))
                 {
                     added.isRemoved = true;
                     _handlers.splice(i, 1);
-                    _tableIsStale = true;
+                    _table = null;
                     return true;
                 }
             }
@@ -221,8 +245,8 @@ package starlogo.collision
         }
 
         /**
-         * Removes all handlers and forgets the last frame, so all touches begin again in the next. The collision system and the filter stay. If a
-         * handler calls reset, no further handler runs in this frame.
+         * Removes all handlers and forgets the last frame, so all touches and motions begin again in the next. The collision system, the ground,
+         * the edges and the filter stay. If a handler calls reset, no further handler runs in this frame.
          */
         public function reset():void
         {
@@ -231,8 +255,14 @@ package starlogo.collision
                 _handlers[i].isRemoved = true;
             }
             _handlers.length = 0;
-            _tableIsStale = _touchesAreStale = true;
+            _table = null;
+            _touchesAreStale = true;
+            _isRefused = false;
             _searched = null;
+            if (_owned != null)
+            {
+                _owned.search.table.forgetMotions();
+            }
             // a handler may call this, and the frame goes on with its list
             _lastAgents = new Vector.<Agent>();
         }
@@ -243,14 +273,14 @@ package starlogo.collision
          * @param agents the agents of the game; a handler may change this list, in place. Another list in the client's variable, as from
          *     <code>agents = agents.filter(...)</code>, counts from the next frame on
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; no handler has then run
-         * @throws IllegalOperationError if called from one of its own handlers, or from its filter
+         * @throws IllegalOperationError if called from one of its own handlers, or from the filter
          * @throws Error the first error that a handler threw, after all handlers have run
          */
         public function update(agents:Vector.<Agent>):void
         {
             if (_isUpdating)
             {
-                throw new IllegalOperationError("update must not be called from a handler, or from its filter");
+                throw new IllegalOperationError("update must not be called from a handler, or from the filter");
             }
             if (agents == null)
             {
@@ -259,23 +289,30 @@ package starlogo.collision
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             readHandlers();
+            // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
+            var table:HandlerTable = _table;
+            var asked:AgentPredicate = filter;
+            _inUse = _owned;
             _isUpdating = true;
             try
             {
-                applyFilter(agents);
+                var listed:Vector.<Agent> = asked == null ? agents : _asked.ask(asked, agents);
                 _isRefused = true;
-                findPairs(system, agents);
+                findPairs(system, listed, table.interests, asked == null ? null : _asked.takePart);
                 _isRefused = false;
-                keepList(agents);
+                keepList(listed);
                 _searched = system.collider;
                 _contacts.system = system;
-                _calls.make(_table, _lastAgents, agents, _handlerErrors);
+                _calls.make(table, _lastAgents, agents, _handlerErrors);
             }
             finally
             {
                 _isUpdating = false;
                 _contacts.system = null;
+                var used:Collider = _inUse;
+                _inUse = null;
+                releaseUnused(used);
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
@@ -343,10 +380,20 @@ package starlogo.collision
                 _calls.tracker.clear();
                 _touchesAreStale = false;
             }
-            if (_tableIsStale)
+            if (_table == null || _tableIsStale)
             {
-                _table = new HandlerTable(_handlers);
+                _table ||= new HandlerTable();
+                _table.read(_handlers);
                 _tableIsStale = false;
+            }
+        }
+
+        // Lets another Collision have a collider, unless this one still needs it.
+        private function releaseUnused(collider:Collider):void
+        {
+            if (collider != null && collider !== _owned && collider !== _inUse)
+            {
+                collider.owner = null;
             }
         }
 
@@ -357,15 +404,7 @@ package starlogo.collision
                 // the game's own list, from now on
                 _lastAgents = new Vector.<Agent>();
             }
-            _lastAgents.length = agents.length;
-            for (var i:int = 0; i < agents.length; i++)
-            {
-                // writing a reference costs more than comparing it
-                if (_lastAgents[i] !== agents[i])
-                {
-                    _lastAgents[i] = agents[i];
-                }
-            }
+            AskedList.copyInto(_lastAgents, agents);
         }
 
         private function requireSearch(what:String):void
@@ -380,25 +419,16 @@ package starlogo.collision
             }
         }
 
-        private function findPairs(system:BaseCollider, agents:Vector.<Agent>):void
+        private function findPairs(system:BaseCollider, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>):void
         {
             var start:Number = getTimer();
             _calls.fixtures[0] = terrain == null ? null : terrain.agent;
             _calls.fixtures[1] = bounds == null ? null : bounds.agent;
-            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, _calls.fixtures, _calls.pairs);
+            system.findFrame(agents, interests, takePart, _calls.fixtures, _calls.pairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.count;
             _statistics.findMs = getTimer() - start;
-        }
-
-        // Asks the filter about each agent. An agent that is null takes part, because the collision system refuses it.
-        private function applyFilter(agents:Vector.<Agent>):void
-        {
-            for (var i:int = 0; filter != null && i < agents.length; i++)
-            {
-                _takePart[i] = agents[i] == null || filter.admits(agents[i]);
-            }
         }
 
         private function addHandler(kind:int, breed:String, otherBreed:String, handler:Function):void

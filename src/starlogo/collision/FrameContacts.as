@@ -1,11 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
-    import starlogo.engine;
-    import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.ContactSource;
-
-    use namespace engine;
 
     /** Computes the contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts implements ContactSource
@@ -49,13 +45,7 @@ package starlogo.collision
         }
 
         /** @inheritDoc */
-        public function contactFor(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):Object
-        {
-            return handler.takesContact ? contactOf(pair, first, second, isBack) : contactWhenAsked(this, pair, first, second, isBack);
-        }
-
-        /** Returns the contact of a pair. <code>contactWhenAsked()</code> calls it too. */
-        public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
+        public function contactFor(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
         {
             find(pair, first, second);
             var known:Contact = _contacts[pair];

@@ -16,6 +16,9 @@ package starlogo.handlers
         /** Called in the first frame after a touch. */
         public static const END:int = 2;
 
+        /** The names of START, COLLISION and END. */
+        public static const KINDS:Array = ["start", "collision", "end"];
+
         /** START, COLLISION or END. */
         public var kind:int;
 
@@ -28,11 +31,17 @@ package starlogo.handlers
         /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */
         public var handler:Function;
 
-        /** Whether it takes a contact. */
+        /** Whether it takes a contact, or may read one as a further argument: see mayTakeMore. */
         public var takesContact:Boolean;
 
-        /** Whether it takes a contact or may read one as a further argument: see mayTakeMore. */
-        public var mayTakeContact:Boolean;
+        /** The numbers of the two breeds, and the place among all handlers in the order of calls: its HandlerTable sets them. */
+        public var breedNumber:int = -1;
+
+        /** @copy #breedNumber */
+        public var otherNumber:int = -1;
+
+        /** @copy #breedNumber */
+        public var order:Number = 0;
 
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
@@ -44,8 +53,7 @@ package starlogo.handlers
             this.breed = breed;
             this.otherBreed = otherBreed;
             this.handler = handler;
-            takesContact = handler.length >= 3;
-            mayTakeContact = takesContact || mayTakeMore(handler);
+            takesContact = handler.length >= 3 || mayTakeMore(handler);
         }
     }
 }

@@ -102,7 +102,8 @@ package starlogo.handlers
             {
                 readAgents(pair);
                 var handlers:PairHandlers = _table.handlersOf(_first.breedNumber, _second.breedNumber);
-                if (handlers.takesContacts)
+                // the ground and the edges have no rows that keep them as they are, so nothing can be computed later
+                if (handlers.takesContacts || _secondAt >= _listed.length && _table.takesFixtureContacts)
                 {
                     _contacts.find(pair, _first, _second);
                 }
@@ -156,11 +157,14 @@ package starlogo.handlers
                     count++;
                     // a local, so that the handler is not called as a method of its CollisionHandler
                     var toCall:Function = handler.handler;
-                    if (handler.mayTakeContact)
+                    var isBack:Boolean = _call > forwardCount;
+                    if (handler.takesContact)
                     {
-                        callWithContact(handler, _call > forwardCount);
+                        // an ended touch has no contact
+                        var contact:Object = _turn < 0 ? null : _contacts.contactFor(_turn, first, second, isBack);
+                        toCall(isBack ? second : first, isBack ? first : second, contact);
                     }
-                    else if (_call > forwardCount)
+                    else if (isBack)
                     {
                         toCall(second, first);
                     }
@@ -225,23 +229,6 @@ package starlogo.handlers
                 _starting = touch;
                 _handlers = _handlers.ofStart;
                 _callCount = _handlers.handlers.length;
-            }
-        }
-
-        // An ended touch has no contact.
-        private function callWithContact(handler:CollisionHandler, isBack:Boolean):void
-        {
-            var toCall:Function = handler.handler;
-            var collider:Agent = isBack ? _second : _first;
-            var collidee:Agent = isBack ? _first : _second;
-            var contact:Object = _turn < 0 ? null : _contacts.contactFor(handler, _turn, _first, _second, isBack);
-            if (handler.takesContact || contact != null)
-            {
-                toCall(collider, collidee, contact);
-            }
-            else
-            {
-                toCall(collider, collidee);
             }
         }
 

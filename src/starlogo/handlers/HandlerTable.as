@@ -6,8 +6,7 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Finds the handlers of two breeds by the breeds' numbers. A table does not change. When handlers are added or removed, the Collision makes a
-     * new one.
+     * Finds the handlers of two breeds by the breeds' numbers. Handlers can be added. When one is removed, the Collision makes a new table.
      *
      * @private
      */
@@ -19,32 +18,44 @@ package starlogo.handlers
         /** True if no handler takes contacts and no handler is for starts or ends. */
         public var isPlain:Boolean = true;
 
-        // In the order of their kinds; handlers of one kind in the order in which they were added.
-        private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+        /** Whether any handler for the ground or the edges of the world takes contacts. */
+        public var takesFixtureContacts:Boolean = false;
 
-        // By the numbers of breeds, from -1 on.
-        private var _pairs:Vector.<PairHandlers>;
-        private var _rowLength:int;
+        // How many handlers were read. By the number of the collider's breed: its handlers, in the order in which they were added.
+        private var _count:int = 0;
+        private var _handlers:Vector.<Vector.<CollisionHandler>> = new Vector.<Vector.<CollisionHandler>>();
 
-        /**
-         * @param handlers in the order in which they were added
-         */
-        public function HandlerTable(handlers:Vector.<CollisionHandler>)
+        // By the numbers of the two breeds, from -1 on: what was found so far.
+        private var _pairs:Vector.<Vector.<PairHandlers>> = null;
+
+        /** Begins without handlers. */
+        public function HandlerTable()
         {
-            for (var kind:int = CollisionHandler.START; kind <= CollisionHandler.END; kind++)
+        }
+
+        /** Reads the handlers that were added to a list after the last call. */
+        public function read(handlers:Vector.<CollisionHandler>):void
+        {
+            for (; _count < handlers.length; _count++)
             {
-                for each (var handler:CollisionHandler in handlers)
-                {
-                    if (handler.kind == kind)
-                    {
-                        _handlers.push(handler);
-                        interests.add(handler.breed, handler.otherBreed);
-                        isPlain = isPlain && kind == CollisionHandler.COLLISION && !handler.mayTakeContact;
-                    }
-                }
+                add(handlers[_count]);
             }
-            _rowLength = interests.breedCount + 1;
-            _pairs = new Vector.<PairHandlers>(_rowLength * _rowLength, true);
+            _pairs = new Vector.<Vector.<PairHandlers>>(interests.breedCount + 1, true);
+        }
+
+        private function add(handler:CollisionHandler):void
+        {
+            interests.add(handler.breed, handler.otherBreed);
+            handler.order = handler.kind * int.MAX_VALUE + _count;
+            handler.breedNumber = interests.numberOf(handler.breed);
+            handler.otherNumber = interests.numberOf(handler.otherBreed);
+            while (_handlers.length < interests.breedCount)
+            {
+                _handlers.push(new Vector.<CollisionHandler>());
+            }
+            _handlers[handler.breedNumber].push(handler);
+            isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
+            takesFixtureContacts ||= handler.takesContact && !(interests.isOfAgents(handler.breedNumber) && interests.isOfAgents(handler.otherNumber));
         }
 
         /**
@@ -63,15 +74,17 @@ package starlogo.handlers
             }
             var breed:int = numbers[breedNumber];
             var otherBreed:int = numbers[otherNumber];
-            var index:int = (breed + 1) * _rowLength + otherBreed + 1;
-            return _pairs[index] || (_pairs[index] = make(breed, otherBreed));
+            var ofBreed:Vector.<PairHandlers> = _pairs[breed + 1] ||= new Vector.<PairHandlers>(_pairs.length, true);
+            return ofBreed[otherBreed + 1] ||= make(breed, otherBreed);
         }
 
         private function make(breed:int, otherBreed:int):PairHandlers
         {
-            var result:PairHandlers = ofKinds(CollisionHandler.COLLISION, CollisionHandler.COLLISION, breed, otherBreed);
-            var ofStart:PairHandlers = ofKinds(CollisionHandler.START, CollisionHandler.COLLISION, breed, otherBreed);
-            var ofEnd:PairHandlers = ofKinds(CollisionHandler.END, CollisionHandler.END, breed, otherBreed);
+            var forward:Vector.<CollisionHandler> = between(breed, otherBreed);
+            var back:Vector.<CollisionHandler> = between(otherBreed, breed);
+            var result:PairHandlers = ofKinds(CollisionHandler.COLLISION, CollisionHandler.COLLISION, forward, back);
+            var ofStart:PairHandlers = ofKinds(CollisionHandler.START, CollisionHandler.COLLISION, forward, back);
+            var ofEnd:PairHandlers = ofKinds(CollisionHandler.END, CollisionHandler.END, forward, back);
             if (ofStart.handlers.length > result.handlers.length || ofEnd.handlers.length > 0)
             {
                 result.ofStart = ofStart;
@@ -81,18 +94,45 @@ package starlogo.handlers
             return result;
         }
 
-        private function ofKinds(first:int, last:int, breed:int, otherBreed:int):PairHandlers
+        private static function ofKinds(first:int, last:int, forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>):PairHandlers
         {
-            return new PairHandlers(between(first, last, breed, otherBreed), between(first, last, otherBreed, breed));
+            return new PairHandlers(forward.filter(isOfKind), back.filter(isOfKind));
+
+            function isOfKind(handler:CollisionHandler, ...ignored):Boolean
+            {
+                return handler.kind >= first && handler.kind <= last;
+            }
         }
 
-        private function between(first:int, last:int, breed:int, otherBreed:int):Vector.<CollisionHandler>
+        // The handlers whose collider is of the first breed and whose collidee is of the second, in the order of their calls.
+        private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
         {
-            return _handlers.filter(function(handler:CollisionHandler, ...ignored):Boolean
+            var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+            var others:int = interests.numberOf(BreedInterests.ANY_BREED);
+            var any:int = interests.isOfAgents(breed) ? others : -1;
+            var otherAny:int = interests.isOfAgents(otherBreed) ? others : -1;
+            addFrom(breed, otherBreed, otherAny, found);
+            if (any != breed)
+            {
+                addFrom(any, otherBreed, otherAny, found);
+            }
+            return found.sort(function(a:CollisionHandler, b:CollisionHandler):Number
                 {
-                    return handler.kind >= first && handler.kind <= last && interests.matches(handler.breed, breed)
-                        && interests.matches(handler.otherBreed, otherBreed);
+                    return a.order - b.order;
                 });
+        }
+
+        // Adds the handlers of a collider's breed for either of two collidees' breeds.
+        private function addFrom(breed:int, otherBreed:int, otherAny:int, found:Vector.<CollisionHandler>):void
+        {
+            for (var i:int = 0; breed >= 0 && i < _handlers[breed].length; i++)
+            {
+                var handler:CollisionHandler = _handlers[breed][i];
+                if (handler.otherNumber == otherBreed || handler.otherNumber == otherAny)
+                {
+                    found.push(handler);
+                }
+            }
         }
     }
 }

@@ -57,7 +57,7 @@ package starlogo.queries
             var reach:Number = ending == Mover.SLIDE ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 0;
             var row:int = begin(agent, null, dx, dy, dz, filter, reach);
             mover.move(_seen.table, row, agents, way, ending);
-            if (contact != null && _seen.table.shapes[row] != null)
+            if (contact != null)
             {
                 writeContact(contact);
             }

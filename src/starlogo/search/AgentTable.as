@@ -238,6 +238,16 @@ package starlogo.search
             }
         }
 
+        /** Lets no agent have a motion from its position in the last search. */
+        public function forgetMotions():void
+        {
+            for (var row:int = 0; row < revisions.length; row++)
+            {
+                revisions[row] = NOT_SEEN;
+                placedRevisions[row] = STALE;
+            }
+        }
+
         /** Whether the agent of a row has a motion between the last two searches: it was in both of them, and has not jumped. */
         public function hasMotion(row:int):Boolean
         {

@@ -19,11 +19,6 @@ package starlogo.search
          */
         public static const ANY_BREED:String = "*";
 
-        /**
-         * @private Whether a pair of breeds is of interest. The index is the number of one breed times breedCount, plus the number of the other.
-         */
-        engine var areOfInterest:Vector.<Boolean> = new Vector.<Boolean>();
-
         /** @private Whether all pairs of the breeds that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
@@ -33,12 +28,22 @@ package starlogo.search
          */
         engine var numbers:Vector.<int> = new Vector.<int>();
 
-        // The named breeds, as numbers of the class Breeds.
+        // By number: the breed's number of the class Breeds. Of the breeds that are named nowhere, taken together, it is OTHERS.
+        private static const OTHERS:int = -1;
         private var _named:Vector.<int> = new Vector.<int>();
-        private var _hasAny:Boolean = false;
 
-        // breed, otherBreed, breed, otherBreed, ...
-        private var _added:Vector.<String> = new Vector.<String>();
+        // The number of the others; -1 until a pair has ANY_BREED. How many numbers belong to breeds of agents.
+        private var _others:int = -1;
+        private var _agentBreeds:int = 0;
+
+        // A bit for each pair of numbers that was added, in both orders. A row of bits has _words elements. By number: whether all breeds of
+        // agents are of interest together with it.
+        private var _bits:Vector.<int> = new Vector.<int>();
+        private var _words:int = 1;
+        private var _withAll:Vector.<Boolean> = new Vector.<Boolean>();
+
+        // How many pairs of breeds of agents have a bit.
+        private var _agentPairs:int = 0;
 
         /** By row of the table that was read last: the number of its breed, or -1. */
         internal var ofRows:Vector.<int> = new Vector.<int>();
@@ -54,7 +59,7 @@ package starlogo.search
          */
         public function get breedCount():int
         {
-            return _hasAny ? _named.length + 1 : _named.length;
+            return _named.length;
         }
 
         /**
@@ -65,26 +70,19 @@ package starlogo.search
          */
         public function add(breed:String, otherBreed:String):void
         {
-            _added.push(breed, otherBreed);
-            enter(breed);
-            enter(otherBreed);
-            numbers.length = 0;
-            follow();
-            areOfInterest = new Vector.<Boolean>(breedCount * breedCount);
-            for (var i:int = 0; i < areOfInterest.length; i++)
+            var number:int = enter(breed);
+            var other:int = enter(otherBreed);
+            if (number == _others || other == _others)
             {
-                // Ruffle leaves an element null until it is set
-                areOfInterest[i] = false;
+                _withAll[number == _others ? other : number] = true;
             }
-            for (i = 0; i < _added.length; i += 2)
+            else if (!hasBit(number, other))
             {
-                markPairs(numbersOf(_added[i]), numbersOf(_added[i + 1]));
+                setBit(number, other);
+                setBit(other, number);
+                _agentPairs += isOfAgents(number) && isOfAgents(other) ? 1 : 0;
             }
-            areAll = true;
-            for (i = 0; i < areOfInterest.length; i++)
-            {
-                areAll = areAll && (areOfInterest[i] || !isOfAgents(i % breedCount) || !isOfAgents(i / breedCount));
-            }
+            areAll = _others >= 0 ? _withAll[_others] : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
         }
 
         /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
@@ -99,7 +97,8 @@ package starlogo.search
         public function includes(index:int, otherIndex:int):Boolean
         {
             var count:int = breedCount;
-            return index >= 0 && index < count && otherIndex >= 0 && otherIndex < count && areOfInterest[index * count + otherIndex];
+            return index >= 0 && index < count && otherIndex >= 0 && otherIndex < count
+                && (hasBit(index, otherIndex) || _withAll[index] && isOfAgents(otherIndex) || _withAll[otherIndex] && isOfAgents(index));
         }
 
         /** @private Gives numbers to the breeds that appeared after the last call. */
@@ -107,8 +106,7 @@ package starlogo.search
         {
             for (var number:int = numbers.length; number < Breeds.count; number++)
             {
-                var index:int = _named.indexOf(number);
-                numbers[number] = index < 0 && _hasAny && !Breeds.isReserved(number) ? _named.length : index;
+                numbers[number] = Breeds.isReserved(number) ? -1 : _others;
             }
         }
 
@@ -121,7 +119,7 @@ package starlogo.search
         internal function read(table:AgentTable):int
         {
             var hasFixture:Boolean = table.agents[RowList.GROUND] != null || table.agents[RowList.EDGES] != null;
-            if (_hasAny && areAll && !hasFixture)
+            if (_others >= 0 && areAll && !hasFixture)
             {
                 return 0;
             }
@@ -164,12 +162,20 @@ package starlogo.search
         internal function keepOfInterest(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var numbersOfRows:Vector.<int> = ofRows;
-            var first:int = numbersOfRows[row] * breedCount;
+            var number:int = numbersOfRows[row];
+            if (_withAll[number])
+            {
+                return count;
+            }
+            var bits:Vector.<int> = _bits;
+            var first:int = number * _words;
+            var areOfAgents:Boolean = isOfAgents(number);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                if (areOfInterest[first + numbersOfRows[rows[other]]])
+                var otherNumber:int = numbersOfRows[rows[other]];
+                if ((bits[int(first + (otherNumber >> 5))] & (1 << otherNumber)) != 0 || areOfAgents && _withAll[otherNumber])
                 {
                     others[kept] = other;
                     kept++;
@@ -178,57 +184,76 @@ package starlogo.search
             return kept;
         }
 
-        /** @private Whether a name matches the breed with a number. ANY_BREED matches all breeds of agents. */
-        engine function matches(name:String, index:int):Boolean
+        /** @private The number of a name: of a breed, or of the others for ANY_BREED. The name is in a pair. */
+        engine function numberOf(name:String):int
         {
-            return name == ANY_BREED ? isOfAgents(index) : indexOf(name) == index;
+            return name == ANY_BREED ? _others : indexOf(name);
         }
 
-        // Tells whether a number belongs to a breed of agents, not to the ground or the edges of the world.
-        private function isOfAgents(index:int):Boolean
+        /** @private Whether a number belongs to a breed of agents, not to the ground or the edges of the world. */
+        engine function isOfAgents(number:int):Boolean
         {
-            return index < 0 || index == _named.length || !Breeds.isReserved(_named[index]);
+            return number >= 0 && (number == _others || !Breeds.isReserved(_named[number]));
         }
 
-        private function enter(breed:String):void
+        // Returns the number of a name. A new name gets the next number.
+        private function enter(name:String):int
         {
-            if (breed == ANY_BREED)
+            var breed:int = name == ANY_BREED ? OTHERS : Breeds.numberOf(name);
+            follow();
+            var number:int = breed == OTHERS ? _others : numbers[breed];
+            if (number >= 0 && _named[number] == breed)
             {
-                _hasAny = true;
+                return number;
             }
-            else if (_named.indexOf(Breeds.numberOf(breed)) < 0)
+            number = _named.push(breed) - 1;
+            _withAll[number] = false;
+            if (number >= 32 * _words)
             {
-                _named.push(Breeds.numberOf(breed));
+                widen();
             }
-        }
-
-        // The numbers of the breeds that a name matches. A breed's name is looked up once, because a game may have hundreds of handlers.
-        private function numbersOf(name:String):Vector.<int>
-        {
-            if (name != ANY_BREED)
+            for (var word:int = 0; word < _words; word++)
             {
-                return new <int>[indexOf(name)];
+                _bits.push(0);
             }
-            var all:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < breedCount; i++)
+            if (breed == OTHERS)
             {
-                if (isOfAgents(i))
+                _others = number;
+                numbers.length = 0;
+                follow();
+                for (var i:int = 0; i < number; i++)
                 {
-                    all.push(i);
+                    numbers[_named[i]] = i;
                 }
             }
-            return all;
+            else
+            {
+                numbers[breed] = number;
+            }
+            _agentBreeds += isOfAgents(number) ? 1 : 0;
+            return number;
         }
 
-        private function markPairs(someNumbers:Vector.<int>, otherNumbers:Vector.<int>):void
+        // Makes the rows of bits twice as long.
+        private function widen():void
         {
-            for each (var number:int in someNumbers)
+            var wide:Vector.<int> = new Vector.<int>(2 * _bits.length);
+            for (var i:int = 0; i < _bits.length; i++)
             {
-                for each (var other:int in otherNumbers)
-                {
-                    areOfInterest[number * breedCount + other] = areOfInterest[other * breedCount + number] = true;
-                }
+                wide[i + int(i / _words) * _words] = _bits[i];
             }
+            _bits = wide;
+            _words *= 2;
+        }
+
+        private function hasBit(number:int, other:int):Boolean
+        {
+            return (_bits[number * _words + (other >> 5)] & (1 << other)) != 0;
+        }
+
+        private function setBit(number:int, other:int):void
+        {
+            _bits[number * _words + (other >> 5)] |= 1 << other;
         }
     }
 }

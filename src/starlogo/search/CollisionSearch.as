@@ -2,6 +2,7 @@ package starlogo.search
 {
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
@@ -141,10 +142,14 @@ package starlogo.search
          *
          * @param out receives the contact. Its normal points from b to a
          * @return the time of the contact in their motions, from 0 to 1
-         * @throws ArgumentError if a model is unknown or still loading
+         * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
          */
         public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
         {
+            if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
+            {
+                throw new ArgumentError("the ground and the edges of the world have no contact with each other");
+            }
             var rowA:int = table.rowOf(a);
             var rowB:int = table.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)

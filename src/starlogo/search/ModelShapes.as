@@ -6,6 +6,8 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.bounding.Box;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
     import starlogo.terrain.FixtureAgent;
     import starlogo.terrain.Terrain;
 
@@ -25,9 +27,15 @@ package starlogo.search
         private var _greatLand:GreatLand;
         private var _revision:int = -1;
 
-        // The shapes that are needed often move to the front. A hash table would be slower, because each lookup would have to make a key of
-        // model and kind.
+        // A text stands before each key, because a model may be called "hasOwnProperty".
+        private static const PREFIX:String = ":";
+        private static const MOST_RECENT:int = 8;
+
+        // All shapes; the shapes of each model, by its name, as a chain; and a few that were needed last, without making a key. Of these, the
+        // shapes that are needed often move to the front.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        private var _ofModels:Object = {};
+        private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /** @param choice chooses the shapes */
         public function ModelShapes(choice:ShapeChoice)
@@ -41,6 +49,7 @@ package starlogo.search
          *
          * @return null while the model is loading
          * @throws ArgumentError if the model is unknown or lacks data that is needed
+         * @throws RangeError if its structure is not in the world
          */
         public function shapeOf(agent:Agent):ModelShape
         {
@@ -49,16 +58,31 @@ package starlogo.search
                 return shapeOfFixture(agent);
             }
             var kind:int = _choice.kindOf(agent);
-            for (var i:int = 0; i < _shapes.length; i++)
+            for (var i:int = 0; i < _recent.length; i++)
             {
-                var shape:ModelShape = _shapes[i];
+                var shape:ModelShape = _recent[i];
                 if (shape.kind == kind && shape.model == agent.shape)
                 {
-                    _shapes[i] = _shapes[i >> 1];
-                    _shapes[i >> 1] = shape;
+                    _recent[i] = _recent[i >> 1];
+                    _recent[i >> 1] = shape;
                     return shape;
                 }
             }
+            shape = _ofModels[PREFIX + agent.shape];
+            while (shape != null && shape.kind != kind)
+            {
+                shape = shape.next;
+            }
+            shape ||= newShape(agent, kind);
+            if (shape != null)
+            {
+                _recent[Math.min(_recent.length, MOST_RECENT - 1)] = shape;
+            }
+            return shape;
+        }
+
+        private function newShape(agent:Agent, kind:int):ModelShape
+        {
             if (_greatLand != null && !_greatLand.hasModel(agent.shape))
             {
                 if (_greatLand.isLoading(agent.shape))
@@ -67,11 +91,28 @@ package starlogo.search
                 }
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
             }
-            shape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
+            var shape:ModelShape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
             _choice.bind(shape, agent);
+            requireExtents(shape, agent);
             forms |= 1 << shape.form;
             _shapes.push(shape);
+            chain(shape);
             return shape;
+        }
+
+        private function chain(shape:ModelShape):void
+        {
+            shape.next = _ofModels[PREFIX + shape.model];
+            _ofModels[PREFIX + shape.model] = shape;
+        }
+
+        // A game's own choice, and a model as it was given, may be anywhere.
+        private static function requireExtents(shape:ModelShape, agent:Agent):void
+        {
+            var extents:Vector.<Number> = new Vector.<Number>(6, true);
+            shape.structure.turnedExtentsInto(new Placement(), extents);
+            requireInWorld(agent + ": the middle of its model's structure", extents[0], extents[1], extents[2]);
+            requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
         }
 
         // The shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: one cell, or nothing.
@@ -110,6 +151,15 @@ package starlogo.search
                 }
             }
             _shapes.length = left;
+            if (haveChanged)
+            {
+                _recent.length = 0;
+                _ofModels = {};
+                for (i = 0; i < left; i++)
+                {
+                    chain(_shapes[i]);
+                }
+            }
             return haveChanged;
         }
     }

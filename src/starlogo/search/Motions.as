@@ -110,8 +110,8 @@ package starlogo.search
             }
             if (!isSwept || motion.x == 0 && motion.y == 0 && motion.z == 0)
             {
-                // two that sweep alike touch from the beginning on; two that do not sweep touch where they are now
-                var found:Number = isSwept ? 0 : 1;
+                // two that sweep alike touch from the beginning on; two that do not sweep or have not moved touch where they are now
+                var found:Number = isSwept && (x[a] != 0 || y[a] != 0 || z[a] != 0) ? 0 : 1;
                 motion.time = _pairs.areTouching(table, a, b) ? found : RelativeMotion.NEVER;
             }
             else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))

@@ -320,7 +320,7 @@ package starlogo.terrain
         // The structure around a node and its descendants.
         private function structureOf(node:HierarchyNode):BoundingStructure
         {
-            return _tree.boundsKind == BoundingStructure.BOX ? node.writeBox(_box) : node.cover || node.structure;
+            return _tree.boundsKind == BoundingStructure.BOX ? node.writeBox(_box) : node.cover || node.bounds;
         }
 
         private function heightAt(x:Number, y:Number):Number

@@ -132,7 +132,15 @@ package starlogo.collision
                     var collider:Collider = EachCollider.make(name, sGreatLand);
                     var twin:Collider = EachCollider.make(name, sGreatLand);
                     var collision:Collision = new Collision(collider);
-                    playFrames(collider, twin);
+                    makeAgents(_isSwept);
+                    collision.update(_agents);
+                    twin.findCollisions(_agents);
+                    if (_isSwept)
+                    {
+                        change("position", someOf(_agents));
+                        collision.update(_agents);
+                        twin.findCollisions(_agents);
+                    }
                     var all:Vector.<Agent> = _agents.concat();
                     var later:Vector.<Number> = null;
                     var calls:int = 0;

@@ -186,7 +186,7 @@ package starlogo.collision
         // The time is undefined if the pair was not found.
         private function checkPair(name:String, i:int, j:int, time:*):void
         {
-            var isSwept:Boolean = isSweeping(i) || isSweeping(j);
+            var isSwept:Boolean = (isSweeping(i) || isSweeping(j)) && (hasMoved(i) || hasMoved(j));
             var isSeen:Boolean = false;
             for (var k:int = isSwept ? 0 : MOMENTS; k <= MOMENTS && !isSeen; k++)
             {
@@ -215,6 +215,12 @@ package starlogo.collision
         private function isSweeping(i:int):Boolean
         {
             return _agents[i].sweeps && !isNaN(_last[3 * i]);
+        }
+
+        private function hasMoved(i:int):Boolean
+        {
+            var agent:Agent = _agents[i];
+            return !isNaN(_last[3 * i]) && (agent.x != _last[3 * i] || agent.y != _last[3 * i + 1] || agent.z != _last[3 * i + 2]);
         }
 
         private function collideAt(i:int, j:int, time:Number):Boolean

@@ -1,13 +1,18 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.Collider;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import support.assertThrows;
 
     use namespace engine;
 
@@ -41,6 +46,47 @@ package starlogo.search
             assertFalse("another kind", _shapes.shapeOf(_cube) === tightest);
             _cube.collideAs = Agent.TIGHTEST;
             assertTrue("and back", _shapes.shapeOf(_cube) === tightest);
+        }
+
+        [Test]
+        public function isFoundAmongManyModels():void
+        {
+            var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            var cube:Model = BuiltInModel.cube();
+            for (var i:int = 0; i < 40; i++)
+            {
+                var name:String = i == 0 ? "hasOwnProperty" : i == 1 ? "__proto__" : "m" + i;
+                _land.addModel(new Model(name, cube.vertices, cube.triangles));
+                agents.push(new Agent(name));
+                agents[i].collideAs = i % 3 == 0 ? Agent.SPHERE : Agent.TIGHTEST;
+                shapes.push(_shapes.shapeOf(agents[i]));
+            }
+            for (var k:int = 0; k < 400; k++)
+            {
+                i = k * k * 7 % 40;
+                assertTrue(_shapes.shapeOf(agents[i]) === shapes[i]);
+            }
+            _land.removeModel("m7");
+            assertTrue(_shapes.forgetReplaced());
+            for (i = 0; i < 40; i++)
+            {
+                assertTrue(i == 7 || _shapes.shapeOf(agents[i]) === shapes[i]);
+            }
+            assertThrows(ArgumentError, /there is no model "m7"/, _shapes.shapeOf, agents[7]);
+        }
+
+        [Test]
+        public function aStructureOutsideTheWorldIsRefused():void
+        {
+            for each (var far:Number in [2e9, 1e200])
+            {
+                for each (var structure:BoundingStructure in [new Sphere(new Vector3D(0, 0, far), 1), new Sphere(new Vector3D(), far)])
+                {
+                    var collider:Collider = new Collider(new OneStructure(structure));
+                    assertThrows(RangeError, /its model's structure must be between/, collider.findCollisions, new <Agent>[_ball, _cube]);
+                }
+            }
         }
 
         [Test]
@@ -81,5 +127,27 @@ package starlogo.search
             assertTrue(_shapes.forgetReplaced());
             assertEquals("true,false", [ball.isVoid, cube.isVoid].join());
         }
+    }
+}
+
+import starlogo.agents.Agent;
+import starlogo.bounding.BoundingStructure;
+import starlogo.search.ModelShape;
+import starlogo.search.ShapeChoice;
+
+/** The same structure for every model. */
+internal class OneStructure extends ShapeChoice
+{
+    private var _structure:BoundingStructure;
+
+    public function OneStructure(structure:BoundingStructure)
+    {
+        super(null, false);
+        _structure = structure;
+    }
+
+    override public function bind(shape:ModelShape, agent:Agent):void
+    {
+        shape.setStructure(_structure);
     }
 }

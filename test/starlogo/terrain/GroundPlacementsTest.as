@@ -4,6 +4,7 @@ package starlogo.terrain
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
@@ -176,6 +177,8 @@ package starlogo.terrain
             time = Infinity;
             agent.moveTo(agent.x + motion.x, agent.y + motion.y, agent.z + motion.z);
             collision.update(new <Agent>[agent]);
+            // the collider may then have another Collision
+            collision.collisionSystem = new BinCollider();
             if (stood < Infinity)
             {
                 expected = 0;

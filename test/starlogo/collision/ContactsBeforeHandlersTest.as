@@ -1,0 +1,183 @@
+package starlogo.collision
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentQueries;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
+    import support.agentAt;
+
+    use namespace engine;
+
+    /** Contacts are those of the frame, whatever handlers do to the ground, to the edges and to breeds before they get them. */
+    public class ContactsBeforeHandlersTest
+    {
+        private static const NEAR:Number = 1e-6;
+
+        private var _collision:Collision;
+        private var _terrain:Terrain;
+        private var _bounds:WorldBounds;
+        private var _ball:Agent;
+        private var _agents:Vector.<Agent>;
+        private var _depths:Array;
+
+        [Before]
+        public function makeGame():void
+        {
+            _collision = new Collision(new BinCollider());
+            _terrain = new Terrain(11, 11, 1, -5, -5);
+            _bounds = new WorldBounds(-9, -9, -9, 9, 9, 9);
+            _collision.terrain = _terrain;
+            _collision.bounds = _bounds;
+            _ball = agentAt("sphere", 0, 0, -0.1, "balls");
+            _agents = new <Agent>[_ball];
+            _depths = [];
+        }
+
+        [Test]
+        public function anAgentOfAnotherBreedGetsThatOfTheGroundBefore():void
+        {
+            // the pair's handlers take no contact before the breed changes
+            _agents.unshift(agentAt("sphere", 3, 0, -0.1, "diggers"));
+            _collision.onCollision("diggers", Collision.TERRAIN, function(digger:Agent, ground:Agent):void
+                {
+                    raise();
+                    _ball.breed = "bears";
+                });
+            _collision.onCollision("balls", Collision.TERRAIN, ignore);
+            _collision.onCollision("bears", Collision.TERRAIN, note);
+            _collision.update(_agents);
+            assertDepths(0.1);
+        }
+
+        [Test]
+        public function anAgentOfAnotherBreedGetsThatOfTheEdgesBefore():void
+        {
+            _ball.moveTo(8.6, 0, 5);
+            _agents.unshift(agentAt("sphere", -8.6, 0, 5, "diggers"));
+            _collision.onCollision("diggers", Collision.EDGE, function(digger:Agent, edge:Agent):void
+                {
+                    _bounds.setTo(-4, -9, -9, 4, 9, 9);
+                    _ball.breed = "bears";
+                });
+            _collision.onCollision("balls", Collision.EDGE, ignore);
+            _collision.onCollisionStart("bears", Collision.EDGE, note);
+            _collision.update(_agents);
+            assertDepths(0.1);
+        }
+
+        [Test]
+        public function aGroundThatIsNoLongerThereHasNoHandlersOfAnyBreed():void
+        {
+            _collision.onCollisionStart("balls", Collision.TERRAIN, ignore);
+            _collision.onCollisionEnd(Collision.ANY_BREED, Collision.ANY_BREED, function(a:Agent, b:Agent):void
+                {
+                    assertTrue("called with " + b, b.breed != Collision.TERRAIN && a.breed != Collision.TERRAIN);
+                    _depths.push(0);
+                });
+            _agents.push(agentAt("sphere", 0, 0, 3), agentAt("sphere", 0, 0, 3.5));
+            _collision.update(_agents);
+            _collision.removeHandler("balls", Collision.TERRAIN, ignore);
+            _collision.update(_agents);
+            assertEquals(0, _depths.length);
+            _agents.pop();
+            _collision.update(_agents);
+            assertEquals("once for each of the two", 2, _depths.length);
+        }
+
+        [Test]
+        public function aPairOfTheGroundAndTheEdgesHasNoContact():void
+        {
+            for each (var pair:Array in [[_terrain.agent, _bounds.agent], [_bounds.agent, _terrain.agent]])
+            {
+                var text:String = "";
+                try
+                {
+                    new BinCollider().contactOf(pair[0], pair[1]);
+                }
+                catch (error:ArgumentError)
+                {
+                    text = error.message;
+                }
+                assertTrue(text, text.indexOf("the ground and the edges of the world have no contact") >= 0);
+            }
+        }
+
+        [Test]
+        public function whatSweepsButHasNotMovedTouchesNow():void
+        {
+            var land:GreatLand = new GreatLand();
+            land.addModel(BuiltInModel.cube());
+            for each (var shape:String in ["sphere", "cube"])
+            {
+                var collision:Collision = new Collision(shape == "sphere" ? new BinCollider() : new TightestFitCollider(land));
+                var times:Array = [];
+                collision.onCollision("balls", "walls", function(ball:Agent, wall:Agent, contact:Contact):void
+                    {
+                        times.push(contact.time);
+                    });
+                collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent, contact:Contact):void
+                    {
+                        times.push(contact.time);
+                    });
+                collision.terrain = _terrain;
+                var ball:Agent = agentAt(shape, 0, 0, 0, "balls");
+                var wall:Agent = agentAt(shape, 0.5, 0, 0, "walls");
+                ball.sweeps = true;
+                var agents:Vector.<Agent> = new <Agent>[ball, wall];
+                collision.update(agents);
+                collision.update(agents);
+                assertEquals("1,1,1,1", times.join());
+                // moved together, they touch from the beginning on
+                ball.moveTo(0, 1, 0);
+                wall.moveTo(0.5, 1, 0);
+                collision.update(agents);
+                assertEquals(0, Math.min(times[4], times[5]));
+            }
+        }
+
+        [Test]
+        public function theContactOfAnAgentThatIsLoadingHasTheTime():void
+        {
+            var land:GreatLand = new GreatLand();
+            land.expect("later");
+            var contact:Contact = new Contact();
+            contact.time = 0.25;
+            assertEquals(1, new AgentQueries(new BinCollider(land)).moveUntilTouch(new Agent("later"), 1, 0, 0, null, contact));
+            assertEquals(1, contact.time);
+        }
+
+        private function raise():void
+        {
+            for (var column:int = 0; column < 11; column++)
+            {
+                for (var row:int = 0; row < 11; row++)
+                {
+                    _terrain.setHeight(column, row, 5);
+                }
+            }
+        }
+
+        private function ignore(a:Agent, b:Agent):void
+        {
+        }
+
+        private function note(a:Agent, b:Agent, contact:Contact):void
+        {
+            _depths.push(contact.depth);
+        }
+
+        private function assertDepths(...expected):void
+        {
+            assertEquals(expected.length, _depths.length);
+            for (var i:int = 0; i < expected.length; i++)
+            {
+                assertTrue(_depths[i] + ", not " + expected[i], Math.abs(_depths[i] - expected[i]) < NEAR);
+            }
+        }
+    }
+}

@@ -186,7 +186,8 @@ package starlogo.search
         }
 
         // Adds the way back from an edge to the normal, and moves the point into the middle of the overlap. For edges other than the nearest, the
-        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges.
+        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. A point has no extent;
+        // the patch counts in its place.
         private function leadBack(edge:int, out:ContactPoint):void
         {
             var outwards:Vector3D = _outwards[edge];
@@ -194,7 +195,7 @@ package starlogo.search
             if (edge != _nearest || by == 0)
             {
                 // the extents of a tree are larger than its shape
-                by += Tolerances.SEPARATION / 5 * _largest;
+                by += Tolerances.SEPARATION / 5 * (_largest > 0 ? _largest : 1);
             }
             out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);
             var place:Number = _places[edge] + _beyond[edge] / 2 - along(edge, out.x, out.y, out.z);

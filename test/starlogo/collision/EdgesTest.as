@@ -245,6 +245,32 @@ package starlogo.collision
         }
 
         [Test]
+        public function aPointOnEdgesIsLedBackFromAllOfThem():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, landOfPoints());
+                var bounds:WorldBounds = new WorldBounds(-9, -9, -9, 9, 9, 9);
+                var point:Agent = agentAt("point", 9, 2, 0);
+                // the sphere of the BinCollider stands on the place
+                point.size = 1e-6;
+                var contact:Contact = collider.contactOf(point, bounds.agent);
+                assertTrue(name + contact.normal, contact.normal.x == -1 && contact.depth <= 1e-6);
+                point.moveTo(10, -9, 0);
+                contact = collider.contactOf(point, bounds.agent);
+                assertTrue(name + contact.normal, contact.normal.x < -0.9 && contact.normal.y > 0 && Math.abs(contact.depth - 1) < 1e-6);
+            }
+        }
+
+        private static function landOfPoints():GreatLand
+        {
+            var land:GreatLand = new GreatLand();
+            land.loadAllBoundingStructures = true;
+            land.addModel(new Model("point", new <Number>[0, 0, 0]));
+            return land;
+        }
+
+        [Test]
         public function questionsTakeTheEdgesAsAnAgent():void
         {
             for each (var name:String in EachCollider.ALL_NAMES)

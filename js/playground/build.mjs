@@ -2,7 +2,7 @@
 /**
  * Bundles the playground into static files, and into a single one.
  *
- * node js/playground/build.mjs MODULE OUT MODULE is the npm package of the engine (bin/module)
+ * node js/playground/build.mjs MODULE OUT API     MODULE is the npm package of the engine (bin/module), API the pages of its API (bin/typedoc)
  */
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
@@ -16,7 +16,7 @@ import { writeDocs } from "./docs.mjs";
 import { picturesInside, writeSingle } from "./single.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
-const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
+const [engine, out, api] = process.argv.slice(2).map((folder) => path.resolve(folder));
 const npm = path.join(here, "node_modules");
 const { exports } = JSON.parse(readFileSync(path.join(engine, "package.json"), "utf8"));
 const readable = path.join(engine, exports["./readable"].default);
@@ -162,6 +162,7 @@ mkdirSync(path.join(out, "models"));
 for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
 writeDocs(path.join(here, "../.."), path.join(out, "docs"));
+cpSync(api, path.join(out, "docs/api"), { recursive: true });
 await writeSingle(out, "starlogo-nova.html", settings(true));
 
 for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {

@@ -6,6 +6,7 @@ import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
 import { chiefOf } from "./shared/files.js";
 import { further, learnClass, speak, texts } from "./shared/language.js";
+import { DOCS } from "./shared/served.js";
 
 /** The languages, each with its own name, its words, and those for teachers. */
 const LANGUAGES = {
@@ -67,6 +68,7 @@ async function begin() {
 	views.setAttribute("aria-label", texts.page.views);
 	for (const [name, link] of links) link.textContent = texts.views[name];
 	views.append(...links.values());
+	if (DOCS) views.after(h("nav.helps", { "aria-label": texts.page.help }, ...[["guide", "index.html"], ["api", "api/index.html"]].map(([name, page]) => h("a", { href: DOCS + page, target: "_blank", hreflang: "en" }, texts.page[name]))));
 	const languages = choice(Object.entries(LANGUAGES).map(([each, { name }]) => [each, name]), code, changeLanguage);
 	languages.setAttribute("aria-label", texts.page.language);
 	languages.className = "language";

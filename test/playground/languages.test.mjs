@@ -26,7 +26,7 @@ function flat(words, name = '') {
 }
 
 /** Names of keys, systems and the like, and words that languages share. */
-const SHARED = /^(numbers|traits\.[xyz]|inspect\.(ups|time)|blocks\.(traits\.[xyz]|mouse\.[xy]|comparisons|arithmetic|keys\.[wasd]|logic_|math_number|math_arithmetic|variables_get|starlogo_agent|starlogo_pick)|play\.keysOf|blockly\.|compare\.system$|questions\.other|play\.(another|speeds|after|panel\.tests)|gallery\.name|handing\.name|colours\.orange)/;
+const SHARED = /^(numbers|traits\.[xyz]|inspect\.(ups|time)|blocks\.(traits\.[xyz]|mouse\.[xy]|comparisons|arithmetic|keys\.[wasd]|logic_|math_number|math_arithmetic|variables_get|starlogo_agent|starlogo_pick)|play\.keysOf|blockly\.|compare\.(system|ms)$|questions\.other|play\.(another|speeds|after|panel\.tests)|gallery\.name|page\.api|handing\.name|colours\.orange)/;
 const isOfSigns = (text) => !/\p{L}/u.test(text.replaceAll(/%\d/g, ''));
 
 for (const [code, words] of Object.entries(others)) {

@@ -1,8 +1,11 @@
 /** How views look and what they say of what is seen: legends, cameras, colours, measures, files. Nothing is painted, as the processor would have to. */
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { exec } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
 import { begin, dragBall, drop, open, ready, root, saved } from './browser.mjs';
 
@@ -360,4 +363,52 @@ test('a program is shown as JavaScript, with the way to documentation and exampl
 	assert.ok(count > 200, `${count} links`);
 	assert.match(html('examples.html'), /import \{ Agent, .*starlogo-collision[^]*modelFromObject[^]*package/);
 	assert.deepEqual(said.splice(0), []);
+});
+
+test('every page and program names an install that works', async () => {
+	const { page } = await shared('play');
+	await use(page, 'lesson-blocks');
+	await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+	const program = await page.locator('dialog pre').textContent();
+	await page.keyboard.press('Escape');
+	const [, command] = /^\/\/ Install first: (npm install .*?) - PROJECT/m.exec(program);
+	// a release has the package as its folder module, as bin/ does
+	const folder = mkdtempSync(path.join(os.tmpdir(), 'install-'));
+	try {
+		writeFileSync(path.join(folder, 'program.mjs'), program);
+		writeFileSync(path.join(folder, 'package.json'), '{"private": true}');
+		const { stdout } = await promisify(exec)(`${command.replace('PROJECT', path.join(root, 'bin'))} --offline --no-audit --no-fund >&2 && node program.mjs`, { cwd: folder });
+		assert.match(stdout, /^5 agents after 600 frames/);
+	} finally {
+		rmSync(folder, { recursive: true });
+	}
+	const docs = path.join(root, 'bin/playground/docs');
+	for (const file of readdirSync(docs).filter((name) => name.endsWith('.html'))) assert.doesNotMatch(readFileSync(path.join(docs, file), 'utf8'), /npm install starlogo-collision/, file);
+});
+
+test('Play: what scripts take is not counted as the engine\'s', async () => {
+	const { page } = await shared('play');
+	// each touch repeats a loop, which takes much longer than to find it
+	const number = (NUM) => ({ shadow: { type: 'math_number', fields: { NUM } } });
+	const scatter = { type: 'starlogo_scatter' };
+	const program = { blocks: { blocks: [
+		{ type: 'starlogo_start', inputs: { DO: { block: { type: 'starlogo_create', fields: { BREED: 'turtles', SHAPE: 'turtle' }, inputs: { COUNT: number(300), DO: { block: scatter } } } } } },
+		{ type: 'starlogo_collision', fields: { BREED: 'turtles', OTHER: 'turtles' }, inputs: { DO: { block: { type: 'controls_repeat_ext', inputs: { TIMES: number(60), DO: { block: { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: number(1) } } } } } } } },
+	] } };
+	await page.setInputFiles('.naming input[type=file]', { name: 'slow.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(program)) });
+	await page.waitForFunction(() => document.querySelector('.title').value === 'slow' && globalThis.playground.world.agents.length === 300);
+	const { engine, scripts, whole } = await page.evaluate(() => {
+		const { world } = globalThis.playground;
+		const times = Array.from({ length: 61 }, () => {
+			const start = performance.now();
+			world.step();
+			return { engine: world.collisionMs, scripts: world.scriptMs, whole: performance.now() - start };
+		}).slice(10);
+		// a busy machine makes some frames long
+		return Object.fromEntries(['engine', 'scripts', 'whole'].map((name) => [name, times.map((each) => each[name]).sort((a, b) => a - b)[25]]));
+	});
+	assert.ok(scripts > 3 * engine && engine > 0, `${engine} ms of the engine, ${scripts} ms of scripts`);
+	assert.ok(Math.abs(engine + scripts - whole) < 0.4 * whole, `${engine} and ${scripts} of ${whole} ms`);
+	await page.locator('.controls').getByRole('button', { name: 'Step' }).click();
+	await page.waitForFunction(() => [...document.querySelectorAll('.figures dt')].some(({ textContent }) => textContent === 'ms of scripts and lists'));
 });

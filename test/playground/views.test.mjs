@@ -339,7 +339,7 @@ test('Compare: the program that it shows runs, and gives the same verdict', asyn
 			const file = path.join(folder, `${shape}.mjs`);
 			writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(pathToFileURL(path.join(root, 'bin/module/starlogo-collision.js')).href)).replaceAll('"assets/', `"${assets.url}assets/`));
 			const { stdout } = await promisify(execFile)(process.execPath, [file]);
-			assert.equal(stdout.trim(), text.split('// ')[1], text);
+			assert.equal(stdout.trim(), text.split('// ').at(-1), text);
 			assert.equal(stdout.trim(), String(verdict !== 'no collision' && verdict !== 'missed'), verdict);
 		}
 	} finally {
@@ -455,6 +455,20 @@ test('Inspect: files by their content, with their names, standing up, points as 
 		return [scene.children.filter(({ isPoints }) => isPoints).length, actors.children.filter(({ visible }) => visible).length];
 	});
 	assert.deepEqual(drawn, [1, 0], 'points, and no mesh');
+	// what is measured first takes no longer than when it is measured again
+	await page.reload();
+	await ready(page, 'inspect');
+	await measured(page, /^Bear/);
+	const times = () => page.evaluate(() => globalThis.playground.found.rows.map(({ ms }) => ms));
+	const first = await times();
+	await page.getByRole('button', { name: 'Measure again' }).click();
+	await page.waitForSelector('.results[aria-busy]');
+	await measured(page, /^Bear/);
+	const again = await times();
+	assert.ok(first.slice(0, 7).every((ms, i) => ms < 5 * again[i]), `${first} and then ${again}`);
+	assert.match(await page.textContent('.results .card .note'), /convex hull first: \d+\.\d+ ms/);
+	await drop(page, ['post.txt', Buffer.from(`${post}\n${faces}\n`)]);
+	await measured(page, /^post\.txt: 8/);
 	await model.selectOption({ label: 'post.txt' });
 	await measured(page, /^post\.txt: 8 vertices, 12/);
 	// two files of other kinds, under names that say nothing
@@ -610,4 +624,87 @@ test('the page is under a strict policy, and has the licences of what it brings'
 	assert.doesNotMatch(policy, /unsafe|https?:|\*/);
 	assert.ok(existsSync(path.join(root, 'bin/playground/LICENSES.txt')));
 	assert.ok(statSync(path.join(root, 'bin/playground/main.js')).size < 20000, 'the first script is small');
+});
+
+test('Compare: the scene is in the address: it survives a reload, and a link brings it', async () => {
+	const { page, said, leave } = await open(site, 'compare');
+	await page.getByLabel('Size').last().fill('0.5');
+	await page.locator('input[name=shown][value=exact]').check();
+	await page.waitForURL(/#compare\/dragon_0_0_0_0_0_0_2~sphere_0\.2_0\.6_0\.1_0_0_0_0\.5~exact$/);
+	await page.reload();
+	await ready(page, 'compare');
+	const scene = () => page.evaluate(() => {
+		const { agents, sight, gameSystem, reference, isGame } = globalThis.playground;
+		return { shapes: agents.map(({ shape }) => shape), size: agents[1].size, system: sight.system, gameSystem, reference, isGame: Boolean(isGame) };
+	});
+	assert.deepEqual(await scene(), { shapes: ['dragon', 'sphere'], size: 0.5, system: 'exact', gameSystem: 'unit spheres', reference: 'exact', isGame: false });
+	assert.ok(await page.locator('input[name=shown][value=exact]').isChecked());
+	assert.equal(await page.getByLabel('Size').last().inputValue(), '0.5');
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
+	await page.getByLabel('Beside').selectOption('hierarchies');
+	await page.getByRole('button', { name: 'A frame on' }).click();
+	await page.getByRole('button', { name: 'A frame on' }).click();
+	await page.waitForURL(/#compare\/game~unit-spheres~hierarchies~2$/);
+	const places = () => page.evaluate(() => globalThis.playground.game.agents.map(({ x, y }) => [x, y]));
+	const before = await places();
+	await page.evaluate(() => {
+		navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
+	});
+	await page.getByRole('button', { name: 'Copy a link' }).click();
+	const link = await page.locator('.address').inputValue();
+	await page.goto('about:blank');
+	await page.goto(link);
+	await ready(page, 'compare');
+	assert.deepEqual(await places(), before);
+	assert.ok(await page.getByRole('radio', { name: 'A scattered game' }).isChecked());
+	assert.equal(await page.getByLabel('Beside').inputValue(), 'hierarchies');
+	// nonsense shows the beginning
+	await page.goto('about:blank');
+	await page.goto(`${site.url}#compare/dragon_0~sphere_a_b_c_d_e_f_0~exact`);
+	await ready(page, 'compare');
+	assert.deepEqual((await scene()).shapes, ['dragon', 'sphere']);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('Compare: milliseconds stand beside precision, for the other system too', async () => {
+	const { page, said, leave } = await open(site, 'compare/game~tightest-fits~exact~3');
+	await page.waitForFunction(() => [...document.querySelectorAll('.scattered tr:is([data-system], [data-reference])')].every(({ lastChild }) => /^\d/.test(lastChild.textContent)));
+	const rows = await page.locator('.scattered tr:is([data-system], [data-reference])').evaluateAll((all) => all.map((row) => [row.dataset.system ?? row.dataset.reference, Number(row.lastChild.textContent)]));
+	assert.deepEqual(rows.map(([name]) => name), ['unit spheres', 'tightest fits', 'hierarchies', 'combination', 'exact']);
+	assert.ok(rows.every(([, ms]) => ms > 0 && ms < 1000), JSON.stringify(rows));
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('Inspect takes a program for what it is, and leads to Play', async () => {
+	const { page, said, leave } = await open(site, 'inspect');
+	const program = { name: 'Mine', lesson: 'room', blocks: { blocks: [{ type: 'starlogo_start', inputs: { DO: { block: { type: 'starlogo_create', fields: { BREED: 'walls', SHAPE: 'wall' }, inputs: { COUNT: { shadow: { type: 'math_number', fields: { NUM: 3 } } } } } } } }] } };
+	await drop(page, ['mine.json', Buffer.from(JSON.stringify(program))]);
+	await page.waitForSelector('.status a');
+	assert.match(await status(page), /^mine\.json is a program of blocks, not a model\. Open it in Play$/);
+	await page.locator('.status a').click();
+	await ready(page, 'play');
+	await page.waitForFunction(() => document.querySelector('.title').value === 'Mine');
+	assert.equal(await page.evaluate(() => globalThis.playground.world.agents.length), 3);
+	assert.match(await page.textContent('.lesson'), /A room/);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('the head of the page links the guide and the API, and stays in one line in windows of 1024 pixels', async () => {
+	for (const locale of ['en-US', 'de-DE']) {
+		const { page, said, leave } = await open(site, 'measure', { ...SIZES.desktop, viewport: { width: 1024, height: 768 }, isDrawn: false, locale });
+		const links = await page.locator('.helps a').evaluateAll((all) => all.map((each) => each.href));
+		assert.equal(links.length, 2);
+		for (const link of links) {
+			const response = await page.request.get(link);
+			assert.ok(response.ok(), link);
+			assert.match(await response.text(), /GreatLand|collision/i);
+		}
+		assert.ok(await page.evaluate(() => document.querySelector('.bar').getBoundingClientRect().height) < 60);
+		assert.equal(await page.getByRole('heading', { level: 1 }).textContent(), locale === 'en-US' ? 'Collision playground' : 'Kollisionswerkstatt');
+		assert.deepEqual(said, []);
+		await leave();
+	}
 });

@@ -1,5 +1,6 @@
 /** Writes a program for the npm package with two agents and a collision system. */
 import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
+import { INSTALL } from "../shared/names.js";
 
 /** The traits of a new agent. The code sets only traits that differ. */
 const USUAL = { x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, hierarchical: false };
@@ -19,6 +20,7 @@ export function codeOf(agents, system, areColliding) {
 	const isUsed = (word) => models.some((line) => line.includes(word));
 	const names = ["Agent", ...(isUsed("BuiltInModel") ? ["BuiltInModel"] : []), "CollisionBlocks", "GreatLand", ...(isUsed("new Model") ? ["Model"] : []), ...(isUsed("loader") ? ["ModelLoader"] : [])];
 	return [
+		INSTALL,
 		`import { ${names.join(", ")} } from "starlogo-collision";`,
 		"",
 		"const greatLand = new GreatLand();",

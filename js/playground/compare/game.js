@@ -65,6 +65,39 @@ export function pairsOf(system, agents) {
 	return pairs;
 }
 
+/** Rounds that count for nothing, in which the browser compiles the code, rounds that count, and the frames of each. */
+const [WARM, COUNTED, FRAMES] = [2, 3, 30];
+
+/**
+ * The milliseconds in which each system finds all pairs of a frame, while all agents move: the shortest of several rounds.
+ *
+ * @param {object} greatLand
+ * @param {number} count the number of agents
+ * @param {() => boolean} isWanted whether to go on
+ * @returns {Promise<Record<string, number>|null>} by the systems' names; null if it is not wanted any more
+ */
+export async function timesOf(greatLand, count, isWanted) {
+	const game = new ScatteredGame(count);
+	const blocks = new CollisionBlocks(greatLand, game.agents);
+	// the first one only moves
+	const works = [() => {}, ...CollisionBlocks.systemNames.map((name) => () => blocks.systemNamed(name).findCollisions(game.agents))];
+	const shortest = works.map(() => Infinity);
+	for (let round = 0; round < WARM + COUNTED; round++) {
+		for (const [i, search] of works.entries()) {
+			const start = performance.now();
+			for (let frame = 0; frame < FRAMES; frame++) {
+				game.step();
+				search();
+			}
+			if (round >= WARM) shortest[i] = Math.min(shortest[i], performance.now() - start);
+			await new Promise((resolve) => setTimeout(resolve));
+			if (!isWanted()) return null;
+		}
+	}
+	const [moving, ...all] = shortest;
+	return Object.fromEntries(CollisionBlocks.systemNames.map((name, i) => [name, Math.max(0.001, (all[i] - moving) / FRAMES)]));
+}
+
 /**
  * Compares the pairs of all systems with those of a reference system, which is taken as right.
  *

@@ -1,7 +1,7 @@
 /** Compare: shows which collisions each system finds, for two agents, and for a game of many. */
 import { Agent, CollisionBlocks, GreatLand } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
-import { button, choice, field, h } from "../shared/dom.js";
+import { button, choice, field, h, short } from "../shared/dom.js";
 import { Lab } from "../shared/lab.js";
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
@@ -10,7 +10,8 @@ import { orbitByKeys } from "../shared/stage.js";
 import { TraitSliders, dragAgents } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
 import { codeOf } from "./code.js";
-import { ScatteredGame, compare } from "./game.js";
+import { ScatteredGame, compare, timesOf } from "./game.js";
+import { gameTo, pairTo, sceneFrom } from "./link.js";
 
 const words = texts.compare;
 const COLOURS = [AGENTS.first, AGENTS.other];
@@ -20,18 +21,26 @@ const KINDS = { right: "hit", wrong: "wrong", missed: "missed" };
 /** A ball beneath the dragon's wing: it touches the dragon's box, but not the dragon. */
 const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0.6, z: 0.1, size: 0.2 }];
 
-export async function createView(main) {
+/** The address follows the scene this many milliseconds after its last change. */
+const LATE = 300;
+
+export async function createView(main, link) {
 	const models = new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)])));
 	const greatLand = new GreatLand();
 	for (const model of models.values()) greatLand.addModel(model);
-	return new CompareView(main, models, greatLand);
+	const view = new CompareView(main, models, greatLand);
+	view.open(link);
+	return view;
 }
 
 class CompareView {
 	sliders = [];
+	#frame = 0;
+	#timer = 0;
 
 	constructor(main, models, greatLand) {
-		this.models = models;
+		Object.assign(this, { main, models, greatLand });
+		this.shapes = [];
 		this.agents = BEGINNING.map(({ shape, ...traits }) => Object.assign(new Agent(shape), traits));
 		this.agents[0].hierarchical = true;
 		this.pairHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
@@ -43,12 +52,14 @@ class CompareView {
 		this.legend = h("ul.legend");
 		this.gameSystem = CollisionBlocks.UNIT_SPHERES;
 		this.reference = CollisionBlocks.EXACT;
-		const references = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), this.reference, (name) => {
+		this.references = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), this.reference, (name) => {
 			this.reference = name;
 			this.#judge();
+			this.#keep();
 		});
 		this.meeting = h("p.note", { role: "status" });
 		this.code = h("code");
+		this.shared = h("span", { role: "status" });
 		const copied = h("span", { role: "status" });
 		const copy = button(words.copy, async () => {
 			try {
@@ -61,14 +72,17 @@ class CompareView {
 		});
 		const listing = h("details.code", {}, h("summary", {}, words.code), h("div.tools", {}, copy, copied), h("pre", { tabindex: "0", "aria-label": words.code }, this.code));
 		main.replaceChildren(
-			this.#modes(main),
+			h("div.tools", {}, this.#modes(), button(texts.play.share, () => this.#share()), this.shared),
 			h("section.pair", { "aria-label": words.pair },
 				h("div.seen", {}, h("div.screen", {}, this.pairHost), this.verdicts),
 				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)),
 					listing)),
 			h("section.scattered", { hidden: true, "aria-label": words.game },
-				h("div.side", {}, h("div.tools", {}, h("h2", {}, words.game), field(words.reference, references)), this.gameNote, this.table,
-					h("div.tools", {}, button(words.next, () => this.#step()), button(words.another, () => this.#restart())),
+				h("div.side", {}, h("div.tools", {}, h("h2", {}, words.game), field(words.reference, this.references)), this.gameNote, this.table,
+					h("div.tools", {}, button(words.next, () => this.#step()), button(words.another, () => {
+						this.#restart();
+						this.#keep();
+					})),
 					this.colourNote, this.legend),
 				h("div.screen", {}, this.gameHost)));
 		this.stage = new Lab(this.pairHost, { label: words.world, eye: [1.6, 2.35, 1.2], target: [0, 0, 0.35], ground: 6 });
@@ -81,28 +95,84 @@ class CompareView {
 		this.#buildVerdicts();
 		dragAgents(this.stage, (agent) => {
 			this.sliders[this.agents.indexOf(agent)].update();
-			this.#update();
+			this.#change();
 		});
 		this.#update();
 		this.#restart();
 	}
 
 	/** Shows either two agents or a whole game. Each has the window to itself. */
-	#modes(main) {
-		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
-			h("input", { type: "radio", name: "mode", value: name, checked: name === "pair", onchange: () => {
-				main.querySelector(".pair").hidden = name !== "pair";
-				main.querySelector(".scattered").hidden = name === "pair";
-			} }), text)));
+	#modes() {
+		this.modes = Object.entries(words.modes).map(([name, text]) => h("label.tick", {}, h("input", { type: "radio", name: "mode", value: name, checked: name === "pair", onchange: () => {
+			this.#turnTo(name);
+			this.#keep();
+		} }), text));
+		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...this.modes);
+	}
+
+	#turnTo(mode) {
+		this.main.querySelector(".pair").hidden = mode !== "pair";
+		this.main.querySelector(".scattered").hidden = mode === "pair";
+		for (const { firstChild: pick } of this.modes) pick.checked = pick.value === mode;
+		this.isGame = mode !== "pair";
+		if (this.isGame) this.#time();
+	}
+
+	/** Shows the scene in an address. Without one it stays as it is. */
+	open(link) {
+		const scene = sceneFrom(link);
+		if (!scene) return;
+		this.#turnTo(scene.isGame ? "game" : "pair");
+		if (scene.isGame) {
+			this.gameSystem = scene.system;
+			this.reference = this.references.value = scene.reference;
+			this.game = new ScatteredGame(COUNT);
+			for (this.#frame = 0; this.#frame < scene.frame; this.#frame++) this.game.step();
+			this.#judge();
+			return;
+		}
+		this.agents.forEach((agent, i) => {
+			Object.assign(agent, scene.agents[i]);
+			this.shapes[i].value = agent.shape;
+			this.sliders[i].update();
+		});
+		this.sight.use(scene.system);
+		for (const { row, name } of this.rows) row.firstChild.checked = name === scene.system;
+		this.#update();
+	}
+
+	get #link() {
+		return this.isGame ? gameTo(this.gameSystem, this.reference, this.#frame) : pairTo(this.agents, this.sight.system);
+	}
+
+	/** Puts the scene into the address, so that it is there when the page is loaded again. */
+	#keep() {
+		clearTimeout(this.#timer);
+		// browsers refuse many changes of the address in a short time
+		this.#timer = setTimeout(() => history.replaceState(null, "", `#compare/${this.#link}`), LATE);
+	}
+
+	async #share() {
+		const address = new URL(location.href);
+		address.hash = `compare/${this.#link}`;
+		try {
+			await navigator.clipboard.writeText(address.href);
+			this.shared.textContent = texts.play.shared;
+		} catch {
+			const place = h("input.address", { type: "text", readonly: true, value: address.href, "aria-label": texts.play.link });
+			this.shared.replaceChildren(place);
+			place.select();
+		}
 	}
 
 	#controls(agent, i) {
 		const letter = "AB"[i];
 		const shape = choice(SHAPES.map((name) => [name, texts.shapes[name]]), agent.shape, (name) => {
 			agent.shape = name;
-			this.#update();
+			this.#change();
 		});
-		const sliders = new TraitSliders(agent, () => this.#update());
+		this.shapes.push(shape);
+		const sliders = new TraitSliders(agent, () => this.#change());
 		this.sliders.push(sliders);
 		return h("details", { open: i === 1, name: "agent" }, h("summary", {}, words.agent(letter)), field(words.shape, shape), ...sliders.elements);
 	}
@@ -112,12 +182,18 @@ class CompareView {
 			const verdict = h("strong");
 			const pick = h("input", { type: "radio", name: "shown", value: name, checked: name === this.sight.system, onchange: () => {
 				this.sight.use(name);
-				this.#update();
+				this.#change();
 			} });
 			const row = h("label.verdict", {}, pick, h("span", {}, texts.systems[name], h("small", {}, texts.systemNotes[name]), verdict));
 			return { name, row, verdict };
 		});
 		this.verdicts.replaceChildren(...this.rows.map(({ row }) => row));
+	}
+
+	/** Called when the user has changed the scene of two agents. */
+	#change() {
+		this.#update();
+		this.#keep();
 	}
 
 	/** Updates the answers and the picture. */
@@ -143,12 +219,15 @@ class CompareView {
 
 	#restart() {
 		this.game = new ScatteredGame(COUNT);
+		this.#frame = 0;
 		this.#judge();
 	}
 
 	#step() {
 		this.game.step();
+		this.#frame++;
 		this.#judge();
+		this.#keep();
 	}
 
 	#judge() {
@@ -160,18 +239,30 @@ class CompareView {
 		const [right, wrong, missed, none] = (isExact ? words.outcomes : words.differences)(texts.systems[this.reference]);
 		this.legend.replaceChildren(...Object.entries({ hit: right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
 		this.gameNote.textContent = (isExact ? words.gameNote : words.differenceNote)(COUNT, truth.size, texts.systems[this.reference]);
-		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall];
+		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall, words.ms];
 		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
 			h("tbody", {}, ...Object.entries(systems).map(([name, pairs]) => {
 				const found = pairs.right.length + pairs.wrong.length;
 				const pick = h("input", { type: "radio", name: "coloured", value: name, checked: name === this.gameSystem, onchange: () => {
 					this.gameSystem = name;
 					this.#colour();
+					this.#keep();
 				} });
 				return h("tr", { "data-system": name }, h("th", { scope: "row" }, h("label.tick", {}, pick, texts.systems[name])),
-					...[found, pairs.wrong.length, pairs.missed.length, percent(pairs.right.length, found), percent(pairs.right.length, truth.size)].map((text) => h("td", {}, String(text))));
-			}))));
+					...[found, pairs.wrong.length, pairs.missed.length, percent(pairs.right.length, found), percent(pairs.right.length, truth.size), "…"].map((text) => h("td", {}, String(text))));
+			})),
+			h("tfoot", {}, h("tr", { "data-reference": this.reference }, h("th", { scope: "row" }, texts.systems[this.reference]), ...[truth.size, "", "", "", "", "…"].map((text) => h("td", {}, String(text)))))),
+		h("p.note", {}, words.msNote));
 		this.#colour();
+		this.#time();
+	}
+
+	/** Shows each system's time. It is measured once, when the game is first shown. */
+	async #time() {
+		if (!this.isGame) return;
+		this.timing ??= timesOf(this.greatLand, COUNT, () => this.main.isConnected);
+		const times = await this.timing;
+		for (const row of times ? this.table.querySelectorAll("[data-system], [data-reference]") : []) row.lastChild.textContent = short(times[row.dataset.system ?? row.dataset.reference]);
 	}
 
 	/** Draws each pair as a line between its agents. An agent has the colour of its worst pair. */
@@ -191,6 +282,7 @@ class CompareView {
 	}
 
 	close() {
+		clearTimeout(this.#timer);
 		this.stage.close();
 		this.gameStage.close();
 	}

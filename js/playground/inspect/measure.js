@@ -1,6 +1,6 @@
 /** Computes Inspect's table of a model. */
 import {
-	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, GreatLand, MinimalBoxFitter, MinimalCapsuleFitter, MinimalSphereFitter,
+	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, FitSession, GreatLand, MinimalBoxFitter, MinimalCapsuleFitter, MinimalSphereFitter,
 	NaiveSphereFitter, OrientedBoxFitter, RitterSphereFitter, ZAlignedBoxFitter,
 } from "starlogo-collision";
 
@@ -28,7 +28,7 @@ const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
  * @param {object} model
  * @param {{increment: number, tolerance: number, minVertices: number, byMean: boolean}} settings
  * @param {() => boolean} isWanted whether to go on
- * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number, greatLand: object}>}
+ * @returns {Promise<{rows: object[], chosen: string, root: object, hullMs: number, hierarchyMs: number, volume: number, greatLand: object}>}
  * @throws {Error} the engine's own error, if a setting is not possible
  */
 export async function measure(model, settings, isWanted) {
@@ -37,45 +37,64 @@ export async function measure(model, settings, isWanted) {
 	greatLand.cheaperTestsFactor = settings.tolerance;
 	greatLand.hierarchies.minVerticesToSplit = settings.minVertices;
 	greatLand.hierarchies.splitByMean = settings.byMean;
-	const rows = [];
-	for (const [name, make] of Object.entries(FITTERS)) {
-		const { result: structure, ...times } = timed(() => make(settings.increment).fit(model.vertices));
-		rows.push({ name, structure, volume: structure.volume, ...times });
-		await breath();
-		if (!isWanted()) return null;
-	}
-	const { ms: hierarchyMs } = timed(() => greatLand.hierarchies.add(model.name, model.vertices, model.triangles));
+	const works = Object.entries(FITTERS).map(([name, make]) => ({ name, run: () => make(settings.increment).fit(model.vertices) }));
+	works.push({ name: HULL, run: () => new FitSession(model.vertices).hull }, { name: HIERARCHY, run: () => greatLand.hierarchies.add(model.name, model.vertices, model.triangles) });
+	const times = await shortest(works, isWanted);
+	if (!times) return null;
+	const rows = times.filter(({ name }) => name in FITTERS).map(({ result: structure, ...time }) => ({ ...time, structure, volume: structure.volume }));
+	const msOf = (wanted) => times.find(({ name }) => name === wanted).ms;
 	greatLand.addModel(model);
 	const chosen = greatLand.boundingStructures.tightestFit(model.name);
 	const compared = rows.filter(({ name }) => COMPARED.includes(name));
 	const tightest = compared.reduce((best, row) => (row.structure.kind === chosen.kind && best?.structure.kind !== chosen.kind ? row : best), null);
-	return { rows, chosen: tightest.name, root: greatLand.hierarchies.root(model.name), greatLand, hierarchyMs, volume: volumeOf(model) };
+	return { rows, chosen: tightest.name, root: greatLand.hierarchies.root(model.name), greatLand, hullMs: msOf(HULL), hierarchyMs: msOf(HIERARCHY), volume: volumeOf(model) };
 }
 
-const SAMPLES = 5;
-const FEWEST_SAMPLES = 3;
-const MOST_MS = 50;
+const [HULL, HIERARCHY] = ["convex hull", "hierarchy"];
+/** Rounds that count for nothing, in which the browser compiles the code, and rounds that count. */
+const [WARM, COUNTED] = [3, 6];
 /** Samples take at least this long, because the browser's clock is coarse. */
 const SAMPLE_MS = 2;
+/** No work is repeated any more after it has taken this long in all, but it is done twice at least. */
+const MOST_MS = 600;
 
-/** The result of an action and its time: the median of some samples after a warm-up. */
-function timed(action) {
-	const result = action();
-	const samples = [];
-	let runs = 0;
-	const begin = performance.now();
-	while (samples.length < FEWEST_SAMPLES || (samples.length < SAMPLES && performance.now() - begin < MOST_MS)) {
-		const start = performance.now();
-		let [count, ms] = [0, 0];
-		while (ms < SAMPLE_MS) {
-			action();
-			count++;
-			ms = performance.now() - start;
+/**
+ * Does all works round after round, and finds the shortest time of each. In the first rounds the browser compiles what they share, so none
+ * of them pays for it.
+ *
+ * @returns {Promise<object[]|null>} each work's name, the result of its first run, its number of runs and its milliseconds; null if it is not
+ * wanted any more
+ */
+async function shortest(works, isWanted) {
+	const times = works.map(({ name }) => ({ name, result: undefined, runs: 0, ms: Infinity, spent: 0 }));
+	for (let round = 0; round < WARM + COUNTED; round++) {
+		for (const [i, { run }] of works.entries()) {
+			const time = times[i];
+			if (time.runs >= 2 && time.spent > MOST_MS) continue;
+			const { ms, runs, result } = sample(run);
+			time.result ??= result;
+			time.runs += runs;
+			time.spent += ms * runs;
+			// a work that is too slow for more rounds has the time of its second run
+			if (round >= WARM || (round > 0 && time.spent > MOST_MS)) time.ms = Math.min(time.ms, ms);
+			await breath();
+			if (!isWanted()) return null;
 		}
-		samples.push(ms / count);
-		runs += count;
 	}
-	return { result, runs, ms: samples.sort((a, b) => a - b)[samples.length >> 1] };
+	return times;
+}
+
+/** Does a work as often as the clock needs. Gives the result of the first run, the number of runs, and the milliseconds of one. */
+function sample(run) {
+	const start = performance.now();
+	const result = run();
+	let runs = 1;
+	let ms = performance.now() - start;
+	for (; ms < SAMPLE_MS; runs++) {
+		run();
+		ms = performance.now() - start;
+	}
+	return { result, runs, ms: ms / runs };
 }
 
 /** Lets the browser draw. */

@@ -90,6 +90,7 @@ class InspectView {
 	}
 
 	async openFile(file, files = [file]) {
+		if (/\.json$/i.test(file.name) && await this.#isProgram(file)) return;
 		const name = `file ${file.name}`;
 		await this.#take(name, file.name, async () => {
 			const model = await parseModel(file.name, await contentOf(file, files));
@@ -97,6 +98,23 @@ class InspectView {
 			this.#files.set(name, model);
 			return model;
 		}, words.kinds);
+	}
+
+	/** Says that a file is a program or a pupil's work, with the way to where it opens. Returns false if it is neither. */
+	async #isProgram(file) {
+		const { isProgram, isWork, packed } = await import("../shared/packing.js");
+		try {
+			const { models, ...program } = JSON.parse(await file.text());
+			if (isWork(program)) this.#say(texts.play.isWork(file.name), true);
+			else if (isProgram(program)) {
+				this.#say(words.isProgram(file.name), true);
+				const link = await packed({ name: file.name.replace(/\.json$/i, ""), ...program });
+				this.status.append(" ", h("a", { href: `#play/${link}` }, words.openInPlay));
+			} else return false;
+			return true;
+		} catch {
+			return false;
+		}
 	}
 
 	async #take(name, title, read, hint = "") {
@@ -163,7 +181,7 @@ class InspectView {
 	}
 
 	#tell() {
-		const { rows, chosen, root, hierarchyMs, volume } = this.found;
+		const { rows, chosen, root, hullMs, hierarchyMs, volume } = this.found;
 		const levels = depthOf(root);
 		const least = Math.min(...rows.map((row) => row.volume));
 		const note = h("p.note");
@@ -179,7 +197,7 @@ class InspectView {
 				h("div.table", {}, h("table", {},
 					h("thead", {}, h("tr", {}, ...[words.show, words.volume, words.emptier, words.time].map((text) => h("th", { scope: "col" }, text)))),
 					h("tbody", {}, ...rows.map((row) => this.#row(row, least, volume))))),
-				h("p.note", {}, Number.isNaN(volume) ? words.openNote : words.emptierNote(short(volume)), " ", words.timeNote, " ", words.chosen(words.fitters[chosen]))),
+				h("p.note", {}, Number.isNaN(volume) ? words.openNote : words.emptierNote(short(volume)), " ", words.timeNote(short(hullMs)), " ", words.chosen(words.fitters[chosen]))),
 			h("div.card", {}, h("h2", {}, words.hierarchy),
 				tick(words.showLevel, this.#levelShown, (on) => {
 					this.#levelShown = on;

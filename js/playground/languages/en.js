@@ -10,7 +10,7 @@ export const texts = {
 	/** A noun of these texts as it is written inside a sentence. */
 	inSentence: lower,
 	/** The page's own words: its name, its views, the choice of languages. */
-	page: { name: "Collision playground", views: "Views", language: "Language" },
+	page: { name: "Collision playground", views: "Views", language: "Language", help: "Documentation", guide: "Guide", api: "API" },
 	views: { play: "Play", inspect: "Inspect", compare: "Compare", measure: "Measure", teach: "For teachers" },
 	loading: "Loading…",
 	failed: (problem) => `This could not be loaded: ${problem}`,
@@ -60,7 +60,7 @@ export const texts = {
 		volume: "Volume",
 		emptier: "× model",
 		emptierNote: (volume) => `Volumes are in cubic patches. The model itself fills ${volume}. “× model” is the structure’s volume divided by the model’s.`,
-		timeNote: "Each time is the median of several runs.",
+		timeNote: (hull) => `Times are the shortest of many runs, after the browser has compiled the code. Each fit computes the model’s convex hull first: ${hull} ms. A model that loads computes it once for all.`,
 		openNote: "This model's surface is not closed, so it has no volume to compare with.",
 		time: "ms",
 		tightest: "tightest",
@@ -79,6 +79,7 @@ export const texts = {
 		apply: "Measure again",
 		wrongSetting: "That number is not possible: ",
 		broken: (name, problem) => `${name} cannot be shown. ${problem}`,
+		isProgram: (file) => `${file} is a program of blocks, not a model.`, openInPlay: "Open it in Play",
 		kinds: "(OBJ, DAE, ZAE, GLB, glTF and STL files can be.)",
 		fitters: {
 			naiveSphere: "Naive sphere", ritterSphere: "Ritter sphere", centredRitterSphere: "Centred Ritter sphere", minimalSphere: "Smallest sphere",
@@ -134,6 +135,7 @@ export const texts = {
 		found: "Found",
 		falseCount: "False",
 		missedCount: "Missed",
+		ms: "ms", msNote: "ms: the time in which a system finds all pairs of a frame while all agents move. It is the shortest of several rounds.",
 		precision: "Precision",
 		recall: "Recall",
 		next: "A frame on",
@@ -192,7 +194,7 @@ export const texts = {
 			howToDelete: "Drag a block to the trash can to delete it. Or click on the block first and then on the trash can.",
 		},
 		javascript: {
-			title: "This program as JavaScript", note: "A module that plays the same game with the npm package starlogo-collision. It has no picture: draw its agents yourself.",
+			title: "This program as JavaScript", note: "A module that plays the same game with the npm package starlogo-collision. Its first lines say how to install it. It has no picture: draw its agents yourself.",
 			download: "Download", documentation: "Documentation", examples: "Examples",
 		},
 		ask: { take: "OK", leave: "Cancel", letters: (count, most) => `${count} of ${most} letters` },
@@ -215,7 +217,7 @@ export const texts = {
 		keyWays: { up: "up", down: "down", left: "left", right: "right" },
 		keysOf: { up: "↑", down: "↓", left: "←", right: "→", space: "space" },
 		figures: "Numbers",
-		panel: { fps: "frames a second", ms: "ms of collision detection", agents: "agents", pairs: "pairs near", tests: "tests", collisions: "touching", meetings: "meetings so far" },
+		panel: { fps: "frames a second", ms: "ms of the engine", scripts: "ms of scripts and lists", agents: "agents", pairs: "pairs near", tests: "tests", collisions: "touching", meetings: "meetings so far" },
 		inspector: "The agent that was clicked",
 		inspected: { shape: (shape) => `a ${lower(shape)}`, as: (system) => `seen by ${lower(system)}`, touching: (names) => `touches ${names}`, alone: "touches nobody", close: "Close",
 			ground: { hit: "touches the ground", wrong: "touches the ground, falsely: the model does not touch it", missed: "misses the ground: the model touches it", none: (distance) => `${distance} from the ground` } },

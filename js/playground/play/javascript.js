@@ -4,6 +4,7 @@
  */
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
+import { INSTALL } from "../shared/names.js";
 import { COLOURS } from "./colours.js";
 import { BEING, ENGINE, HELPERS, hex } from "./javascriptparts.js";
 import { FRAMES_A_SECOND, HALF_WIDTH } from "./world.js";
@@ -284,7 +285,8 @@ export function javascriptOf(program, title, models) {
 	];
 	const whole = [main, BEING, ENGINE, ...helpers, ...made, ...blocks, has("loader") ? "new ModelLoader" : "", "new GreatLand"].join("\n");
 	return [
-		`// “${title.replaceAll(/\s+/g, " ")}”: a program of blocks as a module. It plays without a picture: npm install starlogo-collision, then node with this file.`,
+		`// “${title.replaceAll(/\s+/g, " ")}”: a program of blocks as a module. It plays without a picture: run node with this file.`,
+		INSTALL,
 		`import { ${CLASSES.filter((name) => new RegExp(`\\b${name}\\b`).test(whole.replaceAll(/\/\*\*.*?\*\/|"[^"]*"/gs, ""))).join(", ")} } from "starlogo-collision";`,
 		"",
 		...(addModels.some((line) => line.includes("assets")) ? ["/** Where the models are: the address of the project’s folder of this name; in Node an absolute one. */", "const assets = \"assets/\";"] : []),

@@ -13,6 +13,7 @@ export const nameOf = ({ breed, number }) => `${breedName(breed)} ${number}`;
 
 export class Panel {
 	#ms = 0;
+	#scriptMs = 0;
 	#ticks = 0;
 	#frames = 0;
 	#since = 0;
@@ -40,8 +41,9 @@ export class Panel {
 
 	/** Counts a frame. */
 	count() {
-		const { collisionMs, collisions } = this.world;
+		const { collisionMs, scriptMs, collisions } = this.world;
 		this.#ms += collisionMs;
+		this.#scriptMs += scriptMs;
 		this.#ticks++;
 		const { candidatePairs: pairs, tests, hierarchyTests, collisions: touching } = collisions.collision.statistics;
 		for (const [name, value] of Object.entries({ pairs, tests: tests + hierarchyTests, collisions: touching })) this.#most[name] = Math.max(this.#most[name], value);
@@ -53,7 +55,7 @@ export class Panel {
 		if (now > 0 && now - this.#since < 500) return;
 		const { agents, state } = this.world;
 		// while the game stands still, the last figures stay
-		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), ...this.#most } : {};
+		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), scripts: short(this.#scriptMs / this.#ticks), ...this.#most } : {};
 		const values = { ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }) };
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
 		this.figures.fps.textContent = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
@@ -64,7 +66,7 @@ export class Panel {
 
 	forget(now = 0) {
 		this.#since = now;
-		this.#ms = this.#ticks = this.#frames = 0;
+		this.#ms = this.#scriptMs = this.#ticks = this.#frames = 0;
 		this.#most = { pairs: 0, tests: 0, collisions: 0 };
 	}
 

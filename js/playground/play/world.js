@@ -24,8 +24,11 @@ export class World {
 	collidee = null;
 	held = new Set();
 	mouse = { x: 0, y: 0, isDown: false };
-	/** The milliseconds of the last frame's collision detection. */
+	/** The milliseconds of the last frame: what the engine took to find the pairs, and what scripts and the page's own lists took. */
 	collisionMs = 0;
+	scriptMs = 0;
+	/** The milliseconds of this frame's handlers. The engine calls them, but their time is not the engine's. */
+	#handled = 0;
 	/** Whether the pairs that touch are listed in state.pairs, in each frame, by their numbers. */
 	isWatched = false;
 	/** Whether blocks may not change the collision system. */
@@ -71,11 +74,15 @@ export class World {
 		this.#scripts = compile(program, this);
 		// all pairs that touch, also those without scripts
 		this.collisions.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => {
+			const start = performance.now();
 			a.touched = b.touched = this.frame;
 			if (this.isWatched && a.number < b.number) this.state.pairs.set(`${a.number} ${b.number}`, [a, b]);
+			this.#handled += performance.now() - start;
 		});
 		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => {
+			const start = performance.now();
 			if (a.id < b.id) this.#meet(a, b, point);
+			this.#handled += performance.now() - start;
 		});
 		for (const { event, fields, code } of this.#scripts) this.#listen(event, fields, code);
 		this.rounds.begin();
@@ -87,7 +94,11 @@ export class World {
 		if (!add) return;
 		if (fields.OTHER === Collision.TERRAIN) this.needTerrain();
 		// the ground is no agent for blocks
-		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#start(code, collider, collidee instanceof Being ? collidee : null));
+		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => {
+			const start = performance.now();
+			this.#start(code, collider, collidee instanceof Being ? collidee : null);
+			this.#handled += performance.now() - start;
+		});
 	}
 
 	/** Begins a script, unless it is still running for the same agents. */
@@ -112,6 +123,7 @@ export class World {
 
 	/** Does one frame: scripts, then collisions. */
 	step() {
+		const start = performance.now();
 		this.history.goOn();
 		this.state.frame++;
 		this.rounds.begin();
@@ -133,14 +145,16 @@ export class World {
 		const listed = [...this.agents];
 		this.collide();
 		this.history.add(listed);
+		this.scriptMs = performance.now() - start - this.collisionMs;
 	}
 
 	/** Ends the frame: finds the pairs that touch. */
 	collide() {
 		if (this.isWatched) this.state.pairs = new Map();
+		this.#handled = 0;
 		const start = performance.now();
 		this.collisions.collision.update(this.agents);
-		this.collisionMs = performance.now() - start;
+		this.collisionMs = Math.max(0, performance.now() - start - this.#handled);
 		this.state.touching = this.collisions.collision.statistics.collisions;
 	}
 

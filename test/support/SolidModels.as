@@ -51,8 +51,9 @@ package support
          *
          * @param name of the model
          * @param cubes size, x, y, z, and whether it is turned inside out
+         * @param scaling as the Model's
          */
-        public static function of(name:String, cubes:Array):Model
+        public static function of(name:String, cubes:Array, scaling:String = "footprint"):Model
         {
             var cube:Model = BuiltInModel.cube();
             var vertices:Vector.<Number> = new Vector.<Number>();
@@ -70,7 +71,7 @@ package support
                             first + cube.triangles[i + (part[4] ? 1 : 2)]);
                 }
             }
-            return new Model(name, vertices, triangles);
+            return new Model(name, vertices, triangles, scaling);
         }
     }
 }

@@ -169,9 +169,9 @@ package starlogo.geometry
         public static const NESTED_LEVELS:int = 64;
 
         /**
-         * The distance below which corners of triangles count as one for the surface as a whole, as a fraction of the model's largest
-         * coordinate. Smaller than 2.1e-7: seams between corners that were rounded to single precision stay open, and the model has no
-         * inside. Larger: small holes are closed.
+         * The distance below which corners of triangles count as one for the surface as a whole, as a fraction of the model's extent. ROUNDING
+         * of the largest coordinate is added. Smaller than 2.1e-7: seams between corners that were rounded to single precision stay open,
+         * and the model has no inside. Larger: small holes are closed.
          */
         public static const WELDING:Number = 2.5e-7;
 
@@ -193,13 +193,6 @@ package starlogo.geometry
          * closest points of more pairs are computed, with the same answers. Larger: normals with fewer digits decide.
          */
         public static const SLIMMEST_TRIANGLE:Number = 1e6;
-
-        /**
-         * The distance from a triangle's edge within which a ray's crossing is not trusted and another ray is tried, as a fraction of the model's
-         * radius. It is at least the gap of welded seams. Smaller than 1e-14: rounding may count a crossing twice, or not at all. Larger: more rays
-         * are tried, with the same answers.
-         */
-        public static const GRAZING:Number = 1e-10;
 
         /**
          * Used for contacts in two ways. If two closest points are farther apart than this fraction of the structures' size, the line

@@ -14,7 +14,7 @@ package starlogo.solid
 
     /**
      * Decides whether a part of one model is inside of the other model's closed surface. It is asked only if the two surfaces do not touch,
-     * so one point of the part decides. A model that is not closed has no inside.
+     * so one point of the part decides. A part that is not closed has no inside.
      *
      * <p>It is asked for all agents that are close but do not touch, so it must mostly end after a few products. If a part is inside, its
      * outermost points are inside of the box around the other model. A ray is cast only for parts that pass this test.</p>

@@ -3,7 +3,6 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.Trigonometry;
     import starlogo.hierarchy.HierarchyNode;
 
     use namespace engine;
@@ -17,11 +16,6 @@ package starlogo.solid
         /** The number of points that partPoints has for each part. */
         public static const POINTS_PER_PART:int = 6;
 
-        /** The directions in which rays are cast, one after the other. They are unrelated to the axes along which models are built. */
-        public static const RAYS:Vector.<Number> = new <Number>[
-                0.5391, 0.2718, 0.7972, -0.3473, 0.8651, 0.3618, 0.7113, -0.5897, -0.3826, -0.1937, -0.6329, 0.7496,
-                0.8839, 0.4421, -0.1527, -0.6681, 0.1172, -0.7348, 0.0931, -0.9217, -0.3765, -0.8263, -0.4402, 0.3511];
-
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
 
@@ -34,11 +28,17 @@ package starlogo.solid
          */
         public var planes:Vector.<Number>;
 
-        /** Whether the surface is closed, so that it has an inside. */
-        public var isClosed:Boolean = false;
+        /** The triangles' corners where seams were welded. The same list as <code>corners</code> if there is no gap. */
+        public var places:Vector.<Number>;
 
-        /** Whether all triangles have the same orientation. */
-        public var isOriented:Boolean = false;
+        /** For each triangle, the number that <code>Surface.sides</code> has. */
+        public var sides:Vector.<int>;
+
+        /** For each piece, what <code>Surface.shells</code> has. */
+        public var shells:Vector.<int> = null;
+
+        /** Whether a piece of the surface is closed, so that it has an inside. */
+        public var isClosed:Boolean = false;
 
         /**
          * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected, or its pieces touch
@@ -52,20 +52,27 @@ package starlogo.solid
         /** The widest gap in the surface's seams. */
         public var widestSeam:Number = 0;
 
-        // The result of crossingOf for a ray that comes close to an edge, or begins close to the triangle.
-        private static const UNCLEAR:int = 2;
+        /** How often each piece winds around the point of the last <code>wind()</code>. */
+        public var windings:Vector.<int>;
+
+        /** The pieces that may wind around that point. */
+        public var wound:Vector.<int> = new Vector.<int>();
+
+        /** The number of pieces in <code>wound</code>. */
+        public var woundCount:int = 0;
 
         private var _root:HierarchyNode;
-
-        // The origin and the direction of the current ray.
-        private var _x:Number;
-        private var _y:Number;
-        private var _z:Number;
-        private var _directionX:Number;
-        private var _directionY:Number;
-        private var _directionZ:Number;
-        private var _crossings:int;
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+
+        // The current ray: its axis, 0 for x, and the next two axes; its origin along these three; and whether it runs towards the smaller
+        // coordinates.
+        private var _axis:int;
+        private var _axisB:int;
+        private var _axisC:int;
+        private var _a:Number;
+        private var _b:Number;
+        private var _c:Number;
+        private var _isBackward:Boolean;
 
         /**
          * @param root the node around all triangles
@@ -75,61 +82,80 @@ package starlogo.solid
         {
             _root = root;
             corners = new Vector.<Number>(9 * count, true);
+            places = corners;
             extents = new Vector.<Number>(6 * count, true);
             planes = new Vector.<Number>(5 * count, true);
+            sides = new Vector.<int>(count, true);
         }
 
         /**
-         * Whether a point is inside of the surface. The point must not be on it. False if the surface is not closed. A ray is cast from the
-         * point, and its crossings are counted. If every ray that is tried comes close to an edge, the solid angles of all triangles are
-         * added up instead.
+         * Whether a point is inside of the surface. The point must not be on it. False if no piece of the surface is closed. A point is
+         * inside if a solid piece winds around it, and no piece that bounds a cavity in that one.
          */
         public function isInside(point:Vector3D):Boolean
         {
-            var x:Number = point.x;
-            var y:Number = point.y;
-            var z:Number = point.z;
-            var isOutOfReach:Boolean = Math.abs(x - _root.x) > _root.halfX || Math.abs(y - _root.y) > _root.halfY
-                || Math.abs(z - _root.z) > _root.halfZ;
+            var isOutOfReach:Boolean = Math.abs(point.x - _root.x) > _root.halfX || Math.abs(point.y - _root.y) > _root.halfY
+                || Math.abs(point.z - _root.z) > _root.halfZ;
             if (isOutOfReach || !isClosed)
             {
                 return false;
             }
-            _x = x;
-            _y = y;
-            _z = z;
-            for (var i:int = 0; i < RAYS.length; i += 3)
+            wind(point.x, point.y, point.z);
+            for (var i:int = 0; i < woundCount; i++)
             {
-                var dx:Number = RAYS[i];
-                var dy:Number = RAYS[int(i + 1)];
-                var dz:Number = RAYS[int(i + 2)];
-                // Cast in the direction in which the box ends sooner.
-                var isBackward:Boolean = (x - _root.x) * dx + (y - _root.y) * dy + (z - _root.z) * dz < 0;
-                _directionX = isBackward ? -dx : dx;
-                _directionY = isBackward ? -dy : dy;
-                _directionZ = isBackward ? -dz : dz;
-                if (countCrossings())
+                var piece:int = wound[i];
+                if (shells[piece] >= 0 && windings[piece] != 0)
                 {
-                    return _crossings != 0;
+                    windings[shells[piece]] = 0;
                 }
             }
-            return Math.abs(windingAround(x, y, z)) > 0.5;
+            var isFound:Boolean = false;
+            for (i = 0; i < woundCount; i++)
+            {
+                piece = wound[i];
+                isFound ||= shells[piece] == Surface.SOLID ? windings[piece] != 0 : shells[piece] == Surface.ONE_SIDED && (windings[piece] & 1) != 0;
+            }
+            unwind();
+            return isFound;
         }
 
-        // Counts how often the surface winds around the ray's origin. For a surface that is not oriented, counts the parity of the
-        // crossings. Returns false if the ray comes close to an edge.
-        private function countCrossings():Boolean
+        /**
+         * Counts how often each piece winds around a point. A ray along an axis, towards the nearest side of the box around all triangles,
+         * counts the triangles that it crosses.
+         *
+         * <p>Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same
+         * answer to the last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.</p>
+         */
+        public function wind(x:Number, y:Number, z:Number):void
         {
-            var winding:int = 0;
-            var parity:int = 0;
+            var root:HierarchyNode = _root;
+            var x0:Number = x - root.x;
+            var y0:Number = y - root.y;
+            var z0:Number = z - root.z;
+            var wayX:Number = root.halfX - (x0 < 0 ? -x0 : x0);
+            var wayY:Number = root.halfY - (y0 < 0 ? -y0 : y0);
+            var wayZ:Number = root.halfZ - (z0 < 0 ? -z0 : z0);
+            if (wayX <= wayY && wayX <= wayZ)
+            {
+                setRay(0, x, y, z, x0 < 0);
+            }
+            else if (wayY <= wayZ)
+            {
+                setRay(1, y, z, x, y0 < 0);
+            }
+            else
+            {
+                setRay(2, z, x, y, z0 < 0);
+            }
+            var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
             var stack:Vector.<HierarchyNode> = _stack;
-            stack[0] = _root;
+            stack[0] = root;
             var top:int = 1;
             while (top > 0)
             {
                 top--;
                 var node:HierarchyNode = stack[top];
-                if (!meetsBox(node))
+                if (!meetsBox(node, margin))
                 {
                     continue;
                 }
@@ -143,135 +169,140 @@ package starlogo.solid
                 var end:int = node.end;
                 for (var i:int = node.first; i < end; i++)
                 {
-                    var crossing:int = crossingOf(9 * i);
-                    if (crossing == UNCLEAR)
-                    {
-                        return false;
-                    }
-                    winding += crossing;
-                    parity ^= crossing & 1;
+                    cross(i);
                 }
             }
-            _crossings = isOriented ? winding : parity;
-            return true;
         }
 
-        // Tests separating axes: the box's axes, and the three directions perpendicular to the ray and an edge of the box. The box is
-        // enlarged by a seam, because a ray through a seam's gap comes close to an edge.
-        private function meetsBox(node:HierarchyNode):Boolean
+        /** Forgets the windings. Must be called between two calls of <code>wind()</code>. */
+        public function unwind():void
         {
-            var dx:Number = _directionX;
-            var dy:Number = _directionY;
-            var dz:Number = _directionZ;
-            var fromX:Number = _x - node.x;
-            var fromY:Number = _y - node.y;
-            var fromZ:Number = _z - node.z;
-            var halfX:Number = node.halfX + widestSeam;
-            var halfY:Number = node.halfY + widestSeam;
-            var halfZ:Number = node.halfZ + widestSeam;
-            var aheadX:Number = dx > 0 ? fromX : -fromX;
-            var aheadY:Number = dy > 0 ? fromY : -fromY;
-            var aheadZ:Number = dz > 0 ? fromZ : -fromZ;
-            if (aheadX > halfX || aheadY > halfY || aheadZ > halfZ)
+            for (var i:int = 0; i < woundCount; i++)
             {
-                return false;
+                windings[wound[i]] = 0;
             }
-            var widthX:Number = dx < 0 ? -dx : dx;
-            var widthY:Number = dy < 0 ? -dy : dy;
-            var widthZ:Number = dz < 0 ? -dz : dz;
-            var aside:Number = fromY * dz - fromZ * dy;
-            var reach:Number = halfY * widthZ + halfZ * widthY;
-            if (aside > reach || aside < -reach)
-            {
-                return false;
-            }
-            aside = fromZ * dx - fromX * dz;
-            reach = halfZ * widthX + halfX * widthZ;
-            if (aside > reach || aside < -reach)
-            {
-                return false;
-            }
-            aside = fromX * dy - fromY * dx;
-            reach = halfX * widthY + halfY * widthX;
-            return aside <= reach && aside >= -reach;
+            woundCount = 0;
         }
 
-        // Returns 1 if the ray leaves through the triangle's front, -1 if it enters, 0 if it does not cross the triangle, and UNCLEAR if it
-        // comes close to an edge or begins close to the triangle. The signs of the triple products say on which side the ray passes the
-        // edges.
-        private function crossingOf(at:int):int
+        private function setRay(axis:int, a:Number, b:Number, c:Number, isBackward:Boolean):void
         {
-            var x:Number = _x;
-            var y:Number = _y;
-            var z:Number = _z;
-            var dx:Number = _directionX;
-            var dy:Number = _directionY;
-            var dz:Number = _directionZ;
-            var points:Vector.<Number> = corners;
-            var px:Number = points[at] - x;
-            var py:Number = points[int(at + 1)] - y;
-            var pz:Number = points[int(at + 2)] - z;
-            var qx:Number = points[int(at + 3)] - x;
-            var qy:Number = points[int(at + 4)] - y;
-            var qz:Number = points[int(at + 5)] - z;
-            var rx:Number = points[int(at + 6)] - x;
-            var ry:Number = points[int(at + 7)] - y;
-            var rz:Number = points[int(at + 8)] - z;
-            var u:Number = dx * (qy * rz - qz * ry) + dy * (qz * rx - qx * rz) + dz * (qx * ry - qy * rx);
-            var v:Number = dx * (ry * pz - rz * py) + dy * (rz * px - rx * pz) + dz * (rx * py - ry * px);
-            var w:Number = dx * (py * qz - pz * qy) + dy * (pz * qx - px * qz) + dz * (px * qy - py * qx);
-            // The ray must also stay away from a seam's gap.
-            var radius:Number = _root.radius;
-            var near:Number = Tolerances.GRAZING * radius;
-            if (near < 2 * widestSeam)
+            _axis = axis;
+            _axisB = axis == 2 ? 0 : axis + 1;
+            _axisC = axis == 0 ? 2 : axis - 1;
+            _a = a;
+            _b = b;
+            _c = c;
+            _isBackward = isBackward;
+        }
+
+        private function meetsBox(node:HierarchyNode, margin:Number):Boolean
+        {
+            var a:Number = node.x;
+            var b:Number = node.y;
+            var c:Number = node.z;
+            var halfA:Number = node.halfX;
+            var halfB:Number = node.halfY;
+            var halfC:Number = node.halfZ;
+            if (_axis == 1)
             {
-                near = 2 * widestSeam;
+                a = node.y;
+                b = node.z;
+                c = node.x;
+                halfA = node.halfY;
+                halfB = node.halfZ;
+                halfC = node.halfX;
             }
-            near *= radius;
-            if ((u > near || v > near || w > near) && (u < -near || v < -near || w < -near))
+            else if (_axis == 2)
+            {
+                a = node.z;
+                b = node.x;
+                c = node.y;
+                halfA = node.halfZ;
+                halfB = node.halfX;
+                halfC = node.halfY;
+            }
+            a -= _a;
+            b -= _b;
+            c -= _c;
+            halfB += margin;
+            halfC += margin;
+            return b <= halfB && b >= -halfB && c <= halfC && c >= -halfC && (_isBackward ? -a : a) + halfA + margin >= 0;
+        }
+
+        // Adds a triangle to its piece's winding number if the ray crosses it.
+        private function cross(triangle:int):void
+        {
+            var points:Vector.<Number> = places;
+            var at:int = 9 * triangle;
+            var b:Number = _b;
+            var c:Number = _c;
+            var pc:Number = points[int(at + _axisC)] - c;
+            var qc:Number = points[int(at + 3 + _axisC)] - c;
+            var rc:Number = points[int(at + 6 + _axisC)] - c;
+            if (pc > 0 == qc > 0 && qc > 0 == rc > 0)
+            {
+                return;
+            }
+            var pb:Number = points[int(at + _axisB)] - b;
+            var qb:Number = points[int(at + 3 + _axisB)] - b;
+            var rb:Number = points[int(at + 6 + _axisB)] - b;
+            var crossing:int = passes(pb, pc, qb, qc) + passes(qb, qc, rb, rc) + passes(rb, rc, pb, pc);
+            if (crossing == 0)
+            {
+                return;
+            }
+            // The corner that is alone on its side of the half-line's plane.
+            var alone:int = pc > 0 == qc > 0 ? 6 : (pc > 0 == rc > 0 ? 3 : 0);
+            if (!isAhead(at + alone, at + (alone + 3) % 9, at + (alone + 6) % 9))
+            {
+                return;
+            }
+            var side:int = sides[triangle];
+            var piece:int = side > 0 ? side - 1 : -side - 1;
+            if (piece >= 0)
+            {
+                if (windings[piece] == 0)
+                {
+                    wound[woundCount] = piece;
+                    woundCount++;
+                }
+                windings[piece] += side > 0 ? crossing : -crossing;
+            }
+        }
+
+        // Whether the edge from p to q, seen along the ray, crosses the half-line from the ray: 1 if upwards, -1 if downwards, 0 if not. From
+        // q to p it is exactly the negative.
+        private static function passes(pb:Number, pc:Number, qb:Number, qc:Number):int
+        {
+            if (pc > 0 == qc > 0)
             {
                 return 0;
             }
-            if (!(u > near && v > near && w > near || u < -near && v < -near && w < -near))
+            var turn:Number = pb * qc - qb * pc;
+            if (qc > 0)
             {
-                return UNCLEAR;
+                return turn > 0 ? 1 : 0;
             }
-            var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
-            var thin:Number = Tolerances.GRAZING * radius * radius * radius;
-            if (volume <= thin && volume >= -thin)
-            {
-                return UNCLEAR;
-            }
-            if (volume > 0 != u > 0)
-            {
-                return 0;
-            }
-            return u > 0 ? 1 : -1;
+            return turn < 0 ? -1 : 0;
         }
 
-        // Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30(2), 1983.
-        private function windingAround(x:Number, y:Number, z:Number):Number
+        // Whether a triangle that the ray's line crosses is ahead of its origin. It is measured between the two edges that cross the plane
+        // of the half-line. Both begin at the same corner.
+        private function isAhead(alone:int, q:int, r:int):Boolean
         {
-            var sum:Number = 0;
-            for (var at:int = 0; at < corners.length; at += 9)
-            {
-                var px:Number = corners[at] - x;
-                var py:Number = corners[at + 1] - y;
-                var pz:Number = corners[at + 2] - z;
-                var qx:Number = corners[at + 3] - x;
-                var qy:Number = corners[at + 4] - y;
-                var qz:Number = corners[at + 5] - z;
-                var rx:Number = corners[at + 6] - x;
-                var ry:Number = corners[at + 7] - y;
-                var rz:Number = corners[at + 8] - z;
-                var p:Number = Math.sqrt(px * px + py * py + pz * pz);
-                var q:Number = Math.sqrt(qx * qx + qy * qy + qz * qz);
-                var r:Number = Math.sqrt(rx * rx + ry * ry + rz * rz);
-                var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
-                sum += Trigonometry.arctangent(volume, p * q * r + (px * qx + py * qy + pz * qz) * r + (qx * rx + qy * ry + qz * rz) * p
-                        + (rx * px + ry * py + rz * pz) * q);
-            }
-            return sum / 360;
+            var points:Vector.<Number> = places;
+            var ac:Number = points[int(alone + _axisC)] - _c;
+            var toQ:Number = ac / (ac - (points[int(q + _axisC)] - _c));
+            var toR:Number = ac / (ac - (points[int(r + _axisC)] - _c));
+            var ab:Number = points[int(alone + _axisB)] - _b;
+            var qb:Number = ab + toQ * (points[int(q + _axisB)] - _b - ab);
+            var rb:Number = ab + toR * (points[int(r + _axisB)] - _b - ab);
+            var aa:Number = points[int(alone + _axis)] - _a;
+            var qa:Number = aa + toQ * (points[int(q + _axis)] - _a - aa);
+            var ra:Number = aa + toR * (points[int(r + _axis)] - _a - aa);
+            var share:Number = qb == rb ? 0.5 : qb / (qb - rb);
+            share = share < 0 ? 0 : (share > 1 ? 1 : share);
+            return qa + share * (ra - qa) > 0 != _isBackward;
         }
     }
 }

@@ -11,7 +11,7 @@ package starlogo.solid
 
     /**
      * Prepares a hierarchy's triangles for exact tests, in steps: nodes down to a few triangles, their corners in the hierarchy's order,
-     * the surface that they make, and the outermost points of its parts. If the surface is known already, most of the work is not needed.
+     * the surface that they make, its cavities, and the outermost points of its parts. If the surface is known already, most of the work is not needed.
      */
     internal final class SolidBuilder extends StepSequence
     {
@@ -22,6 +22,10 @@ package starlogo.solid
         private var _solid:Solid;
         private var _surface:Surface;
         private var _extremes:PartExtremes;
+
+        // Null if the surface is known already. Null if no seam has a gap.
+        private var _builder:SurfaceBuilder = null;
+        private var _welding:Welding = null;
 
         // The normal of the current triangle.
         private var _face:ContactPoint = new ContactPoint();
@@ -42,7 +46,6 @@ package starlogo.solid
                 begin(newSurface).begin(newParts);
             }
             call(useSurface);
-            sliced(measure).call(conclude);
         }
 
         private function sliced(work:Function):StepSequence
@@ -54,7 +57,7 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                placeCorners(i, 3 * _order[i]);
+                placeCorners(i, 3 * _order[i], null, _solid.corners);
                 Items.writeExtents(_hierarchy.vertices, _hierarchy.triangles, 3 * _order[i], _solid.extents, 6 * i);
                 placePlane(i);
             }
@@ -62,9 +65,9 @@ package starlogo.solid
 
         private function newSurface():Steps
         {
-            var builder:SurfaceBuilder = new SurfaceBuilder(_hierarchy.vertices, _hierarchy.triangles);
-            _surface = builder.surface;
-            return builder;
+            _builder = new SurfaceBuilder(_hierarchy.vertices, _hierarchy.triangles);
+            _surface = _builder.surface;
+            return _builder;
         }
 
         private function newParts():Steps
@@ -75,24 +78,50 @@ package starlogo.solid
         private function useSurface():void
         {
             _solid.isClosed = _surface.isClosed;
-            _solid.isOriented = _surface.isOriented;
+            _solid.shells = _surface.shells;
+            _solid.windings = new Vector.<int>(_surface.shells.length, true);
             _solid.widestSeam = _surface.widestSeam;
-            if (_surface.isOriented && _surface.isTurned != null)
+            if (_surface.widestSeam > 0)
             {
-                turnRound();
+                _welding = new Welding(_hierarchy.vertices);
+                _solid.places = new Vector.<Number>(_solid.corners.length, true);
+                add(_welding);
+            }
+            sliced(useSides);
+            if (_builder != null)
+            {
+                begin(newCavities);
             }
             _extremes = new PartExtremes(_solid, _surface.partCount);
+            sliced(measure).call(conclude);
         }
 
-        private function placeCorners(triangle:int, corner:int):void
+        private function useSides(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                _solid.sides[i] = _surface.sides[_order[i]];
+                if (_welding != null)
+                {
+                    placeCorners(i, 3 * _order[i], _welding.welded, _solid.places);
+                }
+            }
+        }
+
+        private function newCavities():Steps
+        {
+            return new CavityFinder(_solid, _builder.balances);
+        }
+
+        // Writes a triangle's corners, or the places to which they are welded.
+        private function placeCorners(triangle:int, corner:int, welded:Vector.<int>, corners:Vector.<Number>):void
         {
             var vertices:Vector.<Number> = _hierarchy.vertices;
             var triangles:Vector.<uint> = _hierarchy.triangles;
-            var corners:Vector.<Number> = _solid.corners;
             var to:int = 9 * triangle;
             for (var end:int = corner + 3; corner < end; corner++)
             {
-                var at:int = 3 * triangles[corner];
+                var at:int = 3 * (welded == null ? triangles[corner] : welded[triangles[corner]]);
                 corners[to] = vertices[at];
                 corners[int(to + 1)] = vertices[int(at + 1)];
                 corners[int(to + 2)] = vertices[int(at + 2)];
@@ -121,23 +150,6 @@ package starlogo.solid
             planes[to + 3] = place;
             _face.measure(corners, at + 3, at + 9);
             planes[to + 4] = Math.max(Math.abs(_face.least - place), Math.abs(_face.greatest - place));
-        }
-
-        private function turnRound():void
-        {
-            var corners:Vector.<Number> = _solid.corners;
-            for (var i:int = 0; i < _order.length; i++)
-            {
-                if (_surface.isTurned[_order[i]])
-                {
-                    for (var at:int = 9 * i; at < 9 * i + 3; at++)
-                    {
-                        var coordinate:Number = corners[at];
-                        corners[at] = corners[at + 3];
-                        corners[at + 3] = coordinate;
-                    }
-                }
-            }
         }
 
         private function measure(first:int, end:int):void

@@ -40,7 +40,7 @@ package starlogo.solid
         }
 
         /**
-         * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if the surface is not closed.
+         * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no piece of the surface is closed.
          */
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {

@@ -3,43 +3,45 @@ package starlogo.solid
     import flash.utils.ByteArray;
 
     /**
-     * The properties of a model's surface as a whole: whether it is closed, and its parts. A SurfaceBuilder and a PartFinder compute them,
-     * and a cooked file stores them.
+     * The properties of a model's surface as a whole: its parts, its pieces, and which of these are closed. A SurfaceBuilder, a PartFinder
+     * and a CavityFinder compute them, and a cooked file stores them.
      *
      * @private
      */
     public final class Surface
     {
-        // The flags, the number of parts, and the widest seam.
+        /** In shells: the piece is closed, and a point is inside if the piece winds around it. */
+        public static const SOLID:int = -1;
+
+        /** In shells: the piece is closed and has one side only. A point is inside if the piece winds around it an odd number of times. */
+        public static const ONE_SIDED:int = -2;
+
+        /** In shells: the piece is not closed, and has no inside. */
+        public static const OPEN:int = -3;
+
+        // The number of parts, the number of pieces, and the widest seam.
         private static const HEAD_LENGTH:int = 16;
-        private static const CLOSED:int = 1;
-        private static const ORIENTED:int = 2;
-        private static const TURNED:int = 4;
-
-        /**
-         * Whether the surface separates an inside from the outside. It does if along every edge as many triangles run in one direction as
-         * in the other. If the triangles are not oriented consistently, an even number of them must meet at every edge. A surface may
-         * consist of several closed pieces, which may overlap.
-         */
-        public var isClosed:Boolean = true;
-
-        /**
-         * Whether the surface is closed and its triangles are oriented consistently, after those in isTurned are reversed. If so, a point
-         * is inside if the surface winds around it. If not, a point is inside if a ray from it crosses the surface an odd number of times.
-         */
-        public var isOriented:Boolean = true;
-
-        /** For each triangle, whether it must be reversed to orient the surface. Null if none must. */
-        public var isTurned:Vector.<Boolean> = null;
 
         /** Greater than any part's number. */
         public var partCount:int = 0;
 
         /**
-         * For each triangle, the number of its part. At first, each connected piece is a part. The PartFinder joins pieces that touch
-         * without sharing a vertex.
+         * For each triangle, the number of its part. At first, a part is what is connected by vertices. The PartFinder joins parts that
+         * touch.
          */
         public var parts:Vector.<int>;
+
+        /**
+         * For each triangle, one more than the number of its piece, or 0 for a triangle without area. Pieces are connected over edges. The
+         * number is negative for triangles that have to be turned, so that all of the piece have the same orientation.
+         */
+        public var sides:Vector.<int>;
+
+        /**
+         * For each piece, SOLID, ONE_SIDED or OPEN. For a piece that bounds a cavity in another one, it is the number of that one. Inside of
+         * the surface is what is inside of a solid piece and not in a cavity of it. So pieces may overlap, however they are turned.
+         */
+        public var shells:Vector.<int> = new Vector.<int>();
 
         /** The largest distance of two corners that were welded. */
         public var widestSeam:Number = 0;
@@ -50,6 +52,20 @@ package starlogo.solid
         public function Surface(triangleCount:int)
         {
             parts = new Vector.<int>(triangleCount, true);
+            sides = new Vector.<int>(triangleCount, true);
+        }
+
+        /** Whether a piece of the surface is closed, so that the surface has an inside. */
+        public function get isClosed():Boolean
+        {
+            for each (var shell:int in shells)
+            {
+                if (shell != OPEN)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /**
@@ -66,83 +82,60 @@ package starlogo.solid
                 return null;
             }
             var surface:Surface = new Surface(triangleCount);
-            var flags:int = bytes.readInt();
-            surface.isClosed = (flags & CLOSED) != 0;
-            surface.isOriented = (flags & ORIENTED) != 0;
             surface.partCount = bytes.readInt();
+            var pieces:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            var isSound:Boolean = surface.partCount > 0 && surface.partCount <= triangleCount && surface.widestSeam >= 0 && surface.widestSeam < Infinity
-                && surface.readParts(bytes) && ((flags & TURNED) == 0 || surface.readTurned(bytes));
-            return isSound ? surface : null;
+            if (!(pieces >= 0 && pieces <= triangleCount && surface.partCount <= triangleCount && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
+            {
+                return null;
+            }
+            surface.shells.length = pieces;
+            return readRuns(bytes, surface.shells, OPEN, pieces - 1) && readRuns(bytes, surface.parts, 0, surface.partCount - 1)
+                && readRuns(bytes, surface.sides, -pieces, pieces) ? surface : null;
         }
 
-        /**
-         * Writes the surface: the flags, the number of parts and the widest seam; runs of triangles with the same part; a bit for each
-         * triangle if some must be reversed.
-         */
+        /** Writes the surface: the numbers of parts and pieces, the widest seam, and runs of equal numbers of the lists. */
         public function writeTo(out:ByteArray):void
         {
-            out.writeInt((isClosed ? CLOSED : 0) | (isOriented ? ORIENTED : 0) | (isTurned == null ? 0 : TURNED));
             out.writeInt(partCount);
+            out.writeInt(shells.length);
             out.writeDouble(widestSeam);
+            writeRuns(out, shells);
+            writeRuns(out, parts);
+            writeRuns(out, sides);
+        }
+
+        private static function writeRuns(out:ByteArray, numbers:Vector.<int>):void
+        {
             var first:int = 0;
-            for (var i:int = 1; i <= parts.length; i++)
+            for (var i:int = 1; i <= numbers.length; i++)
             {
-                if (i == parts.length || parts[i] != parts[first])
+                if (i == numbers.length || numbers[i] != numbers[first])
                 {
-                    out.writeInt(parts[first]);
+                    out.writeInt(numbers[first]);
                     out.writeInt(i);
                     first = i;
                 }
             }
-            for (i = 0; isTurned != null && i < isTurned.length; i += 8)
-            {
-                var bits:int = 0;
-                for (var bit:int = 0; bit < 8; bit++)
-                {
-                    bits |= i + bit < isTurned.length && isTurned[i + bit] ? 1 << bit : 0;
-                }
-                out.writeByte(bits);
-            }
         }
 
-        private function readParts(bytes:ByteArray):Boolean
+        private static function readRuns(bytes:ByteArray, numbers:Vector.<int>, least:int, most:int):Boolean
         {
             var at:int = 0;
-            while (at < parts.length && bytes.bytesAvailable >= 8)
+            while (at < numbers.length && bytes.bytesAvailable >= 8)
             {
-                var part:int = bytes.readInt();
+                var number:int = bytes.readInt();
                 var end:int = bytes.readInt();
-                if (part < 0 || part >= partCount || end <= at || end > parts.length)
+                if (number < least || number > most || end <= at || end > numbers.length)
                 {
                     return false;
                 }
                 while (at < end)
                 {
-                    parts[at] = part;
-                    at++;
+                    numbers[at++] = number;
                 }
             }
-            return at == parts.length;
-        }
-
-        private function readTurned(bytes:ByteArray):Boolean
-        {
-            if (bytes.bytesAvailable < Math.ceil(parts.length / 8))
-            {
-                return false;
-            }
-            isTurned = new Vector.<Boolean>(parts.length, true);
-            var bits:int = 0;
-            for (var i:int = 0; i < parts.length; i++)
-            {
-                if (i % 8 == 0)
-                {
-                    bits = bytes.readUnsignedByte();
-                }
-                isTurned[i] = (bits >>> i % 8 & 1) != 0;
-            }
-            return true;
+            return at == numbers.length;
         }
     }
 }

@@ -1,36 +1,36 @@
 package starlogo.solid
 {
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.VertexBounds;
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. The
-     * vertices are sorted along a direction that is skew to the axes along which models are built. So vertices near each other are near in
-     * this order, and the vertices of a flat wall spread over it.
+     * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
+     * table has the places by the cells of a grid. Each cell is twice as wide as the tolerance, so the places near a vertex are in eight
+     * cells at most. Places are farther apart than the tolerance, so a cell has few of them.
      */
     internal final class Welding extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 500;
 
-        // The direction, a unit vector.
-        private static const SKEW_X:Number = 0.5390711;
-        private static const SKEW_Y:Number = 0.2717819;
-        private static const SKEW_Z:Number = 0.7972148;
-
-        /** For each vertex, the first vertex in the order at the same place. */
+        /** For each vertex, the first vertex at the same place. */
         public var welded:Vector.<int>;
 
         /** The largest distance of a vertex from the one to which it is welded. */
         public var widestGap:Number = 0;
 
         private var _vertices:Vector.<Number>;
-        private var _tolerance:Number = 0;
-        private var _keys:Array;
-        private var _order:Array;
+        private var _bounds:VertexBounds = new VertexBounds();
+        private var _tolerance:Number;
+        private var _cellsPerUnit:Number;
 
-        // The vertices to which others are welded, in the order, and the first of them that is still near.
-        private var _places:Vector.<int> = new Vector.<int>();
-        private var _nearPlace:int = 0;
+        // For each hash, one more than the number of the last place with that hash, or 0. For each place, the same of the place before it.
+        private var _last:Vector.<int>;
+        private var _before:Vector.<int>;
+
+        // The nearest place found for the current vertex, or -1, and its distance.
+        private var _nearest:int;
+        private var _gap:Number;
 
         /**
          * @param vertices x, y, z of each
@@ -39,65 +39,90 @@ package starlogo.solid
         {
             _vertices = vertices;
             var count:int = vertices.length / 3;
+            var size:int = 2;
+            while (size < count)
+            {
+                size *= 2;
+            }
             welded = new Vector.<int>(count, true);
-            _keys = new Array(count);
-            slices(count, VERTICES_PER_STEP, measure).call(sort).slices(count, VERTICES_PER_STEP, weld);
+            _last = new Vector.<int>(size, true);
+            _before = new Vector.<int>(count, true);
+            slices(count, 8 * VERTICES_PER_STEP, measure).call(measureCells).slices(count, VERTICES_PER_STEP, weld);
         }
 
-        // At first, the tolerance is the largest coordinate.
         private function measure(first:int, end:int):void
         {
-            for (var i:int = first; i < end; i++)
-            {
-                var x:Number = _vertices[3 * i];
-                var y:Number = _vertices[3 * i + 1];
-                var z:Number = _vertices[3 * i + 2];
-                _keys[i] = x * SKEW_X + y * SKEW_Y + z * SKEW_Z;
-                _tolerance = Math.max(_tolerance, Math.abs(x), Math.abs(y), Math.abs(z));
-            }
+            _bounds.add(_vertices, first, end);
         }
 
-        private function sort():void
+        private function measureCells():void
         {
-            _order = _keys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
-            _tolerance *= Tolerances.WELDING;
+            _tolerance = Tolerances.WELDING * _bounds.extent + Tolerances.ROUNDING * _bounds.largest;
+            _cellsPerUnit = 0.5 / _tolerance;
         }
 
         private function weld(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                var vertex:int = _order[i];
-                welded[vertex] = placeOf(vertex);
+                welded[i] = placeOf(i);
             }
         }
 
         private function placeOf(vertex:int):int
         {
-            var key:Number = _keys[vertex];
-            while (_nearPlace < _places.length && key - _keys[_places[_nearPlace]] > _tolerance)
+            var x:Number = (_vertices[3 * vertex] - _bounds.minX) * _cellsPerUnit;
+            var y:Number = (_vertices[int(3 * vertex + 1)] - _bounds.minY) * _cellsPerUnit;
+            var z:Number = (_vertices[int(3 * vertex + 2)] - _bounds.minZ) * _cellsPerUnit;
+            var cellX:int = x;
+            var cellY:int = y;
+            var cellZ:int = z;
+            // In each direction the nearer of the two neighbours.
+            var besideX:int = x - cellX < 0.5 ? cellX - 1 : cellX + 1;
+            var besideY:int = y - cellY < 0.5 ? cellY - 1 : cellY + 1;
+            var besideZ:int = z - cellZ < 0.5 ? cellZ - 1 : cellZ + 1;
+            var own:int = hash(cellX, cellY, cellZ);
+            _nearest = -1;
+            _gap = _tolerance;
+            look(own, vertex);
+            for (var i:int = 1; i < 8 && (_nearest < 0 || _gap > 0); i++)
             {
-                _nearPlace++;
+                look(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex);
             }
-            for (var i:int = _places.length - 1; i >= _nearPlace; i--)
+            if (_nearest >= 0)
             {
-                var gap:Number = distanceOf(vertex, _places[i]);
-                if (gap <= _tolerance)
-                {
-                    widestGap = gap > widestGap ? gap : widestGap;
-                    return _places[i];
-                }
+                widestGap = _gap > widestGap ? _gap : widestGap;
+                return _nearest;
             }
-            _places.push(vertex);
+            _before[vertex] = _last[own];
+            _last[own] = vertex + 1;
             return vertex;
         }
 
-        private function distanceOf(a:int, b:int):Number
+        // Looks at the places with a hash, most of which are in one cell.
+        private function look(hash:int, vertex:int):void
         {
-            var x:Number = _vertices[3 * a] - _vertices[3 * b];
-            var y:Number = _vertices[3 * a + 1] - _vertices[3 * b + 1];
-            var z:Number = _vertices[3 * a + 2] - _vertices[3 * b + 2];
-            return Math.sqrt(x * x + y * y + z * z);
+            for (var place:int = _last[hash] - 1; place >= 0; place = _before[place] - 1)
+            {
+                var x:Number = _vertices[3 * vertex] - _vertices[3 * place];
+                var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * place + 1)];
+                var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * place + 2)];
+                var gap:Number = Math.sqrt(x * x + y * y + z * z);
+                if (gap < _gap || gap == _gap && _nearest < 0)
+                {
+                    _gap = gap;
+                    _nearest = place;
+                }
+            }
+        }
+
+        // The products are below 2 to the 53rd, so all of their lowest bits are exact.
+        private function hash(x:int, y:int, z:int):int
+        {
+            var hash:int = x * 69069;
+            hash = (hash ^ hash >>> 15 ^ y) * 69069;
+            hash = (hash ^ hash >>> 15 ^ z) * 69069;
+            return (hash ^ hash >>> 15) & _last.length - 1;
         }
     }
 }

@@ -127,7 +127,7 @@ package starlogo.solid
         }
 
         [Test]
-        public function raysThroughEdgesAreNotTrusted():void
+        public function raysThroughEdgesAndCornersAreCounted():void
         {
             var random:SeededRandom = new SeededRandom(156);
             for each (var address:String in ["/assets/bear.obj", "/assets/fortress.obj"])
@@ -139,26 +139,44 @@ package starlogo.solid
             checkAlongRays(hierarchyOf(model.vertices, model.triangles), model, random);
         }
 
-        // Points from which the first ray passes through an edge or a corner.
+        // Points from which a ray along an axis passes through an edge or a corner.
         private static function checkAlongRays(hierarchy:SolidHierarchy, model:Model, random:SeededRandom):void
         {
             var inside:int = 0;
             assertTrue("closed", hierarchy.solid.isClosed);
-            for (var i:int = 0; i < 200; i++)
+            for (var i:int = 0; i < 400; i++)
             {
                 var corner:int = random.integer(0, model.triangles.length - 1);
                 var a:int = 3 * model.triangles[corner];
                 var b:int = 3 * model.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
                 var t:Number = random.pick([0, random.between(0, 1)]);
-                var back:Number = random.between(0.02, 0.6);
-                var x:Number = model.vertices[a] + t * (model.vertices[b] - model.vertices[a]) - back * Solid.RAYS[0];
-                var y:Number = model.vertices[a + 1] + t * (model.vertices[b + 1] - model.vertices[a + 1]) - back * Solid.RAYS[1];
-                var z:Number = model.vertices[a + 2] + t * (model.vertices[b + 2] - model.vertices[a + 2]) - back * Solid.RAYS[2];
+                var back:Number = random.pick([-1, 1]) * random.between(0.02, 0.6);
+                var axis:int = random.integer(0, 2);
+                var x:Number = model.vertices[a] + t * (model.vertices[b] - model.vertices[a]) - (axis == 0 ? back : 0);
+                var y:Number = model.vertices[a + 1] + t * (model.vertices[b + 1] - model.vertices[a + 1]) - (axis == 1 ? back : 0);
+                var z:Number = model.vertices[a + 2] + t * (model.vertices[b + 2] - model.vertices[a + 2]) - (axis == 2 ? back : 0);
+                if (isOnSurface(model, x, y, z))
+                {
+                    continue;
+                }
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
                 assertEquals(model.name + ", point " + i, expected, hierarchy.solid.isInside(new Vector3D(x, y, z)));
             }
-            assertTrue("inside: " + inside, inside > 10 && inside < 190);
+            assertTrue("inside: " + inside, inside > 10 && inside < 390);
+        }
+
+        // Whether the windings around points on both sides differ.
+        private static function isOnSurface(model:Model, x:Number, y:Number, z:Number):Boolean
+        {
+            var windings:Array = [];
+            for (var i:int = -1; i <= 1; i += 2)
+            {
+                windings.push(SolidAngles.windingAround(model, x + i * 1e-6, y, z), SolidAngles.windingAround(model, x, y + i * 1e-6, z),
+                        SolidAngles.windingAround(model, x, y, z + i * 1e-6));
+            }
+            windings.sort(Array.NUMERIC);
+            return windings[5] - windings[0] > 0.01;
         }
 
         private static function checkModel(address:String, index:int, all:Array):void

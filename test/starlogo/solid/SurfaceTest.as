@@ -3,7 +3,6 @@ package starlogo.solid
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -18,8 +17,8 @@ package starlogo.solid
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
             {
                 var surface:Surface = surfaceOf(model.vertices, model.triangles);
-                assertTrue(model.name, surface.isClosed);
-                assertTrue(model.name, surface.isOriented);
+                assertEquals(model.name, "-1", surface.shells.join());
+                assertEquals(model.name, 0, turnedIn(surface).length);
                 assertEquals("pieces", 1, surface.partCount);
             }
         }
@@ -43,7 +42,7 @@ package starlogo.solid
             triangles[1] = first;
             var surface:Surface = surfaceOf(cube.vertices, triangles);
             assertTrue(surface.isClosed);
-            assertTrue("turned back", surface.isOriented && surface.isTurned[0]);
+            assertEquals("turned back", "0", turnedIn(surface).join());
         }
 
         [Test]
@@ -105,7 +104,7 @@ package starlogo.solid
                         triangles.push(i);
                     }
                     var surface:Surface = surfaceOf(vertices, triangles);
-                    assertTrue(model.name + ", " + rounding, surface.isClosed && surface.isOriented);
+                    assertEquals(model.name + ", " + rounding, "-1", surface.shells.join());
                     assertEquals(1, surface.partCount);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
                 }
@@ -132,7 +131,7 @@ package starlogo.solid
             assertTrue(surfaceOf(vertices, triangles).isClosed);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
-            assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+            assertEquals("-1,-3", surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).shells.join());
         }
 
         [Test]
@@ -153,6 +152,12 @@ package starlogo.solid
             var surface:Surface = surfaceOf(vertices, triangles);
             assertEquals(1, surface.partCount);
             assertFalse(surface.isClosed);
+            // in a plane across the direction along which an earlier engine sorted vertices
+            for (i = 0; i < vertices.length; i += 3)
+            {
+                vertices[i] = -(0.2717819 * vertices[i + 1] + 0.7972148 * vertices[i + 2]) / 0.5390711;
+            }
+            assertEquals(1, surfaceOf(vertices, triangles).partCount);
             // all in one place
             for (i = 0; i < vertices.length; i++)
             {
@@ -172,35 +177,9 @@ package starlogo.solid
                 swap(triangles, i);
             }
             var surface:Surface = surfaceOf(model.vertices, triangles);
-            assertTrue(surface.isClosed && surface.isOriented);
-            for (i = 0; i < triangles.length; i += 3)
-            {
-                assertEquals("triangle " + i / 3, i % 15 == 0, surface.isTurned[i / 3]);
-            }
-            assertNull(surfaceOf(model.vertices, model.triangles).isTurned);
-            // a hollow one stays hollow
-            model = SolidModels.hollow();
-            triangles = model.triangles.slice();
-            swap(triangles, triangles.length - 3);
-            surface = surfaceOf(model.vertices, triangles);
-            assertTrue(surface.isOriented && surface.isTurned.indexOf(true) == triangles.length / 3 - 1);
-            assertEquals("no other", -1, surface.isTurned.indexOf(true, triangles.length / 3));
-        }
-
-        [Test]
-        public function ofADrawTheOutsideIsTheFront():void
-        {
-            var cube:Model = BuiltInModel.cube();
-            var triangles:Vector.<uint> = cube.triangles.slice();
-            for (var i:int = 0; i < triangles.length; i += 6)
-            {
-                swap(triangles, i);
-            }
-            var surface:Surface = surfaceOf(cube.vertices, triangles);
-            for (i = 0; i < triangles.length; i += 3)
-            {
-                assertEquals(i % 6 == 0, surface.isTurned[i / 3]);
-            }
+            assertEquals("-1,-1,-1", surface.shells.join());
+            assertEquals("0,5,10,15,20,25,30,35", turnedIn(surface).join());
+            assertEquals(0, turnedIn(surfaceOf(model.vertices, model.triangles)).length);
         }
 
         [Test]
@@ -210,8 +189,7 @@ package starlogo.solid
             var triangles:Vector.<uint> = new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3];
             var surface:Surface = surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
             assertTrue(surface.isClosed);
-            assertFalse(surface.isOriented);
-            assertNull(surface.isTurned);
+            assertEquals("-2", surface.shells.join());
         }
 
         [Test]
@@ -231,13 +209,18 @@ package starlogo.solid
                 }
             }
             var surface:Surface = surfaceOf(vertices, triangles);
-            assertTrue(surface.isClosed && surface.isOriented);
+            assertEquals("-1", surface.shells.join());
             assertEquals(1, surface.partCount);
-            assertEquals(isTurned.join(), surface.isTurned.join());
+            for each (i in turnedIn(surface))
+            {
+                isTurned[i] = !isTurned[i];
+            }
+            // all are alike now
+            assertEquals(-1, isTurned.indexOf(!isTurned[0]));
             assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
             // a wall from one vertex to the next: three triangles at its edges
             surface = surfaceOf(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
-            assertTrue(surface.isClosed);
+            assertEquals("-1,-1", surface.shells.join());
         }
 
         // Of so many columns and rows of squares, each of two triangles.
@@ -263,6 +246,25 @@ package starlogo.solid
             var corner:uint = triangles[at];
             triangles[at] = triangles[at + 1];
             triangles[at + 1] = corner;
+        }
+
+        // The triangles that are turned, or the others, if these are fewer: of each piece.
+        private static function turnedIn(surface:Surface):Array
+        {
+            var turned:Array = [];
+            for (var piece:int = 1; piece <= surface.shells.length; piece++)
+            {
+                var sides:Array = [[], []];
+                for (var i:int = 0; i < surface.sides.length; i++)
+                {
+                    if (Math.abs(surface.sides[i]) == piece)
+                    {
+                        sides[surface.sides[i] > 0 ? 0 : 1].push(i);
+                    }
+                }
+                turned = turned.concat(sides[0].length < sides[1].length ? sides[0] : sides[1]);
+            }
+            return turned;
         }
 
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Surface

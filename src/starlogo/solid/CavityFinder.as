@@ -1,0 +1,216 @@
+package starlogo.solid
+{
+    import starlogo.steps.StepSequence;
+
+    /**
+     * Finds which pieces of a surface bound cavities, in steps. A piece does if it is inside of a solid piece, if it is turned the other
+     * way, and if no piece that bounds a cavity is around it within that one. Only surfaces with pieces of both orientations are searched.
+     */
+    internal final class CavityFinder extends StepSequence
+    {
+        private static const TRIANGLES_PER_STEP:int = 100;
+
+        // How far inside of its piece a point is tested, as a fraction of the piece's extent. Smaller: rounding decides where pieces touch.
+        // Larger: it may be outside of a thin piece.
+        private static const INWARDS:Number = 1e-7;
+
+        // How much larger a piece has to be to have the other one inside, as a fraction.
+        private static const LARGER:Number = 1e-9;
+
+        private var _solid:Solid;
+        private var _balances:Vector.<int>;
+
+        // For each piece, six numbers for its box, a corner, six times the volume around that corner, and 1 or -1 for its orientation.
+        private var _boxes:Vector.<Number>;
+        private var _corners:Vector.<int>;
+        private var _volumes:Vector.<Number>;
+        private var _orientations:Vector.<int>;
+
+        // For each piece, the larger pieces that are around all of its points tested so far. Null before the first point.
+        private var _around:Vector.<Vector.<int>>;
+
+        /**
+         * @param solid has the pieces; receives the cavities
+         * @param balances for each piece, the number of its triangles that are not turned, minus the number of those that are
+         */
+        public function CavityFinder(solid:Solid, balances:Vector.<int>)
+        {
+            var pieces:int = balances.length;
+            _solid = solid;
+            _balances = balances;
+            if (pieces > 1)
+            {
+                _boxes = new Vector.<Number>(6 * pieces, true);
+                _corners = new Vector.<int>(pieces, true);
+                _volumes = new Vector.<Number>(pieces, true);
+                _orientations = new Vector.<int>(pieces, true);
+                _around = new Vector.<Vector.<int>>(pieces, true);
+                slices(solid.sides.length, 10 * TRIANGLES_PER_STEP, measure).call(orient);
+            }
+        }
+
+        private function isSolid(piece:int):Boolean
+        {
+            return piece >= 0 && _solid.shells[piece] == Surface.SOLID;
+        }
+
+        private function pieceOf(triangle:int):int
+        {
+            return Math.abs(_solid.sides[triangle]) - 1;
+        }
+
+        private function measure(first:int, end:int):void
+        {
+            var corners:Vector.<Number> = _solid.corners;
+            var extents:Vector.<Number> = _solid.extents;
+            for (var i:int = first; i < end; i++)
+            {
+                var piece:int = pieceOf(i);
+                if (!isSolid(piece))
+                {
+                    continue;
+                }
+                var isFirst:Boolean = _corners[piece] == 0;
+                if (isFirst)
+                {
+                    _corners[piece] = 9 * i + 1;
+                }
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    var at:int = 6 * piece + axis;
+                    _boxes[at] = isFirst ? extents[6 * i + axis] : Math.min(_boxes[at], extents[6 * i + axis]);
+                    _boxes[at + 3] = isFirst ? extents[6 * i + axis + 3] : Math.max(_boxes[at + 3], extents[6 * i + axis + 3]);
+                }
+                var volume:Number = volumeAround(corners, _corners[piece] - 1, 9 * i);
+                _volumes[piece] += _solid.sides[i] > 0 ? volume : -volume;
+            }
+        }
+
+        // Six times the volume between a corner and a triangle.
+        private static function volumeAround(corners:Vector.<Number>, from:int, at:int):Number
+        {
+            var x:Number = corners[from];
+            var y:Number = corners[from + 1];
+            var z:Number = corners[from + 2];
+            var px:Number = corners[at] - x;
+            var py:Number = corners[at + 1] - y;
+            var pz:Number = corners[at + 2] - z;
+            var qx:Number = corners[at + 3] - x;
+            var qy:Number = corners[at + 4] - y;
+            var qz:Number = corners[at + 5] - z;
+            var rx:Number = corners[at + 6] - x;
+            var ry:Number = corners[at + 7] - y;
+            var rz:Number = corners[at + 8] - z;
+            return px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
+        }
+
+        // A piece has the orientation of most of its triangles. If both are equally frequent, its triangles face outwards.
+        private function orient():void
+        {
+            var isFound:Vector.<Boolean> = new Vector.<Boolean>(3, true);
+            for (var piece:int = 0; piece < _balances.length; piece++)
+            {
+                var sign:int = _volumes[piece] > 0 ? 1 : (_volumes[piece] < 0 ? -1 : 0);
+                _orientations[piece] = _balances[piece] > 0 ? sign : (_balances[piece] < 0 ? -sign : sign * sign);
+                isFound[_orientations[piece] + 1] = true;
+            }
+            if (isFound[0] && isFound[2])
+            {
+                slices(_solid.sides.length, TRIANGLES_PER_STEP, testSome).call(decide);
+            }
+        }
+
+        // Tests four points of each triangle: its middle, and points near its corners.
+        private function testSome(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var piece:int = pieceOf(i);
+                for (var corner:int = 3; corner >= 0 && isSolid(piece) && (_around[piece] == null || _around[piece].length > 0); corner--)
+                {
+                    windAround(piece, i, corner);
+                    _around[piece] = stillAround(piece, _around[piece]);
+                    _solid.unwind();
+                }
+            }
+        }
+
+        // Counts the windings around a point that is a little inside of its piece.
+        private function windAround(piece:int, triangle:int, corner:int):void
+        {
+            var corners:Vector.<Number> = _solid.corners;
+            var at:int = 9 * triangle;
+            var box:int = 6 * piece;
+            var inwards:Number = INWARDS * Math.max(_boxes[box + 3] - _boxes[box], _boxes[box + 4] - _boxes[box + 1], _boxes[box + 5] - _boxes[box + 2]);
+            var isOutwards:Boolean = _solid.sides[triangle] > 0 == _volumes[piece] > 0;
+            var share:Number = corner == 3 ? 1 / 3 : 0.01;
+            var point:Vector.<Number> = new Vector.<Number>(3, true);
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                point[axis] = share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
+                    + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis])
+                    + (isOutwards ? -inwards : inwards) * _solid.planes[5 * triangle + axis];
+            }
+            _solid.wind(point[0], point[1], point[2]);
+        }
+
+        // Those of the pieces that wind around the last point. If all of them have the piece's own orientation, none is needed.
+        private function stillAround(piece:int, before:Vector.<int>):Vector.<int>
+        {
+            var around:Vector.<int> = new Vector.<int>();
+            var hasOpposite:Boolean = false;
+            var from:Vector.<int> = before == null ? _solid.wound : before;
+            var count:int = before == null ? _solid.woundCount : before.length;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = from[i];
+                if (_solid.windings[other] != 0 && (before != null || isLarger(other, piece)) && around.indexOf(other) < 0)
+                {
+                    around.push(other);
+                    hasOpposite ||= _orientations[other] == -_orientations[piece];
+                }
+            }
+            around.length = hasOpposite ? around.length : 0;
+            return around;
+        }
+
+        // Whether a piece may have another one inside.
+        private function isLarger(outer:int, inner:int):Boolean
+        {
+            var isAround:Boolean = isSolid(outer) && Math.abs(_volumes[outer]) > (1 + LARGER) * Math.abs(_volumes[inner]);
+            for (var axis:int = 0; axis < 3 && isAround; axis++)
+            {
+                var a:int = 6 * outer + axis;
+                var b:int = 6 * inner + axis;
+                var rounding:Number = LARGER * (_boxes[b + 3] - _boxes[b]);
+                isAround = _boxes[a] <= _boxes[b] + rounding && _boxes[a + 3] >= _boxes[b + 3] - rounding;
+            }
+            return isAround;
+        }
+
+        // Decides about the largest pieces first. A piece that is around another one is larger.
+        private function decide():void
+        {
+            var sizes:Array = [];
+            for each (var volume:Number in _volumes)
+            {
+                sizes.push(-Math.abs(volume));
+            }
+            for each (var piece:int in sizes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
+            {
+                var innermost:int = -1;
+                for each (var outer:int in _around[piece] == null ? new Vector.<int>() : _around[piece])
+                {
+                    if (innermost < 0 || sizes[outer] > sizes[innermost])
+                    {
+                        innermost = outer;
+                    }
+                }
+                if (isSolid(innermost) && _orientations[innermost] == -_orientations[piece])
+                {
+                    _solid.shells[piece] = innermost;
+                }
+            }
+        }
+    }
+}

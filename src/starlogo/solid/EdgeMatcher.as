@@ -1,0 +1,273 @@
+package starlogo.solid
+{
+    import starlogo.steps.StepSequence;
+
+    /**
+     * Finds which two triangles continue each other over each edge, in steps. Where two triangles meet, these are the two. Where more
+     * meet, for example where two boxes stand edge to edge, triangles that are connected otherwise continue each other, and triangles that
+     * run along the edge in opposite directions.
+     *
+     * <p>An edge has three times its triangle's index as its number, plus 0, 1 or 2. The cost is linear, apart from sorting the edges at
+     * which more than two triangles meet.</p>
+     */
+    internal final class EdgeMatcher extends StepSequence
+    {
+        private static const TRIANGLES_PER_STEP:int = 1000;
+        private static const EDGES_PER_STEP:int = 3000;
+        private static const CROWDS_PER_STEP:int = 100;
+        private static const MOST_LOOKS:int = 8;
+
+        // How much alike two edges may be that are matched: opposite edges of different triangles, opposite edges, or any.
+        private static const DIFFERENT:int = 0;
+        private static const COPIES:int = 1;
+        private static const ANY:int = 2;
+
+        /**
+         * For each edge, one more than the number of the edge that it is matched with, or 0 if there is none. Complete after the last step.
+         */
+        public var partners:Vector.<int>;
+
+        private var _triangles:Vector.<uint>;
+        private var _welding:Welding;
+
+        // The edges in the order of their lower vertices, and for each vertex where the next of its edges belongs.
+        private var _order:Vector.<int>;
+        private var _places:Vector.<int>;
+
+        // For each edge, one more than the number of the edge before it between the same vertices, or 0. For each higher vertex, the lower
+        // vertex of its last edge, and that edge.
+        private var _before:Vector.<int>;
+        private var _lows:Vector.<int>;
+        private var _lasts:Vector.<int>;
+
+        // The last edges of those between vertices that have more than two. The triangles that are connected.
+        private var _crowds:Vector.<int> = new Vector.<int>();
+        private var _sets:DisjointSets;
+
+        /**
+         * @param triangles three vertex indices each
+         * @param welding says which vertices are at the same place; read from the first step on
+         * @param vertexCount the number of vertices
+         */
+        public function EdgeMatcher(triangles:Vector.<uint>, welding:Welding, vertexCount:int)
+        {
+            _triangles = triangles;
+            _welding = welding;
+            partners = new Vector.<int>(triangles.length, true);
+            _places = new Vector.<int>(vertexCount + 1, true);
+            slices(triangles.length / 3, TRIANGLES_PER_STEP, count).call(addUp);
+        }
+
+        /** Whether a triangle has three different corners. Other triangles have no edges. */
+        public function hasEdges(triangle:int):Boolean
+        {
+            var a:int = beginOf(3 * triangle);
+            var b:int = beginOf(3 * triangle + 1);
+            var c:int = beginOf(3 * triangle + 2);
+            return a != b && b != c && c != a;
+        }
+
+        /** The vertex at which an edge begins. */
+        public function beginOf(edge:int):int
+        {
+            return _welding.welded[_triangles[edge]];
+        }
+
+        private function endOf(edge:int):int
+        {
+            return beginOf(edge % 3 == 2 ? edge - 2 : edge + 1);
+        }
+
+        private function lowOf(edge:int):int
+        {
+            var begin:int = beginOf(edge);
+            var end:int = endOf(edge);
+            return begin < end ? begin : end;
+        }
+
+        private function count(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                for (var edge:int = 3 * i; edge < 3 * i + 3 && hasEdges(i); edge++)
+                {
+                    _places[int(lowOf(edge) + 1)]++;
+                }
+            }
+        }
+
+        private function addUp():void
+        {
+            for (var i:int = 1; i < _places.length; i++)
+            {
+                _places[i] += _places[int(i - 1)];
+            }
+            var edges:int = _places[int(_places.length - 1)];
+            _order = new Vector.<int>(edges, true);
+            _before = new Vector.<int>(partners.length, true);
+            _lows = new Vector.<int>(_places.length, true);
+            _lasts = new Vector.<int>(_places.length, true);
+            slices(partners.length / 3, TRIANGLES_PER_STEP, place).slices(edges, EDGES_PER_STEP, link).slices(edges, EDGES_PER_STEP, match)
+                .call(beginCrowds);
+        }
+
+        private function place(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                for (var edge:int = 3 * i; edge < 3 * i + 3 && hasEdges(i); edge++)
+                {
+                    _order[_places[lowOf(edge)]++] = edge;
+                }
+            }
+        }
+
+        // Links the edges between the same vertices. Until they are matched, an edge that has one after it has itself as its partner.
+        private function link(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var edge:int = _order[i];
+                var low:int = lowOf(edge);
+                var high:int = beginOf(edge) + endOf(edge) - low;
+                if (_lows[high] == low + 1)
+                {
+                    var before:int = _lasts[high];
+                    _before[edge] = before + 1;
+                    partners[before] = before + 1;
+                }
+                _lows[high] = low + 1;
+                _lasts[high] = edge;
+            }
+        }
+
+        private function match(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var edge:int = _order[i];
+                var before:int = _before[edge] - 1;
+                if (partners[edge] != 0 || before < 0)
+                {
+                    continue;
+                }
+                if (_before[before] == 0)
+                {
+                    pair(edge, before);
+                }
+                else
+                {
+                    _crowds.push(edge);
+                }
+            }
+        }
+
+        private function pair(a:int, b:int):void
+        {
+            partners[a] = b + 1;
+            partners[b] = a + 1;
+        }
+
+        private function beginCrowds():void
+        {
+            _order = _lows = _lasts = _places = null;
+            if (_crowds.length > 0)
+            {
+                _sets = new DisjointSets(partners.length / 3);
+                slices(partners.length, EDGES_PER_STEP, join).slices(_crowds.length, CROWDS_PER_STEP, matchCrowds);
+            }
+        }
+
+        private function join(first:int, end:int):void
+        {
+            for (var edge:int = first; edge < end; edge++)
+            {
+                if (partners[edge] > edge + 1)
+                {
+                    _sets.join(edge / 3, (partners[edge] - 1) / 3);
+                }
+            }
+        }
+
+        private function matchCrowds(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                matchCrowd(_crowds[i]);
+            }
+        }
+
+        // Edges of connected triangles are matched first, then the others in the order of the file. Copies of a triangle are matched later,
+        // and edges that run in the same direction at last.
+        private function matchCrowd(last:int):void
+        {
+            var crowd:Array = [];
+            for (var edge:int = last; edge >= 0; edge = _before[edge] - 1)
+            {
+                partners[edge] = 0;
+                crowd.push(_sets.rootOf(edge / 3) * Number(partners.length) + edge);
+            }
+            crowd.sort(Array.NUMERIC);
+            var rest:Array = [];
+            var group:Array = [];
+            var root:Number = -1;
+            for each (var key:Number in crowd)
+            {
+                if (Math.floor(key / partners.length) != root)
+                {
+                    addAll(matchSome(matchSome(group, DIFFERENT), ANY), rest);
+                    group = [];
+                    root = Math.floor(key / partners.length);
+                }
+                group.push(key % partners.length);
+            }
+            addAll(matchSome(matchSome(group, DIFFERENT), ANY), rest);
+            rest.sort(Array.NUMERIC);
+            matchSome(matchSome(matchSome(rest, DIFFERENT), COPIES), ANY);
+        }
+
+        private static function addAll(edges:Array, to:Array):void
+        {
+            for each (var edge:int in edges)
+            {
+                to.push(edge);
+            }
+        }
+
+        // Matches each edge with the first one before it that is waiting, if they may be as much alike. Returns the edges that are left.
+        private function matchSome(edges:Array, alike:int):Array
+        {
+            var waiting:Array = [];
+            var next:int = 0;
+            for each (var edge:int in edges)
+            {
+                var at:int = next;
+                var end:int = Math.min(waiting.length, next + MOST_LOOKS);
+                while (at < end && likeness(waiting[at], edge) > alike)
+                {
+                    at++;
+                }
+                if (at == end)
+                {
+                    waiting.push(edge);
+                    continue;
+                }
+                pair(edge, waiting[at]);
+                _sets.join(edge / 3, waiting[at] / 3);
+                waiting[at] = waiting[next++];
+            }
+            return waiting.slice(next);
+        }
+
+        private function likeness(a:int, b:int):int
+        {
+            return beginOf(a) == beginOf(b) ? ANY : (thirdOf(a) == thirdOf(b) ? COPIES : DIFFERENT);
+        }
+
+        // The corner of an edge's triangle that is not on the edge.
+        private function thirdOf(edge:int):int
+        {
+            return beginOf(edge % 3 == 0 ? edge + 2 : edge - 1);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package starlogo.solid
+{
+    import starlogo.steps.Steps;
+
+    /**
+     * Finds the pieces of a surface: triangles that are connected over edges. It goes from triangle to triangle, and finds which of a
+     * piece's triangles have to be turned so that all have the same orientation.
+     */
+    internal final class PieceFinder implements Steps
+    {
+        private static const TRIANGLES_PER_STEP:int = 400;
+
+        /** For each piece, the number of its triangles that are not turned, minus the number of those that are. */
+        public var balances:Vector.<int> = new Vector.<int>();
+
+        private var _surface:Surface;
+        private var _edges:EdgeMatcher;
+        private var _first:int = 0;
+
+        // The triangles of all pieces so far. It is also the queue of triangles to visit.
+        private var _queue:Vector.<int> = new Vector.<int>();
+        private var _next:int = 0;
+
+        /**
+         * @param surface receives the pieces
+         * @param edges matched before the first step
+         */
+        public function PieceFinder(surface:Surface, edges:EdgeMatcher)
+        {
+            _surface = surface;
+            _edges = edges;
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            var sides:Vector.<int> = _surface.sides;
+            for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
+            {
+                if (_next < _queue.length)
+                {
+                    goOnFrom(_queue[_next++]);
+                }
+                else if (_first == sides.length)
+                {
+                    return false;
+                }
+                else
+                {
+                    if (sides[_first] == 0 && _edges.hasEdges(_first))
+                    {
+                        _surface.shells.push(Surface.SOLID);
+                        balances.push(0);
+                        add(_first, balances.length);
+                    }
+                    _first++;
+                }
+            }
+            return true;
+        }
+
+        private function add(triangle:int, side:int):void
+        {
+            _surface.sides[triangle] = side;
+            balances[int(balances.length - 1)] += side > 0 ? 1 : -1;
+            _queue.push(triangle);
+        }
+
+        private function goOnFrom(triangle:int):void
+        {
+            var piece:int = balances.length - 1;
+            var shells:Vector.<int> = _surface.shells;
+            for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
+            {
+                var partner:int = _edges.partners[edge] - 1;
+                if (partner < 0)
+                {
+                    shells[piece] = Surface.OPEN;
+                    continue;
+                }
+                var side:int = _surface.sides[triangle];
+                if (_edges.beginOf(edge) == _edges.beginOf(partner))
+                {
+                    side = -side;
+                }
+                var neighbour:int = partner / 3;
+                if (_surface.sides[neighbour] == 0)
+                {
+                    add(neighbour, side);
+                }
+                else if (_surface.sides[neighbour] != side && shells[piece] == Surface.SOLID)
+                {
+                    shells[piece] = Surface.ONE_SIDED;
+                }
+            }
+        }
+    }
+}

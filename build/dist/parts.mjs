@@ -11,9 +11,10 @@ const INSIDE = {
 	'flex-sdk': { folder: '', where: ['docs/asdoc'], licence: 'MPL-1.1', what: 'the templates of ASDoc: style sheets, scripts and pictures' },
 	'@blockly/keyboard-navigation': { folder: 'js/playground/', where: ['playground'], what: 'reaches blocks by keys' },
 	blockly: { folder: 'js/playground/', where: ['playground'], what: 'shows blocks' },
+	kdbush: { folder: 'js/playground/', where: ['playground'], what: 'is measured beside the engine' },
 	three: { folder: 'js/playground/', where: ['playground'], what: 'draws' },
-	typedoc: { folder: 'js/module/', where: ['docs/typedoc'], what: 'the style sheets and scripts of the JavaScript API\'s pages' },
-	lunr: { folder: 'js/module/', where: ['docs/typedoc'], what: 'finds names in these pages' },
+	typedoc: { folder: 'js/module/', where: ['docs/typedoc', 'playground/docs/api'], what: 'the style sheets and scripts of the JavaScript API\'s pages' },
+	lunr: { folder: 'js/module/', where: ['docs/typedoc', 'playground/docs/api'], what: 'finds names in these pages' },
 };
 
 /** What Maven's packages say of their licences, by organisation. */

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
-import { begin, dragBall, drop, open, ready, root, saved } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, open, ready, root, saved } from './browser.mjs';
 
 const LAPTOP = { viewport: { width: 1366, height: 768 }, isDrawn: false };
 
@@ -251,6 +251,8 @@ test('Compare: short numbers in its program, Copy in sight, and the whole game a
 
 test('Measure: times of each system, live, in a chart that is kept, downloaded, and put beside another one', async () => {
 	const { page, said } = await shared('measure');
+	const turnToSeries = () => page.getByRole('radio', { name: 'All systems in turn' }).check();
+	await turnToSeries();
 	await page.getByLabel('Agents up to').selectOption('100');
 	await page.getByLabel('Name of this machine').fill('the old laptop');
 	await page.getByRole('button', { name: 'Measure', exact: true }).click();
@@ -268,14 +270,69 @@ test('Measure: times of each system, live, in a chart that is kept, downloaded, 
 	assert.match(await saved(page, () => page.getByRole('button', { name: 'Download the chart' }).click()), /^<svg .*ms a frame/s);
 	await page.reload();
 	await ready(page, 'measure');
-	assert.match((await page.getByLabel('Beside it').locator('option').allTextContents()).join(), /the old laptop, /);
-	await page.getByLabel('Beside it').selectOption('0');
+	await turnToSeries();
+	assert.match((await page.getByLabel('Beside it', { exact: true }).locator('option').allTextContents()).join(), /the old laptop, /);
+	await page.getByLabel('Beside it', { exact: true }).selectOption('0');
 	assert.equal(await page.locator('.chart polyline[stroke-dasharray]').count(), 5);
 	await page.setInputFiles('input[type=file]', { name: 'other.json', mimeType: 'application/json', buffer: Buffer.from(file.replace('the old laptop', 'the new one')) });
 	await page.waitForFunction(() => /the new one/.test(document.querySelector('.status').textContent));
 	await page.setInputFiles('input[type=file]', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{}') });
 	await page.waitForFunction(() => /broken\.json is no measurement/.test(document.querySelector('.status').textContent));
 	assert.deepEqual(said.splice(0), []);
+});
+
+test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbush beside the engine, and a world to look at', async () => {
+	const { page, said, leave } = await open(site, 'measure', LAPTOP);
+	const number = async (name) => Number((await page.textContent(`.live .part-${name} dd`)).replaceAll(',', ''));
+	await page.getByLabel('Agents', { exact: true }).fill('7');
+	assert.equal(await page.locator('.live .count output').textContent(), '20,000');
+	await page.getByRole('button', { name: 'Run', exact: true }).click();
+	await page.waitForFunction(() => globalThis.playground.live.parts.count >= 24);
+	await page.getByRole('button', { name: 'Stop', exact: true }).click();
+	assert.equal(await page.evaluate(() => globalThis.playground.live.game.agents.length), 20000);
+	for (const name of ['move', 'engine', 'draw', 'kdbush']) assert.ok(await number(name) > 0, name);
+	const [pairs, near] = [await number('pairs'), await number('near')];
+	assert.ok(pairs > 5000 && near > 5000, `${pairs} pairs touch, ${near} are near`);
+	// the figure is the engine's: so many pairs has the system itself
+	assert.equal(await page.evaluate(() => globalThis.playground.live.collision.collisionSystem.findCollisions(globalThis.playground.live.game.agents).length / 2), pairs);
+	// the graph has the colours of all parts
+	const colours = await page.evaluate(() => {
+		const canvas = document.querySelector('canvas.parts');
+		const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+		const found = new Set();
+		for (let i = 0; i < data.length; i += 4) if (data[i + 3] === 255) found.add([...data.subarray(i, i + 3)].join());
+		return ['move', 'engine', 'draw'].map((name) => getComputedStyle(canvas).getPropertyValue(`--part-${name}`)).map((hex) => [1, 3, 5].map((at) => Number.parseInt(hex.slice(at, at + 2), 16)).join()).map((colour) => found.has(colour));
+	});
+	assert.deepEqual(colours, [true, true, true]);
+	assert.equal(await page.evaluate(() => globalThis.playground.live.crowd.stage.scene.children.find(({ isInstancedMesh }) => isInstancedMesh).count), 20000);
+	// without drawing and without kdbush
+	await page.getByLabel('Draw the world').uncheck();
+	await page.getByLabel('kdbush beside it').uncheck();
+	await page.getByLabel('Agents', { exact: true }).fill('0');
+	await page.getByRole('button', { name: 'Run', exact: true }).click();
+	await page.waitForFunction(() => globalThis.playground.live.parts.count >= 30);
+	await page.getByRole('button', { name: 'Stop', exact: true }).click();
+	assert.equal(await page.locator('.live .world').isVisible(), false);
+	assert.equal(await page.textContent('.live .part-kdbush dd'), '–');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('Measure: the chart is whole on a phone, with the names of all systems', async () => {
+	const { page, said, leave } = await open(site, 'measure', { ...SIZES.phone, isDrawn: false });
+	await page.getByRole('radio', { name: 'All systems in turn' }).check();
+	await page.getByLabel('Agents up to').selectOption('100');
+	await page.getByRole('button', { name: 'Measure', exact: true }).click();
+	await page.waitForFunction(() => document.querySelector('.status').textContent === 'Measured.');
+	const { right, names, scrolls } = await page.evaluate(() => {
+		const chart = document.querySelector('.chart');
+		const words = [...chart.querySelectorAll('text')];
+		return { right: Math.max(...words.map((each) => each.getBoundingClientRect().right)), names: words.map(({ textContent }) => textContent), scrolls: chart.scrollWidth - chart.clientWidth };
+	});
+	assert.ok(right <= SIZES.phone.viewport.width && scrolls <= 0, `up to ${right}, scrolls by ${scrolls}`);
+	for (const name of ['Unit spheres', 'Tightest fits', 'Hierarchies', 'Combination', 'Exact', '1600']) assert.ok(names.includes(name), name);
+	assert.deepEqual(said, []);
+	await leave();
 });
 
 test('for teachers: each lesson has a page that is printed on one sheet, the solution on a second one, its time, and a link that opens it', async () => {

@@ -138,6 +138,13 @@ export const texts = {
 		colourBy: (system) => `Linien und Farben: ${system}`,
 	},
 	measure: {
+		mode: "Was gemessen wird", modes: { live: "Ein laufendes Spiel", series: "Alle Systeme nacheinander" },
+		live: {
+			run: "Start", stop: "Stopp", count: "Agenten", system: "Kollisionssystem", drawn: "Welt zeichnen", beside: "Daneben kdbush",
+			world: "Alle Agenten von oben; wer berührt, ist rot", graph: "Die Teile der letzten Bilder in Millisekunden, übereinander; kdbush als Linie",
+			figures: { move: "ms zum Bewegen", engine: "ms der Engine", draw: "ms zum Zeichnen", kdbush: "ms von kdbush", pairs: "Paare berühren sich", near: "Paare sind für kdbush nah" },
+			note: "Die mittleren Werte der letzten 180 Bilder. Die gepunktete Linie ist ein Bild von 60 in der Sekunde. kdbush ist ein schneller Index von Punkten, für jedes Bild neu gebaut: Es findet die Paare, die auf dem Boden nah genug sind. Die Engine entscheidet auch, welche sich berühren, und ruft für jedes eine Funktion auf.",
+		},
 		title: "Wie lange die Kollisionen eines Bildes dauern",
 		how: "Agenten aus sechs Modellen laufen über einen Boden, der mit ihrer Zahl wächst, damit sich überall gleich viele berühren. Jede Zeit ist die mittlere aus mehreren, jede aus so vielen Bildern, wie die Uhr des Browsers unterscheiden kann. Ein System, das länger als 150 ms braucht, wird nicht nach mehr Agenten gefragt.",
 		start: "Messen", stop: "Stopp", running: "Es wird gemessen. Der Rechner sollte sonst nichts zu tun haben.", done: "Gemessen.", stopped: "Angehalten.",

@@ -143,6 +143,13 @@ export const texts = {
 		colourBy: (system) => `Lines and colours: ${system}`,
 	},
 	measure: {
+		mode: "What is measured", modes: { live: "A game that runs", series: "All systems in turn" },
+		live: {
+			run: "Run", stop: "Stop", count: "Agents", system: "Collision system", drawn: "Draw the world", beside: "kdbush beside it",
+			world: "All agents from above; those that touch are red", graph: "The parts of the last frames, in milliseconds, one above the other; kdbush as a line",
+			figures: { move: "ms to move them", engine: "ms of the engine", draw: "ms to draw", kdbush: "ms of kdbush", pairs: "pairs touch", near: "pairs are near for kdbush" },
+			note: "The middle values of the last 180 frames. The dotted line is a frame of 60 a second. kdbush is a fast index of points, built anew for each frame: it finds the pairs that are near enough on the ground. The engine also decides which of them touch, and calls a handler for each.",
+		},
 		title: "How long a frame's collisions take",
 		how: "Agents of six models walk over a ground. The ground grows with their number, so the share of them that touch stays the same. Each time is the median of several measurements, and each measurement has enough frames for the browser’s clock. A system that takes longer than 150 ms is not measured with more agents.",
 		start: "Measure", stop: "Stop", running: "Measuring. The machine should have nothing else to do.", done: "Measured.", stopped: "Stopped.",

@@ -4,8 +4,10 @@
  */
 import { plain } from "../shared/language.js";
 
-const [WIDTH, HEIGHT] = [760, 440];
-const [LEFT, RIGHT, TOP, BOTTOM] = [56, 150, 16, 44];
+/** The sizes of the chart with the names at the ends of the lines, and those with the names below it, for narrow windows. */
+const WIDE = { width: 760, height: 440, left: 56, right: 150, top: 16, bottom: 44 };
+const NARROW = { width: 350, height: 440, left: 46, right: 20, top: 16, bottom: 150 };
+const NARROW_BELOW = 520;
 const MILLISECONDS = [0.001, 0.01, 0.1, 1, 10, 100, 1000];
 const SPACE = "http://www.w3.org/2000/svg";
 /** The systems' signs: paths around the middle. */
@@ -29,8 +31,11 @@ const between = (value, low, high, from, to) => from + ((Math.log(value) - Math.
  * @param {number[]} counts the numbers of agents
  * @param {{name: string, points: number[][]}[]} systems their names, and pairs of a number of agents and milliseconds
  * @param {{name: string, points: number[][]}[]|null} others the same for another machine
+ * @param {number} room the width that there is, in pixels
  */
-export function chart(words, counts, systems, others) {
+export function chart(words, counts, systems, others, room = Infinity) {
+	const isNarrow = room > 0 && room < NARROW_BELOW;
+	const { width: WIDTH, height: HEIGHT, left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM } = isNarrow ? NARROW : WIDE;
 	const values = [...systems, ...(others ?? [])].flatMap(({ points }) => points.map(([, ms]) => ms));
 	const low = Math.max(...MILLISECONDS.filter((each) => each <= Math.min(0.1, ...values)), MILLISECONDS[0]);
 	const high = Math.min(...MILLISECONDS.filter((each) => each >= Math.max(100, ...values)), MILLISECONDS.at(-1));
@@ -49,7 +54,7 @@ export function chart(words, counts, systems, others) {
 	picture.append(
 		s("line", { x1: LEFT, x2: WIDTH - RIGHT, y1: frame, y2: frame, stroke: "currentColor", "stroke-dasharray": "1 5", "stroke-linecap": "round", "stroke-width": 2 }),
 		s("text", { x: LEFT + 6, y: frame - 5, ...label }, words.frame),
-		s("text", { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle", ...label }, words.agents),
+		s("text", { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - BOTTOM + 36, "text-anchor": "middle", ...label }, words.agents),
 		s("text", { x: 14, y: (TOP + HEIGHT - BOTTOM) / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${(TOP + HEIGHT - BOTTOM) / 2})`, ...label }, words.ms));
 	const line = ({ name, points }, i, isOther) => {
 		if (points.length === 0) return;
@@ -60,8 +65,17 @@ export function chart(words, counts, systems, others) {
 	};
 	(others ?? []).forEach((each, i) => line(each, i, true));
 	systems.forEach((each, i) => line(each, i, false));
-	names(picture, systems, x, y, label);
+	if (isNarrow) list(picture, systems, LEFT, HEIGHT - BOTTOM + 62, label);
+	else names(picture, systems, x, y, label);
 	return picture;
+}
+
+/** Writes the names in a list. */
+function list(picture, systems, left, top, label) {
+	systems.forEach(({ name }, i) => {
+		const y = top + i * LINE * 1.2;
+		picture.append(s("path", { d: SIGNS[i], transform: `translate(${left + 6} ${y})`, fill: i === 4 ? "none" : "currentColor", stroke: "currentColor" }), s("text", { x: left + 18, y: y + 4, ...label }, name));
+	});
 }
 
 /** Writes the names at the ends of the lines, so that none covers another. */
@@ -79,6 +93,6 @@ function names(picture, systems, x, y, label) {
 export function fileOf(picture) {
 	const copy = picture.cloneNode(true);
 	copy.setAttribute("color", "#1c2430");
-	copy.prepend(s("rect", { width: WIDTH, height: HEIGHT, fill: "#fff" }));
+	copy.prepend(s("rect", { width: "100%", height: "100%", fill: "#fff" }));
 	return new XMLSerializer().serializeToString(copy);
 }

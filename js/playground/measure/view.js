@@ -8,6 +8,7 @@ import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
 import { loadModel } from "../shared/models.js";
 import { chart, fileOf } from "./chart.js";
+import { Live } from "./live.js";
 import { COUNTS, isMeasured, measureAll } from "./times.js";
 
 const words = texts.measure;
@@ -47,14 +48,33 @@ class MeasureView {
 		});
 		this.keepers = [button(words.keep, () => this.#keep()), button(words.download, () => hand(JSON.stringify(this.result, null, 1), words.fileName, "application/json")),
 			button(words.downloadChart, () => hand(fileOf(this.picture.firstChild), words.chartName, "image/svg+xml"))];
-		main.replaceChildren(
+		this.live = new Live(greatLand);
+		this.series = h("div.series", { hidden: true });
+		main.replaceChildren(this.#modes(), this.live.element, this.series);
+		this.series.append(
 			h("section.measuring", { "aria-label": words.title },
 				h("div.tools", {}, this.startButton, field(words.most, most), field(words.machine, this.name), ...this.keepers),
 				h("div.tools", {}, field(words.beside, this.others), fileButton(words.open, ".json", (file) => this.openFile(file)), h("small.hint", {}, words.openHint)),
 				this.status, this.picture),
 			h("section.facts", {}, h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how), this.table)));
+		this.live.open();
 		this.#listOthers();
 		this.#show();
+		this.forgetSize = onWidth(this.picture, () => this.#show());
+	}
+
+	/** Shows either a game that runs or the series of all systems. */
+	#modes() {
+		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
+			h("input", { type: "radio", name: "mode", value: name, checked: name === "live", onchange: () => this.#turnTo(name) }), text)));
+	}
+
+	#turnTo(mode) {
+		if (mode === "series") this.live.stop();
+		else if (this.#isRunning) this.#stop(words.stopped);
+		this.live.element.hidden = mode !== "live";
+		this.series.hidden = mode === "live";
+		if (mode === "series") this.#show();
 	}
 
 	/** Measures from the beginning. */
@@ -84,7 +104,7 @@ class MeasureView {
 
 	#show() {
 		const listed = (result) => CollisionBlocks.systemNames.map((name) => ({ name: texts.systems[name], points: result?.points[name] ?? [] }));
-		this.picture.replaceChildren(chart(words, COUNTS, listed(this.result), this.other && listed(this.other)));
+		this.picture.replaceChildren(chart(words, COUNTS, listed(this.result), this.other && listed(this.other), this.picture.clientWidth));
 		for (const each of this.keepers) each.disabled = this.#isRunning || this.result === null;
 		const at = (result, name, count) => result?.points[name]?.find(([each]) => each === count)?.[1];
 		const cell = (name, count) => [this.result, this.other].map((result) => at(result, name, count)).map((ms) => (ms === undefined ? "–" : short(ms)));
@@ -143,5 +163,19 @@ class MeasureView {
 
 	close() {
 		this.#turn++;
+		this.forgetSize();
+		this.live.close();
 	}
+}
+
+/** Calls a function when an element becomes wider or narrower. Returns what ends that. */
+function onWidth(element, listener) {
+	let width = element.clientWidth;
+	const observer = new ResizeObserver(() => {
+		if (element.clientWidth === width) return;
+		width = element.clientWidth;
+		listener();
+	});
+	observer.observe(element);
+	return () => observer.disconnect();
 }

@@ -1,0 +1,158 @@
+/** A game of up to 20,000 agents that runs: its world, the parts of its frames, and kdbush beside the engine. */
+import KDBush from "kdbush";
+import { Collision, CollisionBlocks } from "starlogo-collision";
+import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
+import { VERDICTS } from "../shared/colours.js";
+import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
+import { texts } from "../shared/language.js";
+import { Crowd, DRAWN } from "./crowd.js";
+import { Parts } from "./parts.js";
+
+const words = texts.measure.live;
+const COUNTS = [100, 200, 500, 1000, 2000, 5000, 10000, 20000];
+const FIRST = 1000;
+/** The number of agents on a ground of the usual width. The ground grows with their number. */
+const USUAL = 150;
+/** kdbush is asked in each frame of so many, so that the game goes on. */
+const SELDOM = 6;
+/** The figures are shown after so many frames. */
+const SHOWN_AFTER = 12;
+const PARTS = ["move", "engine", "draw"];
+const PEER = "kdbush";
+
+const parts = (colour) => [(colour >> 16) / 255, ((colour >> 8) & 255) / 255, (colour & 255) / 255];
+const COLOURS = [parts(VERDICTS.hit), parts(VERDICTS.none)];
+
+export class Live {
+	#request = 0;
+	#frame = 0;
+	#system = CollisionBlocks.TIGHTEST_FITS;
+	#count = FIRST;
+	#isDrawn = true;
+	#isBeside = true;
+	/** For each agent, by its id, the number of the last frame in which it touched another one; and the first id. */
+	#touched = new Uint32Array(0);
+	#first = 0;
+	#pairs = 0;
+	#near = 0;
+
+	constructor(greatLand) {
+		this.greatLand = greatLand;
+		this.runButton = button(words.run, () => (this.#request ? this.stop() : this.run()), { class: "primary" });
+		this.host = h("div.world");
+		this.canvas = h("canvas.parts", { role: "img", "aria-label": words.graph });
+		this.parts = new Parts(this.canvas, PARTS, PEER);
+		this.figures = Object.fromEntries(Object.keys(words.figures).map((name) => [name, h("dd", {}, "–")]));
+		const count = slider(words.count, { min: 0, max: COUNTS.length - 1, step: 1, value: COUNTS.indexOf(FIRST), format: (i) => COUNTS[i].toLocaleString(texts.code) }, (i) => {
+			this.#count = COUNTS[i];
+			this.#begin();
+		});
+		count.element.classList.add("count");
+		const systems = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), this.#system, (name) => {
+			this.#system = name;
+			this.#begin();
+		});
+		this.element = h("div.live", {},
+			h("div.tools", {}, this.runButton, count.element, field(words.system, systems),
+				tick(words.drawn, true, (isOn) => {
+					this.#isDrawn = isOn;
+					this.host.parentElement.hidden = !isOn;
+				}), tick(words.beside, true, (isOn) => {
+					this.#isBeside = isOn;
+					this.parts.clear();
+				})),
+			h("div.scene", {}, h("div.screen", {}, this.host),
+				h("div.times", {}, h("dl.figures", {}, ...Object.entries(words.figures).map(([name, text]) => h("div", { class: `part-${name}` }, this.figures[name], h("dt", {}, text)))),
+					this.canvas, h("p.note", {}, words.note))));
+	}
+
+	/** Shows the world at its beginning. Called when the element is on the page. */
+	open() {
+		this.crowd ??= new Crowd(this.host, words.world);
+		this.#begin();
+	}
+
+	/** Begins the game anew, with the present number of agents and system. */
+	#begin() {
+		const count = this.#count;
+		this.halfWidth = HALF_WIDTH * Math.sqrt(count / USUAL);
+		this.game = new ScatteredGame(count, this.halfWidth);
+		this.#touched = new Uint32Array(count);
+		this.#first = this.game.agents[0].id;
+		const blocks = new CollisionBlocks(this.greatLand, this.game.agents);
+		blocks.useCollisionSystem(this.#system);
+		blocks.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => {
+			this.#touched[a.id - this.#first] = this.#frame;
+			if (a.id < b.id) this.#pairs++;
+		});
+		this.collision = blocks.collision;
+		this.parts.clear();
+		this.crowd?.prepare(count);
+		this.#step();
+		if (!this.#request) this.#show();
+	}
+
+	run() {
+		this.parts.clear();
+		this.runButton.textContent = words.stop;
+		const next = () => {
+			this.#step();
+			if (this.#frame % SHOWN_AFTER === 0) this.#show();
+			this.#request = requestAnimationFrame(next);
+		};
+		this.#request = requestAnimationFrame(next);
+	}
+
+	stop() {
+		cancelAnimationFrame(this.#request);
+		this.#request = 0;
+		this.runButton.textContent = words.run;
+		this.#show();
+	}
+
+	/** Does a frame, and measures its parts. */
+	#step() {
+		const { game: { agents }, parts: graph } = this;
+		const times = [performance.now()];
+		const part = () => times.push(performance.now()) && times.at(-1) - times.at(-2);
+		const frame = {};
+		this.game.step();
+		frame.move = part();
+		this.#frame++;
+		this.#pairs = 0;
+		this.collision.update(agents);
+		frame.engine = part();
+		if (this.#isDrawn) this.crowd?.draw(agents, DRAWN / (2 * this.halfWidth), COLOURS, (agent) => this.#touched[agent.id - this.#first] === this.#frame);
+		frame.draw = part();
+		if (this.#isBeside && this.#frame % SELDOM === 0) {
+			this.#near = nearIn(agents);
+			frame[PEER] = part();
+		}
+		graph.add(frame);
+	}
+
+	#show() {
+		const { middles } = this.parts;
+		this.parts.draw((ms) => short(ms));
+		const values = { ...Object.fromEntries(Object.entries(middles).map(([name, ms]) => [name, short(ms)])), pairs: this.#pairs.toLocaleString(texts.code), near: this.#isBeside ? this.#near.toLocaleString(texts.code) : "–" };
+		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
+	}
+
+	close() {
+		cancelAnimationFrame(this.#request);
+		this.#request = 0;
+		this.crowd?.close();
+	}
+}
+
+/** The pairs whose places are near enough to touch, as kdbush finds them in an index that is built anew. */
+function nearIn(agents) {
+	const index = new KDBush(agents.length);
+	for (const { x, y } of agents) index.add(x, y);
+	index.finish();
+	let pairs = 0;
+	agents.forEach(({ x, y, size }, i) => {
+		for (const other of index.within(x, y, size)) if (other > i) pairs++;
+	});
+	return pairs;
+}

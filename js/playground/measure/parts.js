@@ -1,0 +1,91 @@
+/** The graph of the parts of the last frames: moving, the engine and drawing one above the other, and another library as a line. */
+
+/** The frames in the graph. */
+const FRAMES = 180;
+/** The least height of the graph, in milliseconds: two frames of 60 a second. */
+const LEAST = 1000 / 30;
+const HEIGHT = 180;
+const LEFT = 40;
+
+export class Parts {
+	#frames = [];
+
+	/**
+	 * @param {HTMLCanvasElement} canvas
+	 * @param {string[]} names the names of the parts, which begin at the bottom
+	 * @param {string} line the name of the line
+	 */
+	constructor(canvas, names, line) {
+		Object.assign(this, { canvas, names, line });
+	}
+
+	clear() {
+		this.#frames.length = 0;
+	}
+
+	/** The number of frames in the graph. */
+	get count() {
+		return this.#frames.length;
+	}
+
+	/** Adds a frame: the milliseconds of each part by its name. */
+	add(frame) {
+		this.#frames.push(frame);
+		if (this.#frames.length > FRAMES) this.#frames.shift();
+	}
+
+	/** The middle value of each name in the last frames. */
+	get middles() {
+		return Object.fromEntries([...this.names, this.line].map((name) => {
+			const values = this.#frames.map((frame) => frame[name]).filter(Number.isFinite).sort((a, b) => a - b);
+			return [name, values.length > 0 ? values[values.length >> 1] : NaN];
+		}));
+	}
+
+	/** Draws the graph in the colours of the page. */
+	draw(format) {
+		const { canvas, names, line } = this;
+		const ratio = Math.min(2, devicePixelRatio);
+		const width = canvas.clientWidth;
+		if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
+		if (canvas.height !== Math.round(HEIGHT * ratio)) canvas.height = Math.round(HEIGHT * ratio);
+		const context = canvas.getContext("2d");
+		const style = getComputedStyle(canvas);
+		const colourOf = (name) => style.getPropertyValue(`--part-${name}`);
+		// a few long frames do not make all others small
+		const heights = this.#frames.map((frame) => Math.max(frame[line] || 0, names.reduce((sum, name) => sum + frame[name], 0))).sort((a, b) => a - b);
+		const most = Math.max(LEAST, 1.1 * (heights[Math.floor(0.95 * heights.length)] ?? 0));
+		const step = (width - LEFT) / FRAMES;
+		const y = (ms) => HEIGHT - (ms / most) * (HEIGHT - 10);
+		context.setTransform(ratio, 0, 0, ratio, 0, 0);
+		context.clearRect(0, 0, width, HEIGHT);
+		this.#frames.forEach((frame, i) => {
+			let from = 0;
+			for (const name of names) {
+				context.fillStyle = colourOf(name);
+				context.fillRect(LEFT + i * step, y(from + frame[name]), Math.max(1, step), y(from) - y(from + frame[name]));
+				from += frame[name];
+			}
+		});
+		context.strokeStyle = colourOf(line);
+		context.lineWidth = 2;
+		context.beginPath();
+		this.#frames.forEach((frame, i) => {
+			if (Number.isFinite(frame[line])) context.lineTo(LEFT + (i + 0.5) * step, y(frame[line]));
+		});
+		context.stroke();
+		context.fillStyle = context.strokeStyle = style.color;
+		context.lineWidth = 1;
+		context.font = "12px system-ui, sans-serif";
+		context.textAlign = "right";
+		context.setLineDash([1, 4]);
+		for (const ms of [1000 / 60, most]) {
+			context.beginPath();
+			context.moveTo(LEFT, y(ms));
+			context.lineTo(width, y(ms));
+			context.stroke();
+			context.fillText(format(ms), LEFT - 4, Math.max(10, y(ms) + 4));
+		}
+		context.setLineDash([]);
+	}
+}

@@ -2,13 +2,11 @@ package soak
 {
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
-    import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
-    import starlogo.collision.SnapshotAgents;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.Footing;
@@ -179,10 +177,7 @@ package soak
         {
             try
             {
-                var bytes:ByteArray = _collision.snapshot();
-                // which agents they are, at its end, differs from run to run
-                bytes.length -= SnapshotAgents.lengthOf(_collision.lastAgents.length);
-                _hash.addBytes(bytes);
+                _hash.addBytes(_collision.snapshot());
             }
             catch (error:IllegalOperationError)
             {

@@ -328,7 +328,7 @@ package starlogo.collision
          * <code>restore()</code> goes back to that frame, in this Collision or in another with the same handlers and a collision system of the
          * same kind. The bytes name agents by their indices in <code>lastAgents</code>. So keep a copy of that list, and of the agents' traits.
          *
-         * @return the bytes, about 29 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
+         * @return the bytes, about 25 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is not one of the engine's or has searched
          *     another list since the last frame, or if the last frame refused its list
          */
@@ -341,7 +341,7 @@ package starlogo.collision
             }
             readHandlers();
             var searched:Collider = _searched || _system.collider;
-            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain);
+            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain, bounds);
         }
 
         /**

@@ -7,87 +7,121 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * Tells which agents a snapshot belongs to, so that restoring to another list is refused. The Collision that took the snapshot accepts the same
-     * agents, or agents that were all created since, as when a game is read from a file. Another Collision accepts any agents, because
-     * ids mean nothing there.
+     * Remembers which agents the last snapshots of a Collision belong to, so that restoring to another list is refused. It finds a snapshot by
+     * a hash of its bytes, because the bytes themselves hold no ids: machines in step write the same bytes. It accepts the same agents, or
+     * agents that were all created since, as when a game is read from a file. It accepts any agents for bytes that it does not remember,
+     * because ids mean nothing elsewhere.
      *
      * @private
      */
     public final class SnapshotAgents
     {
-        // Small enough that a Number holds an origin exactly.
-        private static const COUNTS:int = 4096;
-
-        // The bytes of the origin and of the number of agents.
-        private static const HEAD:int = 12;
-        private static const BYTES_PER_ID:int = 4;
+        // How many ids are remembered, unless the last snapshot alone has more.
+        private static const MOST_IDS:int = 65536;
         private static const NAMED:int = 10;
 
-        private static var sCount:int = 0;
+        // What an entry begins with: the hash, the number of bytes, and the number of agents created until then. The ids follow.
+        private static const HEAD:int = 3;
 
-        // Marks the snapshots of this Collision. The count differs between the Collisions of this program, and the clock between programs.
-        private var _origin:Number;
+        // The entries, the oldest first, and how many numbers they have together.
+        private var _entries:Vector.<Vector.<int>> = new Vector.<Vector.<int>>();
+        private var _size:int = 0;
 
         /** Creates it for a new Collision. */
         public function SnapshotAgents()
         {
-            sCount++;
-            _origin = new Date().getTime() * COUNTS + sCount % COUNTS;
         }
 
-        /** Returns the bytes that the ids of this number of agents take. */
-        public static function lengthOf(agents:int):int
+        /** Remembers a snapshot of these agents. */
+        public function note(bytes:ByteArray, agents:Vector.<Agent>):void
         {
-            return HEAD + BYTES_PER_ID * agents;
-        }
-
-        /** Writes the ids of the agents. */
-        public function write(bytes:ByteArray, agents:Vector.<Agent>):void
-        {
-            bytes.writeDouble(_origin);
-            bytes.writeInt(Agent.createdCount);
+            var entry:Vector.<int> = new <int>[hashOf(bytes), bytes.length, Agent.createdCount];
             for (var i:int = 0; i < agents.length; i++)
             {
-                bytes.writeInt(agents[i].number);
+                entry.push(agents[i].number);
+            }
+            _entries.push(entry);
+            _size += entry.length;
+            while (_size > MOST_IDS && _entries.length > 1)
+            {
+                _size -= _entries.shift().length;
             }
         }
 
         /**
          * Compares a list with the agents of a snapshot.
          *
-         * @param bytes at the position where <code>write()</code> began
          * @param count the number of agents of the snapshot
-         * @throws ArgumentError if the list has other agents
+         * @throws ArgumentError if the list has another length, or the snapshot is remembered and has other agents
          */
         public function check(bytes:ByteArray, count:int, agents:Vector.<Agent>):void
         {
-            var isOwn:Boolean = bytes.readDouble() == _origin;
-            var created:int = bytes.readInt();
-            var ids:Vector.<int> = new Vector.<int>();
+            var hash:int = hashOf(bytes);
+            var known:Vector.<int> = null;
             var other:int = -1;
-            var areNew:Boolean = true;
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = _entries.length - 1; i >= 0; i--)
             {
-                ids[i] = bytes.readInt();
-                var number:int = i < agents.length ? agents[i].number : 0;
-                areNew = areNew && number > created;
-                other = other < 0 && number != ids[i] ? i : other;
+                var entry:Vector.<int> = _entries[i];
+                if (entry[0] == hash && entry[1] == bytes.length && entry.length == HEAD + count)
+                {
+                    known = entry;
+                    other = count == agents.length ? firstOther(entry, agents) : -1;
+                    if (other < 0)
+                    {
+                        break;
+                    }
+                }
             }
             if (count != agents.length)
             {
-                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + wanted(ids));
+                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + wanted(count, known));
             }
-            if (isOwn && !areNew && other >= 0)
+            if (other >= 0)
             {
-                throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + wanted(ids) + "; at place " + other
+                throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + wanted(count, known) + "; at place " + other
                         + " the list has " + agents[other]);
             }
         }
 
-        private static function wanted(ids:Vector.<int>):String
+        // The index of the first agent that is another than the entry's; -1 if none is, or if all were created since.
+        private static function firstOther(entry:Vector.<int>, agents:Vector.<Agent>):int
         {
-            var more:String = ids.length > NAMED ? " and " + (ids.length - NAMED) + " more" : "";
-            return "the " + ids.length + " that its frame's collision.lastAgents had: those with the ids " + ids.slice(0, NAMED).join(", ") + more;
+            var areNew:Boolean = true;
+            var other:int = -1;
+            for (var i:int = agents.length - 1; i >= 0; i--)
+            {
+                var number:int = agents[i].number;
+                areNew = areNew && number > entry[2];
+                other = number == entry[HEAD + i] ? other : i;
+            }
+            return areNew ? -1 : other;
+        }
+
+        private static function hashOf(bytes:ByteArray):int
+        {
+            var hash:int = 0;
+            bytes.position = 0;
+            while (bytes.bytesAvailable >= 4)
+            {
+                hash = hash * 31 + bytes.readInt() | 0;
+                hash ^= hash >>> 15;
+            }
+            while (bytes.bytesAvailable > 0)
+            {
+                hash = hash * 31 + bytes.readUnsignedByte() | 0;
+            }
+            return hash;
+        }
+
+        private static function wanted(count:int, known:Vector.<int>):String
+        {
+            var all:String = "the " + count + " that its frame's collision.lastAgents had";
+            if (known == null)
+            {
+                return all;
+            }
+            var more:String = count > NAMED ? " and " + (count - NAMED) + " more" : "";
+            return all + ": those with the ids " + known.slice(HEAD, HEAD + NAMED).join(", ") + more;
         }
     }
 }

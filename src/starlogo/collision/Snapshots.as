@@ -11,6 +11,7 @@ package starlogo.collision
     import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
     import starlogo.search.CollisionSearch;
+    import starlogo.terrain.FixtureAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -22,21 +23,27 @@ package starlogo.collision
      *
      * <p>The bytes are: a mark; the number of agents, and for each whether it may have a motion from its last position, and that position; the
      * number of breeds' names, and the names; the number of touching pairs, and for each its agents, their breeds, and whether it touches both
-     * ways; the ground, if there is one; the agents' ids (SnapshotAgents).</p>
+     * ways; the ground, if there is one. After the indices of the agents come those of the ground, of the edges, and of a ground and edges that
+     * were exchanged after the frame: their touches end in the next frame.</p>
      *
-     * <p>The ground's bytes are: the number of columns; the number of rows; whether the surface is columns; then the heights. After a height
-     * of 0 comes the number of heights that are 0 from there on, and only the first of them is written.</p>
+     * <p>The ground's bytes are: the number of columns; the number of rows; the width of a cell; its place; whether the surface is columns; then
+     * the heights. After a height of 0 comes the number of heights that are 0 from there on, and only the first of them is written.</p>
+     *
+     * <p>Nothing in the bytes depends on the program that runs. Machines in step write the same bytes.</p>
      */
     internal final class Snapshots
     {
-        // "SLF1"
-        private static const MARK:uint = 0x534C4631;
+        // "SLF2"
+        private static const MARK:uint = 0x534C4632;
         private static const AGENTS_AT:int = 8;
         private static const BYTES_PER_AGENT:int = 25;
 
         // Receives the touching pairs when a snapshot is read; otherwise empty.
         private var _read:TouchTracker = new TouchTracker();
         private var _who:SnapshotAgents = new SnapshotAgents();
+
+        // The ground's and the edges' agents that were exchanged before the last snapshot; others stand for them in another Collision.
+        private var _former:Vector.<Agent> = new Vector.<Agent>();
 
         // The ground of the snapshot that is being read.
         private var _isBlocky:Boolean;
@@ -45,6 +52,12 @@ package starlogo.collision
         /** Creates it for a new Collision. */
         public function Snapshots()
         {
+            for each (var breed:String in [Breeds.TERRAIN, Breeds.EDGE])
+            {
+                var former:FixtureAgent = new FixtureAgent(breed);
+                former.giveIdBack();
+                _former.push(former);
+            }
         }
 
         /**
@@ -55,9 +68,11 @@ package starlogo.collision
          * @param agents the last frame's list. It is empty if there was no frame
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
          * @param terrain the ground, or null
+         * @param bounds the edges of the world, or null
          * @throws IllegalOperationError if the collision system has searched another list
          */
-        public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain):ByteArray
+        public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain,
+                bounds:WorldBounds):ByteArray
         {
             if (agents.length > 0 && !table.isListed(agents))
             {
@@ -67,12 +82,12 @@ package starlogo.collision
             bytes.writeUnsignedInt(MARK);
             bytes.writeInt(agents.length);
             table.writePositions(agents, bytes, keepsMotions);
-            writePairs(bytes, tracker, table);
+            writePairs(bytes, tracker, table, fixturesOf(terrain, bounds));
             if (terrain != null)
             {
                 writeGround(bytes, terrain);
             }
-            _who.write(bytes, agents);
+            _who.note(bytes, agents);
             bytes.position = 0;
             return bytes;
         }
@@ -122,7 +137,7 @@ package starlogo.collision
             return found;
         }
 
-        private static function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable):void
+        private function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable, fixtures:Vector.<Agent>):void
         {
             var breeds:Vector.<int> = new Vector.<int>();
             var pairs:ByteArray = newBytes();
@@ -130,8 +145,7 @@ package starlogo.collision
             {
                 var pair:Touch = tracker.pairAt(i);
                 pairs.writeInt(table.ranks[table.rowOf(pair.first)]);
-                // the reserved breeds have the first numbers, and the ground's breed is the first of them
-                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + pair.secondBreed : table.ranks[table.rowOf(pair.second)]);
+                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + indexOfFixture(pair, fixtures) : table.ranks[table.rowOf(pair.second)]);
                 pairs.writeInt(indexIn(breeds, pair.firstBreed));
                 pairs.writeInt(indexIn(breeds, pair.secondBreed));
                 pairs.writeBoolean(pair.isBothWays);
@@ -148,10 +162,30 @@ package starlogo.collision
             bytes.writeBytes(pairs);
         }
 
+        // The reserved breeds have the first numbers, and the ground's breed is the first of them.
+        private function indexOfFixture(pair:Touch, fixtures:Vector.<Agent>):int
+        {
+            var index:int = pair.secondBreed;
+            if (pair.second !== fixtures[index])
+            {
+                _former[index] = pair.second;
+                index += fixtures.length;
+            }
+            return index;
+        }
+
+        private static function fixturesOf(terrain:Terrain, bounds:WorldBounds):Vector.<Agent>
+        {
+            return new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent];
+        }
+
         private static function writeGround(bytes:ByteArray, terrain:Terrain):void
         {
             bytes.writeInt(terrain.columns);
             bytes.writeInt(terrain.rows);
+            bytes.writeDouble(terrain.cellWidth);
+            bytes.writeDouble(terrain.x);
+            bytes.writeDouble(terrain.y);
             bytes.writeBoolean(terrain.isBlocky);
             var heights:Vector.<Number> = terrain.grid.heights;
             for (var at:int = 0; at < heights.length; at += count)
@@ -174,18 +208,14 @@ package starlogo.collision
         {
             var count:uint = bytes.readUnsignedInt();
             check(count <= (bytes.length - AGENTS_AT) / BYTES_PER_AGENT);
-            var end:int = bytes.length - SnapshotAgents.lengthOf(count);
-            check(end >= AGENTS_AT);
-            bytes.position = end;
             _who.check(bytes, count, agents);
             bytes.position = AGENTS_AT;
             for (var i:int = 0; i < count; i++)
             {
                 check(bytes.readUnsignedByte() <= 1 && isCoordinate(bytes.readDouble()) && isCoordinate(bytes.readDouble()) && isCoordinate(bytes.readDouble()));
             }
-            // the ground and the edges have the indices after the agents
-            readPairs(bytes, agents.concat(new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent]), count);
-            var hasGround:Boolean = bytes.position < end;
+            readPairs(bytes, agents.concat(fixturesOf(terrain, bounds), _former), count);
+            var hasGround:Boolean = bytes.position < bytes.length;
             if (hasGround != (terrain != null))
             {
                 var which:String = hasGround ? "without" : "with";
@@ -195,7 +225,7 @@ package starlogo.collision
             {
                 readGround(bytes, terrain);
             }
-            check(bytes.position == end);
+            check(bytes.position == bytes.length);
         }
 
         private function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int):void
@@ -231,9 +261,13 @@ package starlogo.collision
         {
             var columns:int = bytes.readInt();
             var rows:int = bytes.readInt();
-            if (columns != terrain.columns || rows != terrain.rows)
+            var cellWidth:Number = bytes.readDouble();
+            var x:Number = bytes.readDouble();
+            var y:Number = bytes.readDouble();
+            if (columns != terrain.columns || rows != terrain.rows || cellWidth != terrain.cellWidth || x != terrain.x || y != terrain.y)
             {
-                throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights");
+                throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights from (" + x + ", " + y
+                        + ") on, in cells " + cellWidth + " wide");
             }
             _isBlocky = bytes.readBoolean();
             _heights = new Vector.<Number>(columns * rows);

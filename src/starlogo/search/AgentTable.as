@@ -160,7 +160,7 @@ package starlogo.search
          * agent's own row, if it has one, does not change. Call <code>endGuests()</code> after a question. The ground and the edges are read
          * before the list, and stay.
          *
-         * @param guest the row: 0 or 1, or one from RowList.GROUND to RowList.BOX. Its shape is null while the agent's model is loading
+         * @param guest the row: 0 or 1, RowList.GROUND or RowList.EDGES. Its shape is null while the agent's model is loading
          * @param agent the agent; null to empty the row
          * @param shape the shape; null for the shape of the agent's model
          * @throws ArgumentError as readRow does

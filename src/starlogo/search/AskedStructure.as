@@ -33,14 +33,13 @@ package starlogo.search
         }
 
         /**
-         * Puts a structure into a row of a table.
+         * Puts a structure into the row of a table's first guest.
          *
-         * @param row 0 for the first guest, or RowList.BOX
          * @return the row
          * @throws ArgumentError if it is null, or not a sphere, box or capsule
          * @throws RangeError if it is not in the world
          */
-        public function readInto(table:AgentTable, structure:BoundingStructure, row:int = 0):int
+        public function readInto(table:AgentTable, structure:BoundingStructure):int
         {
             require(structure);
             _placement.x = _placement.y = _placement.z = 0;
@@ -56,8 +55,8 @@ package starlogo.search
             _agent.placement.y = _extents[1];
             _agent.placement.z = _extents[2];
             _agent.revision++;
-            table.readGuest(row, _agent, shape);
-            return row;
+            table.readGuest(0, _agent, shape);
+            return 0;
         }
 
         /** Throws an ArgumentError if a structure is null, or not a sphere, box or capsule. */

@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.Box;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -17,8 +16,7 @@ package starlogo.search
      * end where the first row is.
      *
      * <p>An edge is a plane, so a row touches it if the farthest point of its shape does. Spheres, capsules and boxes reach to the ends of
-     * their extents. A tree may reach less far. To find out how much less, it is moved against a box that stands at the end of its
-     * extents.</p>
+     * their extents. A tree may reach less far.</p>
      *
      * <p>A row that touches several edges has one contact. Its depth is the length of the shortest way back from all of them. Its normal is
      * the direction of that way.</p>
@@ -42,13 +40,10 @@ package starlogo.search
         private var _largest:Number = 0;
         private var _margin:Number = 0;
 
-        // The box that rows are moved against, this motion, and the row's farthest point.
-        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
-        private var _asked:AskedStructure = new AskedStructure();
-        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _farthest:FarthestPoint = new FarthestPoint();
         private var _touch:ContactPoint = new ContactPoint();
 
-        /** @param pairs finds how rows touch a box */
+        /** @param pairs knows how deep trees are visited */
         public function EdgePairs(pairs:RowPairs)
         {
             _pairs = pairs;
@@ -57,8 +52,15 @@ package starlogo.search
         /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            findTime(table, a, b, RelativeMotion.NONE);
-            return RelativeMotion.NONE.time == 0;
+            read(table, a, b, RelativeMotion.NONE);
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                if (_beyond[edge] + _margin >= 0)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /** @inheritDoc */
@@ -88,7 +90,7 @@ package starlogo.search
          */
         override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            read(table, a, b, motion);
+            read(table, a, b, motion, true);
             var left:Number = 1 - motion.time;
             _nearest = 0;
             for (var edge:int = 0; edge < 6; edge++)
@@ -96,10 +98,11 @@ package starlogo.search
                 _beyond[edge] -= left * _come[edge];
                 _nearest = _beyond[edge] > _beyond[_nearest] ? edge : _nearest;
             }
-            findFarthest(table, a, _nearest);
-            out.x = _touch.x - left * motion.x;
-            out.y = _touch.y - left * motion.y;
-            out.z = _touch.z - left * motion.z;
+            _farthest.setTo(table, a, _pairs.trees);
+            _farthest.findPoint(_outwards[_nearest], _largest);
+            out.x = _farthest.point.x - left * motion.x;
+            out.y = _farthest.point.y - left * motion.y;
+            out.z = _farthest.point.z - left * motion.z;
             out.setNormal(0, 0, 0);
             for (edge = 0; edge < 6; edge += 2)
             {
@@ -129,7 +132,8 @@ package starlogo.search
             out.settle(areTouching);
         }
 
-        private function read(table:AgentTable, row:int, edges:int, motion:RelativeMotion):void
+        // Finds how far the row is beyond each edge. A tree's own reach is found only if its extents come to the edge, or for all edges.
+        private function read(table:AgentTable, row:int, edges:int, motion:RelativeMotion, isForAll:Boolean = false):void
         {
             var extents:Extents = table.extents;
             var fixture:FixtureAgent = FixtureAgent(table.agents[edges]);
@@ -143,10 +147,11 @@ package starlogo.search
                 var beyond:Number = reach + (along(edge, extents.x[row], extents.y[row], extents.z[row]) - _places[edge]);
                 _beyond[edge] = beyond;
                 _come[edge] = along(edge, motion.x, motion.y, motion.z);
-                if (table.forms[row] == ModelShape.TREE && (beyond >= -_margin || beyond - _come[edge] >= -_margin))
+                if (table.forms[row] == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - _come[edge] >= -_margin))
                 {
-                    findFarthest(table, row, edge);
-                    _beyond[edge] -= _motion.time * along(edge, _motion.x, _motion.y, _motion.z);
+                    _farthest.setTo(table, row, _pairs.trees);
+                    _farthest.find(_outwards[edge]);
+                    _beyond[edge] = _farthest.reach - _places[edge];
                 }
             }
         }
@@ -155,34 +160,6 @@ package starlogo.search
         private function along(edge:int, x:Number, y:Number, z:Number):Number
         {
             return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
-        }
-
-        // Finds the row's farthest point in the direction of an edge, or the middle of several such points. It moves the row against a box that
-        // stands where the row's extents end. The time of this motion tells how much less far the row reaches.
-        private function findFarthest(table:AgentTable, row:int, edge:int):void
-        {
-            var extents:Extents = table.extents;
-            var outwards:Vector3D = _outwards[edge];
-            var reach:Number = Math.abs(along(edge, extents.halfX[row], extents.halfY[row], extents.halfZ[row]));
-            var size:Number = 2 * _largest;
-            _box.halfX = _box.halfY = _box.halfZ = size;
-            _box.center.x = extents.x[row] + (reach + size) * outwards.x;
-            _box.center.y = extents.y[row] + (reach + size) * outwards.y;
-            _box.center.z = extents.z[row] + (reach + size) * outwards.z;
-            _asked.readInto(table, _box, RowList.BOX);
-            _motion.x = 2 * reach * outwards.x;
-            _motion.y = 2 * reach * outwards.y;
-            _motion.z = 2 * reach * outwards.z;
-            var tests:PairTests = _pairs.testsOf(table, row, RowList.BOX);
-            tests.findImpact(table, row, RowList.BOX, _motion, _touch);
-            if (_motion.time == RelativeMotion.NEVER)
-            {
-                _motion.time = 0;
-                tests.findContact(table, row, RowList.BOX, _motion, _touch);
-            }
-            _touch.x -= _motion.time * _motion.x;
-            _touch.y -= _motion.time * _motion.y;
-            _touch.z -= _motion.time * _motion.z;
         }
 
         // Adds the way back from an edge to the normal, and moves the point into the middle of the overlap. For edges other than the nearest, the

@@ -19,10 +19,10 @@ package starlogo.search
     {
         // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
         // ground and the edges of the world do not move.
-        internal var x:Vector.<Number> = new <Number>[0, 0, 0, 0, 0];
-        internal var y:Vector.<Number> = new <Number>[0, 0, 0, 0, 0];
-        internal var z:Vector.<Number> = new <Number>[0, 0, 0, 0, 0];
-        internal var isSweeping:Vector.<Boolean> = new <Boolean>[false, false, false, false, false];
+        internal var x:Vector.<Number> = new <Number>[0, 0, 0, 0];
+        internal var y:Vector.<Number> = new <Number>[0, 0, 0, 0];
+        internal var z:Vector.<Number> = new <Number>[0, 0, 0, 0];
+        internal var isSweeping:Vector.<Boolean> = new <Boolean>[false, false, false, false];
         internal var extents:Extents = new Extents();
 
         // How far the first row moved against the normal, in the last pair whose contact was found.

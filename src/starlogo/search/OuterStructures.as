@@ -1,5 +1,8 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
@@ -9,7 +12,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * A sphere and a capsule around a structure. A collider tests them first, because their tests are cheaper (thesis §7.5).
+     * A sphere and a capsule around a structure. A collider tests them first, because their tests are cheaper (thesis §7.5). They contain the
+     * structure, not only the model, so they never decide otherwise than the structure itself.
      *
      * @private
      */
@@ -18,13 +22,20 @@ package starlogo.search
         internal var sphere:Sphere;
         internal var capsule:Capsule;
 
-        /** For a model: copies the two, and makes the copies slightly wider. */
-        public function OuterStructures(sphere:Sphere, capsule:Capsule)
+        /** @param structure a box or a capsule */
+        public function OuterStructures(structure:BoundingStructure)
         {
-            this.sphere = sphere.clone() as Sphere;
-            this.capsule = capsule.clone() as Capsule;
-            this.sphere.radius *= Tolerances.OUTER;
-            this.capsule.radius *= Tolerances.OUTER;
+            capsule = structure is Box ? aroundBox(Box(structure)) : structure.clone() as Capsule;
+            var half:Vector3D = capsule.end.subtract(capsule.start);
+            half.scaleBy(0.5);
+            sphere = new Sphere(capsule.start.add(half), half.length + capsule.radius);
+            if (structure is Box)
+            {
+                var box:Box = Box(structure);
+                sphere.radius = Math.sqrt(box.halfX * box.halfX + box.halfY * box.halfY + box.halfZ * box.halfZ);
+            }
+            sphere.radius *= Tolerances.OUTER;
+            capsule.radius *= Tolerances.OUTER;
         }
 
         /** Sets both to a model's sphere and capsule, placed where an agent is and wider by a margin. */
@@ -34,6 +45,16 @@ package starlogo.search
             sphere.widen(margin);
             model.capsule.place(placement, capsule);
             capsule.widen(margin);
+        }
+
+        // Around the box's longest axis, through all corners.
+        private static function aroundBox(box:Box):Capsule
+        {
+            var longest:Number = Math.max(box.halfX, box.halfY, box.halfZ);
+            var along:Vector3D = (longest == box.halfX ? box.axisX : longest == box.halfY ? box.axisY : box.axisZ).clone();
+            along.scaleBy(longest);
+            var across:Number = box.halfX * box.halfX + box.halfY * box.halfY + box.halfZ * box.halfZ - longest * longest;
+            return new Capsule(box.center.subtract(along), box.center.add(along), Math.sqrt(Math.max(0, across)));
         }
     }
 }

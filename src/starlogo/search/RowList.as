@@ -13,17 +13,14 @@ package starlogo.search
      */
     public final class RowList
     {
-        /** The first rows belong to no list: two for guests, two for fixtures (the ground and the edges of the world), and one for a box. */
-        public static const GUESTS:int = 5;
+        /** The first rows belong to no list: two for guests, and two for fixtures (the ground and the edges of the world). */
+        public static const GUESTS:int = 4;
 
         /** The row of the ground, the first fixture. The number of a fixture's breed gives its row. */
         public static const GROUND:int = 2;
 
         /** The row of the edges of the world. */
         public static const EDGES:int = 3;
-
-        /** The row of a box that rows are moved against. */
-        public static const BOX:int = 4;
 
         /** The rows of the agents, in the order of the list. */
         public var rows:Vector.<int> = new Vector.<int>();
@@ -35,10 +32,10 @@ package starlogo.search
         public var number:int = 0;
 
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
-        public var ranks:Vector.<int> = new <int>[0, 0, 0, 0, 0];
+        public var ranks:Vector.<int> = new <int>[0, 0, 0, 0];
 
         /** By row: the agent, or null. */
-        public var agents:Vector.<Agent> = new <Agent>[null, null, null, null, null];
+        public var agents:Vector.<Agent> = new <Agent>[null, null, null, null];
 
         /** The rows that the last read has added; the list may be longer than <code>addedCount</code>. */
         public var added:Vector.<int> = new Vector.<int>();
@@ -53,7 +50,7 @@ package starlogo.search
         public var freeCount:int = 0;
 
         // By row: the number of the last list in which the agent was.
-        private var _lists:Vector.<int> = new <int>[0, 0, 0, 0, 0];
+        private var _lists:Vector.<int> = new <int>[0, 0, 0, 0];
 
         private var _rowsById:IdTable = new IdTable();
 

@@ -95,10 +95,12 @@ package starlogo.search
             modelShapes = shapes;
         }
 
-        /** Whether a row still has the state of its agent, and the agent's model is not loading. */
+        /** Whether a row still has the state of its agent and of the agent's model, and the model is not loading. */
         public function isOfNow(row:int):Boolean
         {
-            return agents[row].revision == revisions[row] && shapes[row] != null;
+            forgetReplaced();
+            var agent:Agent = agents[row];
+            return agent.revision == revisions[row] && agent.placement.extentsRevision == extentsRevisions[row];
         }
 
         /**
@@ -212,8 +214,9 @@ package starlogo.search
             _placed[row].widen(margin);
             if (shape.outer != null)
             {
-                outer[row] ||= new OuterStructures(shape.outer.sphere, shape.outer.capsule);
-                outer[row].place(shape.outer, placement, margin);
+                outer[row] ||= new OuterStructures(shape.structure);
+                // the corners of a box that is wider by a margin are farther out by its diagonal
+                outer[row].place(shape.outer, placement, 2 * margin);
             }
             placedRevisions[row] = revisions[row];
         }

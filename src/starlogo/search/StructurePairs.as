@@ -31,10 +31,8 @@ package starlogo.search
 
         private var _finder:ContactFinder = new ContactFinder();
 
-        // The reversed motion, and the time interval in which all structures tested so far touch.
+        // The reversed motion.
         private var _back:RelativeMotion = new RelativeMotion();
-        private var _first:Number = 0;
-        private var _last:Number = 1;
 
         // The extents of two rows.
         private var _extentsA:Box = newBox();
@@ -91,11 +89,11 @@ package starlogo.search
             noteTest(structureA, structureB);
             var byFaces:Boolean = isByFaces(table, a, b);
             findTimeOfStructures(structureA, structureB, byFaces, motion);
-            if (motion.time != RelativeMotion.NEVER && (byFaces || haveOuter(table, a, b)))
+            if (motion.time != RelativeMotion.NEVER && byFaces)
             {
                 _back.reverse(motion);
                 findTimeOfStructures(structureA, structureB, byFaces, _back);
-                findTimeOfAll(table, a, b, byFaces, motion);
+                findTimeOfBoth(table, a, b, motion);
             }
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
@@ -114,10 +112,6 @@ package starlogo.search
         /** @inheritDoc */
         override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
         {
-            if ((settings.spheresFirst || settings.capsulesFirst) && haveOuter(table, a, b))
-            {
-                return false;
-            }
             return !isByFaces(table, a, b);
         }
 
@@ -151,39 +145,17 @@ package starlogo.search
             findTimeOfImpact(a, b, motion);
         }
 
-        // Finds the first time at which all structures that decide touch at once. Any two of them touch during one interval of time. The motion
-        // and the reversed motion already have the times of the rows' own structures.
-        private function findTimeOfAll(table:AgentTable, a:int, b:int, byFaces:Boolean, motion:RelativeMotion):void
+        // Finds the first time at which the faces and the extents of two boxes touch at once. Each touches during one interval of time. The
+        // motion and the reversed motion already have the times of the faces.
+        private function findTimeOfBoth(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            _first = motion.time;
-            _last = 1 - _back.time;
-            if (byFaces)
-            {
-                readExtents(table, a, b);
-                limitTimes(_extentsA, _extentsB, motion);
-            }
-            var outerA:OuterStructures = table.outer[a];
-            var outerB:OuterStructures = table.outer[b];
-            var areOuter:Boolean = haveOuter(table, a, b);
-            if (areOuter && settings.spheresFirst)
-            {
-                noteTest(outerA.sphere, outerB.sphere);
-                limitTimes(outerA.sphere, outerB.sphere, motion);
-            }
-            if (areOuter && settings.capsulesFirst && isOneBox(table, a, b))
-            {
-                noteTest(outerA.capsule, outerB.capsule);
-                limitTimes(outerA.capsule, outerB.capsule, motion);
-            }
-            motion.time = _first <= _last ? _first : RelativeMotion.NEVER;
-        }
-
-        private function limitTimes(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
-        {
-            findTimeOfImpact(a, b, motion);
-            findTimeOfImpact(a, b, _back);
-            _first = Math.max(_first, motion.time);
-            _last = Math.min(_last, 1 - _back.time);
+            var first:Number = motion.time;
+            var last:Number = 1 - _back.time;
+            readExtents(table, a, b);
+            findTimeOfImpact(_extentsA, _extentsB, motion);
+            findTimeOfImpact(_extentsA, _extentsB, _back);
+            first = Math.max(first, motion.time);
+            motion.time = first <= Math.min(last, 1 - _back.time) ? first : RelativeMotion.NEVER;
         }
 
         private function noteTest(a:BoundingStructure, b:BoundingStructure):void

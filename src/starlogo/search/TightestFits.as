@@ -45,7 +45,7 @@ package starlogo.search
             shape.setStructure(library.tightestFit(model));
             if (shape.form != BoundingStructure.SPHERE && library.hasAll(model))
             {
-                shape.outer = new OuterStructures(library.sphere(model), library.capsule(model));
+                shape.outer = new OuterStructures(shape.structure);
             }
         }
     }

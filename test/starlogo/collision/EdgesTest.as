@@ -10,6 +10,7 @@ package starlogo.collision
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.queries.AgentQueries;
@@ -24,6 +25,8 @@ package starlogo.collision
     import support.SolidModels;
     import support.agentAt;
     import support.assertThrows;
+
+    use namespace engine;
 
     /** The edges of the world: which agents touch them, when and how, against all corners of all shapes. */
     public class EdgesTest
@@ -296,6 +299,58 @@ package starlogo.collision
                 assertEquals(name, Infinity, queries.distance(inside, bounds.agent));
                 assertThrows(ArgumentError, /does not move/, queries.moveUntilTouch, bounds.agent, 1, 0, 0);
             }
+        }
+
+        [Test]
+        public function distancesAreThoseOfTheShapesThemselves():void
+        {
+            var closer:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var from:Vector3D = new Vector3D();
+                var to:Vector3D = new Vector3D();
+                for (var i:int = Effort.choose(12, 300); i > 0; i--)
+                {
+                    _bounds = new WorldBounds(-12, -12, -12, _random.pick([12, Infinity]), 14, 13);
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(4, SHAPES, 14, _random);
+                    queries.update(agents);
+                    for each (var agent:Agent in agents)
+                    {
+                        var expected:Number = Math.max(0, -Math.max.apply(null, beyondOf(name, agent)));
+                        var found:Number = queries.distance(agent, _bounds.agent, from, to);
+                        var way:Vector3D = to.subtract(from);
+                        var isAxis:Boolean = int(way.x == 0) + int(way.y == 0) + int(way.z == 0) >= 2;
+                        if (Math.abs(found - expected) > NEAR || !isAxis || expected > 0 && Math.abs(way.length - found) > NEAR)
+                        {
+                            _wrong.add(name, found + ", not " + expected + ", " + from + " " + to + ": " + agent);
+                        }
+                        closer += expected > 0 ? 1 : 0;
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(closer + " are inside", closer > 100);
+        }
+
+        [Test]
+        public function loadingAgentsAreCountedAmongTrees():void
+        {
+            sGreatLand.expect("later");
+            for each (var name:String in ["hierarchies", "triangles", "combinations"])
+            {
+                var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
+                collision.bounds = new WorldBounds(-5, -5, -5, 5, 5, 5);
+                collision.onCollision("turtles", Collision.EDGE, note("edge"));
+                var agents:Vector.<Agent> = new <Agent>[agentAt("apart", 4.9, 0, 0), agentAt("later", 0, 0, 0), agentAt("cube", 0, 0, 0, "others")];
+                agents[0].hierarchical = true;
+                for (var frame:int = 0; frame < 2; frame++)
+                {
+                    collision.update(agents);
+                    assertEquals(name, "1 1", collision.statistics.agentsLoading + " " + collision.statistics.agentsSkipped);
+                }
+            }
+            sGreatLand.expectNoMore("later");
         }
 
         [Test]

@@ -297,6 +297,74 @@ package starlogo.terrain
         }
 
         [Test]
+        public function aSnapshotAfterAnExchangeGoesOnTheSame():void
+        {
+            var grounds:Array = [null, new Terrain(11, 11, 1, -5, -5), new Terrain(3, 3, 4, -4, -4)];
+            for each (var ground:Terrain in grounds)
+            {
+                for each (var bounds:WorldBounds in [null, new WorldBounds(-5, -5, 0.25, 5, 5, 9)])
+                {
+                    prepareExchange();
+                    _collision.terrain = ground;
+                    _collision.bounds = bounds;
+                    var bytes:ByteArray = _collision.snapshot();
+                    var listed:Vector.<Agent> = _collision.lastAgents.concat();
+                    _calls.length = 0;
+                    _collision.update(listed);
+                    var expected:String = _calls.join();
+                    assertTrue(expected, expected.indexOf("end") >= 0);
+                    _calls.length = 0;
+                    _collision.restore(bytes, listed);
+                    _collision.update(listed);
+                    assertEquals("again", expected, _calls.join());
+                    var first:Collision = _collision;
+                    prepareExchange();
+                    _collision.terrain = ground;
+                    _collision.bounds = bounds;
+                    _calls.length = 0;
+                    _collision.restore(bytes, listed);
+                    _collision.update(listed);
+                    assertEquals("elsewhere", expected, _calls.join());
+                    assertTrue(first !== _collision);
+                }
+            }
+        }
+
+        // Of a frame in which an agent touches the ground and an edge.
+        private function prepareExchange():void
+        {
+            _collision = new Collision(new BinCollider());
+            _collision.terrain = new Terrain(11, 11, 1, -5, -5);
+            _collision.bounds = new WorldBounds(-5, -5, 0.25, 5, 5, 9);
+            for each (var other:String in [Collision.TERRAIN, Collision.EDGE])
+            {
+                _collision.onCollisionStart("turtles", other, function(a:Agent, b:Agent):void
+                    {
+                        _calls.push("start" + b.breed);
+                    });
+                _collision.onCollisionEnd("turtles", other, function(a:Agent, b:Agent):void
+                    {
+                        _calls.push("end" + b.breed);
+                    });
+            }
+            _collision.update(new <Agent>[agentAt("sphere", 0, 0, 0)]);
+        }
+
+        [Test]
+        public function aSnapshotGoesIntoTheSameGroundAlone():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[];
+            _collision.update(agents);
+            var bytes:ByteArray = _collision.snapshot();
+            for each (var other:Terrain in [new Terrain(11, 11, 2, -5, -5), new Terrain(11, 11, 1, -5, 0), new Terrain(11, 12, 1, -5, -5)])
+            {
+                _collision.terrain = other;
+                assertThrows(ArgumentError, /no snapshot with this ground, but with 11 by 11 heights from \(-5, -5\) on, in cells 1 wide/, _collision.restore,
+                        bytes, agents);
+            }
+        }
+
+        [Test]
         public function damagedHeightsAreRefused():void
         {
             var agents:Vector.<Agent> = new <Agent>[];
@@ -304,8 +372,8 @@ package starlogo.terrain
             _terrain.setHeight(2, 0, 5);
             var bytes:ByteArray = _collision.snapshot();
             bytes.endian = Endian.LITTLE_ENDIAN;
-            // the heights begin after the mark, three counts, columns, rows and a flag: two of 0, a 5, and 118 of 0
-            var firstAt:int = 25;
+            // the heights begin after the mark, three counts, columns, rows, width, place and a flag: two of 0, a 5, and 118 of 0
+            var firstAt:int = 49;
             for each (var wrong:Number in [NaN, Infinity, 2e9, 0])
             {
                 var broken:ByteArray = new ByteArray();

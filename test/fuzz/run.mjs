@@ -1,23 +1,25 @@
 #!/usr/bin/env node
 /**
- * Random games until one fails: test/fuzz/game.mjs.
+ * Random games until the time is over: test/fuzz/game.mjs.
  *
- *   node test/fuzz/run.mjs MINUTES [SEED]
+ *   node test/fuzz/run.mjs MINUTES [SEED] [none|CHECK,CHECK...]
  *
- * A list of calls that fails is made shorter as long as it fails in the same way, and printed as a line for found.test.mjs.
+ * A list of calls that fails is made shorter as long as it fails in the same way, and printed as a line for found.test.mjs. The third argument has the
+ * checks that are left out, in place of those of open.mjs. The games run in a thread of their own, so that a call that does not end is named too.
  */
-import { randomNumbers } from "../module/games.mjs";
-import { problemOf, randomCall } from "./game.mjs";
+import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";
 
 const CALLS = 120;
 
-const [minutes = "10", seed = String(Date.now() % 1e9)] = process.argv.slice(2);
-const end = performance.now() + 60000 * Number(minutes);
+/** No call takes as many seconds. */
+const LONGEST_CALL = 30;
 
 /** The same wrong, whatever the numbers in it are. */
-const kindOf = (problem) => problem?.replace(/[-\d.e+]+/g, "").slice(0, 24);
+const kindOf = (problem) => problem?.split(":")[0].replace(/-?\d[\d.e+-]*/g, "").slice(0, 40);
 
-function shrink(calls) {
+const linesOf = (calls) => `${JSON.stringify(calls, (_, value) => (value === Infinity ? "Infinity" : value)).replaceAll("\"Infinity\"", "Infinity").replaceAll("],[", "],\n\t[")},`;
+
+function shrink(calls, problemOf) {
 	const kind = kindOf(problemOf(calls));
 	for (let size = calls.length >> 1; size > 0; size = size > 1 ? size >> 1 : 0) {
 		for (let from = calls.length - size; from >= 0; from = Math.min(from - 1, calls.length - size)) {
@@ -28,21 +30,61 @@ function shrink(calls) {
 	return calls;
 }
 
-let games = 0;
-const kinds = new Map();
-console.log(`random games for ${minutes} minutes, from seed ${seed} on`);
-for (let each = Number(seed); performance.now() < end; each++) {
-	const random = randomNumbers(each);
-	for (let i = 0; i < 8; i++) random();
-	const calls = Array.from({ length: CALLS }, () => randomCall(random));
-	games++;
-	const problem = problemOf(calls);
-	if (problem === null) continue;
-	const kind = kindOf(problem);
-	kinds.set(kind, (kinds.get(kind) ?? 0) + 1);
-	if (kinds.get(kind) > 1) continue;
-	const fewest = shrink(calls);
-	console.log(`\nseed ${each}: ${problemOf(fewest)}\n${JSON.stringify(fewest).replaceAll("],[", "],\n\t[")},`);
+async function play({ seed, end, left, state, found }) {
+	const { problemOf } = await import("./game.mjs");
+	const { randomCall } = await import("./random.mjs");
+	const { OPEN } = await import("./open.mjs");
+	const { numbersOf } = await import("./tools.mjs");
+	if (left !== undefined) OPEN.clear();
+	for (const check of (left ?? "none").split(",")) OPEN.add(check.trim());
+	const watched = (calls) => problemOf(calls, (i) => { state[1] = i; Atomics.add(state, 2, 1); });
+	for (let each = seed; Date.now() < end; each++) {
+		const random = numbersOf(each);
+		const calls = Array.from({ length: CALLS }, () => randomCall(random));
+		state[0] = each;
+		state[3]++;
+		const problem = watched(calls);
+		if (problem === null) continue;
+		const kind = kindOf(problem);
+		found.set(kind, (found.get(kind) ?? 0) + 1);
+		if (found.get(kind) === 1) {
+			const fewest = shrink(calls, watched);
+			parentPort.postMessage({ text: `\nseed ${each}: ${watched(fewest)}\n${linesOf(fewest)}` });
+		}
+		parentPort.postMessage({ kind });
+	}
 }
-console.log(`\n${games} games of ${CALLS} calls: ${kinds.size === 0 ? "nothing found" : [...kinds].map(([kind, count]) => `"${kind}" ${count} times`).join(", ")}`);
-process.exitCode = kinds.size === 0 ? 0 : 1;
+
+async function main() {
+	const [minutes = "10", from = String(Date.now() % 1e9), left] = process.argv.slice(2);
+	const end = Date.now() + 60000 * Number(minutes);
+	const state = new Int32Array(new SharedArrayBuffer(16));
+	const found = new Map();
+	const count = (kind) => found.set(kind, (found.get(kind) ?? 0) + 1);
+	console.log(`random games for ${minutes} minutes, from seed ${from} on`);
+	let seed = Number(from);
+	while (Date.now() < end) {
+		const worker = new Worker(new URL(import.meta.url), { workerData: { seed, end, left, state, found } });
+		worker.on("message", ({ kind, text }) => (text ? console.log(text) : count(kind)));
+		let calls = -1;
+		let since = Date.now();
+		const isHanging = await new Promise((resolve, reject) => {
+			const clock = setInterval(() => {
+				if (calls !== state[2]) [calls, since] = [state[2], Date.now()];
+				else if (Date.now() - since > 1000 * LONGEST_CALL) resolve(true);
+			}, 1000);
+			worker.on("exit", () => resolve(false));
+			worker.on("error", reject);
+			worker.on("exit", () => clearInterval(clock));
+		});
+		if (!isHanging) break;
+		await worker.terminate();
+		console.log(`\nseed ${state[0]}: call ${state[1]} does not end`);
+		count("does not end");
+		seed = state[0] + 1;
+	}
+	console.log(`\n${state[3]} games of ${CALLS} calls: ${found.size === 0 ? "nothing found" : [...found].map(([kind, times]) => `"${kind}" ${times} times`).join(", ")}`);
+	process.exitCode = found.size === 0 ? 0 : 1;
+}
+
+await (isMainThread ? main() : play(workerData));

@@ -106,27 +106,6 @@ package starlogo.collision
             return null;
         }
 
-        /** @private Calls <code>findPairs</code>. Meanwhile calls of the engine's collider within it belong to the frame too. */
-        engine final function findFrame(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
-        {
-            var inside:Collider = innermost;
-            try
-            {
-                if (inside != null)
-                {
-                    inside.isInFrame = true;
-                }
-                findPairs(agents, interests, takePart, fixtures, out);
-            }
-            finally
-            {
-                if (inside != null)
-                {
-                    inside.isInFrame = false;
-                }
-            }
-        }
-
         /**
          * @private Finds the pairs of a Collision's frame. A game's own system may return its own vector, and need not count its tests.
          *

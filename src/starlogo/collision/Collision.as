@@ -310,9 +310,7 @@ package starlogo.collision
             {
                 _isUpdating = false;
                 _contacts.system = null;
-                var used:Collider = _inUse;
-                _inUse = null;
-                releaseUnused(used);
+                releaseUsed();
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
@@ -397,6 +395,17 @@ package starlogo.collision
             }
         }
 
+        private function releaseUsed():void
+        {
+            var used:Collider = _inUse;
+            _inUse = null;
+            if (used != null)
+            {
+                used.isInFrame = false;
+                releaseUnused(used);
+            }
+        }
+
         private function keepList(agents:Vector.<Agent>):void
         {
             if (agents === _lastAgents)
@@ -424,7 +433,16 @@ package starlogo.collision
             var start:Number = getTimer();
             _calls.fixtures[0] = terrain == null ? null : terrain.agent;
             _calls.fixtures[1] = bounds == null ? null : bounds.agent;
-            system.findFrame(agents, interests, takePart, _calls.fixtures, _calls.pairs);
+            // a game's own BaseCollider may call findCollisions of the collider in it
+            if (_inUse != null)
+            {
+                _inUse.isInFrame = true;
+            }
+            system.findPairs(agents, interests, takePart, _calls.fixtures, _calls.pairs);
+            if (_inUse != null)
+            {
+                _inUse.isInFrame = false;
+            }
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.count;

@@ -176,7 +176,7 @@ package starlogo
             return new StepSequence().add(build).call(function():void
                 {
                     // null if there is none, because the entry's old data belong to another model
-                    var shape:ShapeEntry = _shapes.of(model.name);
+                    var shape:ShapeEntry = _shapes.made(model.name);
                     shape.setHierarchy(build.hierarchy);
                     shape.structures = build.structures;
                     shape.model = model;
@@ -204,7 +204,7 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _shapes.of(name).loading++;
+            _shapes.made(name).loading++;
         }
 
         /** @inheritDoc */

@@ -3,9 +3,11 @@ package starlogo
     import flash.errors.IllegalOperationError;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.Fitter;
+    import starlogo.libraries.ShapeTable;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.assertThrows;
@@ -31,6 +33,18 @@ package starlogo
             assertEquals(5, _greatLand.hierarchies.minVerticesToSplit);
             assertEquals(10, _greatLand.hierarchies.maxDepth);
             assertEquals(10, _greatLand.orientedBoxDegIncrement);
+        }
+
+        [Test]
+        public function keepsNothingOfUnknownNames():void
+        {
+            var table:ShapeTable = _greatLand.boundingStructures.shapes;
+            assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
+            assertFalse(_greatLand.removeModel("a"));
+            assertStrictlyEquals(table.of("a"), table.of("b"));
+            table.made("a").loading++;
+            assertTrue(_greatLand.isLoading("a"));
+            assertFalse(_greatLand.isLoading("b"));
         }
 
         [Test]

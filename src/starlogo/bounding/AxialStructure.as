@@ -24,7 +24,7 @@ package starlogo.bounding
          * @param radius in patches; 0 is allowed
          * @param name the structure's name in messages
          * @throws ArgumentError if an end is null
-         * @throws RangeError if a coordinate is not finite, or if the radius is negative or not finite
+         * @throws RangeError if the radius is negative, or if a number is not finite or beyond the limits of structures
          */
         public function AxialStructure(kind:int, start:Vector3D, end:Vector3D, radius:Number, name:String)
         {
@@ -32,6 +32,7 @@ package starlogo.bounding
             this.radius = checkLength(radius, "the radius of a " + name);
             this.start = checkVector(start, "the start of a " + name).clone();
             this.end = checkVector(end, "the end of a " + name).clone();
+            checkSize(Math.max(radius, Math.abs(end.x - start.x), Math.abs(end.y - start.y), Math.abs(end.z - start.z)), "a " + name);
         }
 
         /** @inheritDoc */

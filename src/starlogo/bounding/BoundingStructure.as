@@ -33,6 +33,10 @@ package starlogo.bounding
         /** The kind of a Cylinder. */
         public static const CYLINDER:int = 3;
 
+        // The limits of coordinates and lengths. The tests of pairs multiply four of them.
+        private static const LARGEST:Number = 1e70;
+        private static const SMALLEST:Number = 1e-70;
+
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
         /** The kind of this structure: SPHERE, CAPSULE, BOX or CYLINDER. Read only. */
@@ -65,7 +69,7 @@ package starlogo.bounding
          *
          * @param factor positive and finite
          * @return this structure
-         * @throws RangeError if the factor is not positive and finite
+         * @throws RangeError if the factor is not positive and finite, or if the result is beyond the limits of structures
          */
         public function scale(factor:Number):BoundingStructure
         {
@@ -75,7 +79,7 @@ package starlogo.bounding
             }
             var scaling:Placement = new Placement();
             scaling.size = factor;
-            return place(scaling, this);
+            return placeWithin(scaling);
         }
 
         /**
@@ -88,7 +92,7 @@ package starlogo.bounding
          */
         public function rotate(rotation:Matrix3D):BoundingStructure
         {
-            return place(placementOf(rotation), this);
+            return placeWithin(placementOf(rotation));
         }
 
         /**
@@ -97,7 +101,7 @@ package starlogo.bounding
          * @param offset in patches
          * @return this structure
          * @throws ArgumentError if the offset is null
-         * @throws RangeError if a component is not finite
+         * @throws RangeError if a component is not finite, or if the result is beyond the limits of structures
          */
         public function translate(offset:Vector3D):BoundingStructure
         {
@@ -106,7 +110,14 @@ package starlogo.bounding
             moving.x = offset.x;
             moving.y = offset.y;
             moving.z = offset.z;
-            return place(moving, this);
+            return placeWithin(moving);
+        }
+
+        // Creating a structure like the result checks it.
+        private function placeWithin(placement:Placement):BoundingStructure
+        {
+            place(placement, clone()).clone();
+            return place(placement, this);
         }
 
         /**
@@ -195,7 +206,7 @@ package starlogo.bounding
          * @param what its name in the message
          * @return the vector
          * @throws ArgumentError if it is null
-         * @throws RangeError if a component is not finite
+         * @throws RangeError if a component is not finite, or beyond the limits of structures
          */
         protected static function checkVector(vector:Vector3D, what:String):Vector3D
         {
@@ -203,9 +214,10 @@ package starlogo.bounding
             {
                 throw new ArgumentError(what + " must not be null");
             }
-            if (!isFinite(vector.x) || !isFinite(vector.y) || !isFinite(vector.z))
+            // The comparison is false for NaN too.
+            if (!(Math.max(Math.abs(vector.x), Math.abs(vector.y), Math.abs(vector.z)) <= LARGEST))
             {
-                throw new RangeError(what + " must be finite: " + vector);
+                throw new RangeError(what + " must be finite, and within " + LARGEST + " of the origin: " + vector);
             }
             return vector;
         }
@@ -216,15 +228,30 @@ package starlogo.bounding
          * @param length the argument
          * @param what its name in the message
          * @return the length
-         * @throws RangeError if it is negative or not finite
+         * @throws RangeError if it is negative, not finite, or beyond the limits of structures
          */
         protected static function checkLength(length:Number, what:String):Number
         {
-            if (!(length >= 0 && length < Infinity))
+            if (!(length >= 0 && length <= LARGEST))
             {
-                throw new RangeError(what + " must be finite and not negative: " + length);
+                throw new RangeError(what + " must be finite and not negative, at most " + LARGEST + ": " + length);
             }
             return length;
+        }
+
+        /**
+         * Checks the largest of a structure's lengths. Structures without extent are allowed.
+         *
+         * @param size the largest length, checked already
+         * @param what the structure's name in the message
+         * @throws RangeError if it is beyond the limits of structures
+         */
+        protected static function checkSize(size:Number, what:String):void
+        {
+            if (size > 0 && size < SMALLEST)
+            {
+                throw new RangeError(what + " must have a size of 0, or of at least " + SMALLEST + ": " + size);
+            }
         }
 
         // Checks a rotation matrix, and returns its placement. Throws an ArgumentError if it is null or not a rotation.

@@ -52,7 +52,7 @@ package starlogo.bounding
          * @param halfY half-extent along axisY in patches
          * @param halfZ half-extent along axisZ in patches
          * @throws ArgumentError if a vector is null, or if the axes are not perpendicular unit vectors
-         * @throws RangeError if a number is not finite, or if a half-extent is negative
+         * @throws RangeError if a half-extent is negative, or if a number is not finite or beyond the limits of structures
          */
         public function Box(center:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D,
                 halfX:Number, halfY:Number, halfZ:Number)
@@ -70,6 +70,7 @@ package starlogo.bounding
             this.halfY = checkLength(halfY, "a box's halfY");
             this.halfZ = checkLength(halfZ, "a box's halfZ");
             this.center = checkVector(center, "the centre of a box").clone();
+            checkSize(Math.max(halfX, halfY, halfZ), "a box");
             this.axisX = axisX.clone();
             this.axisY = axisY.clone();
             this.axisZ = axisZ.clone();

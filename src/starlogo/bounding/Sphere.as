@@ -25,13 +25,14 @@ package starlogo.bounding
          * @param center copied
          * @param radius in patches; 0 is allowed
          * @throws ArgumentError if the centre is null
-         * @throws RangeError if a coordinate is not finite, or if the radius is negative or not finite
+         * @throws RangeError if the radius is negative, or if a number is not finite or beyond the limits of structures
          */
         public function Sphere(center:Vector3D, radius:Number)
         {
             super(SPHERE);
             this.radius = checkLength(radius, "the radius of a sphere");
             this.center = checkVector(center, "the centre of a sphere").clone();
+            checkSize(radius, "a sphere");
         }
 
         /** @inheritDoc */

@@ -41,7 +41,7 @@ package starlogo.geometry
          * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>. Until the last step, only the
          *     vertices may be read
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a coordinate
-         *     is not finite or beyond 1e100
+         *     is not finite or beyond 1e60
          */
         public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true)
         {

@@ -7,8 +7,8 @@ package starlogo.geometry
      */
     public final class VertexBounds
     {
-        /** The largest coordinate that hulls and hierarchies accept. Products of three such coordinates are finite. */
-        public static const LARGEST_COORDINATE:Number = 1e100;
+        /** The largest coordinate that hulls and hierarchies accept. The structures around such vertices are within their limits. */
+        public static const LARGEST_COORDINATE:Number = 1e60;
 
         /** The least x. */
         public var minX:Number = Infinity;

@@ -13,7 +13,7 @@ package starlogo.hierarchy
      * <p>It divides items: triangles, or vertices if there are no triangles. NodeDivider says how.</p>
      *
      * <p>It works in steps, each of one or two milliseconds for thousands of items. The steps throw an ArgumentError if a coordinate is
-     * larger than 1e100.</p>
+     * larger than 1e60.</p>
      *
      * @private
      */

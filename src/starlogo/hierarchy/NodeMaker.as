@@ -19,7 +19,7 @@ package starlogo.hierarchy
         /**
          * @param hierarchy the hierarchy to which the nodes belong
          * @param extents of the whole model: minX, minY, minZ, maxX, maxY, maxZ
-         * @throws ArgumentError if a coordinate is larger than 1e100
+         * @throws ArgumentError if a coordinate is larger than 1e60
          */
         public function NodeMaker(hierarchy:Hierarchy, extents:Vector.<Number>)
         {

@@ -123,7 +123,7 @@ package starlogo.libraries
         {
             var build:StructuresBuild = newBuild(name, vertices);
             finish(build);
-            shapes.of(name).structures = build.structures;
+            shapes.made(name).structures = build.structures;
         }
 
         /** Whether the library has structures for a shape. */

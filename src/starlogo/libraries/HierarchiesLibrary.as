@@ -120,7 +120,7 @@ package starlogo.libraries
         {
             var builder:SolidHierarchyBuilder = newBuilder(name, vertices, triangles);
             finish(builder);
-            shapes.of(name).setHierarchy(builder);
+            shapes.made(name).setHierarchy(builder);
         }
 
         /** Whether the library has a hierarchy for a shape. */

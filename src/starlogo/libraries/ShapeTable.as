@@ -15,22 +15,24 @@ package starlogo.libraries
         public var revision:int = 0;
 
         private var _entries:Object = {};
+        private var _unknown:ShapeEntry;
 
         /** Creates an empty table. */
         public function ShapeTable()
         {
+            _unknown = new ShapeEntry(this);
         }
 
-        /** The entry of a name. An unknown name gets an empty entry. An entry is never removed, so its revision only increases. */
+        /** The entry of a name, to read. All unknown names share an empty one. */
         public function of(name:String):ShapeEntry
         {
-            var entry:ShapeEntry = _entries[PREFIX + name];
-            if (entry == null)
-            {
-                entry = new ShapeEntry(this);
-                _entries[PREFIX + name] = entry;
-            }
-            return entry;
+            return _entries[PREFIX + name] || _unknown;
+        }
+
+        /** The entry of a name, to write to. An entry is never removed, so its revision only increases. */
+        public function made(name:String):ShapeEntry
+        {
+            return _entries[PREFIX + name] ||= new ShapeEntry(this);
         }
 
         /** Throws an ArgumentError if a name is null or empty. */

@@ -8,7 +8,11 @@ package starlogo.solid
      */
     internal final class CavityFinder extends StepSequence
     {
-        private static const TRIANGLES_PER_STEP:int = 100;
+        private static const TRIANGLES_PER_STEP:int = 25;
+
+        // After so many looks at pieces for each triangle of the model, one point decides about each piece. Only very many pieces within each
+        // other need as many.
+        private static const LOOKS_PER_TRIANGLE:int = 20;
 
         // How far inside of its piece a point is tested, as a fraction of the piece's extent. Smaller: rounding decides where pieces touch.
         // Larger: it may be outside of a thin piece.
@@ -29,14 +33,25 @@ package starlogo.solid
         // For each piece, the larger pieces that are around all of its points tested so far. Null before the first point.
         private var _around:Vector.<Vector.<int>>;
 
+        private var _looks:int = 0;
+        private var _mostLooks:int;
+
+        // For each piece, its part. Pieces of different parts do not touch.
+        private var _partFinder:PartFinder;
+        private var _parts:Vector.<int>;
+
         /**
          * @param solid has the pieces; receives the cavities
          * @param balances for each piece, the number of its triangles that are not turned, minus the number of those that are
+         * @param partFinder has found the parts
          */
-        public function CavityFinder(solid:Solid, balances:Vector.<int>)
+        public function CavityFinder(solid:Solid, balances:Vector.<int>, partFinder:PartFinder)
         {
             var pieces:int = balances.length;
             _solid = solid;
+            _partFinder = partFinder;
+            _mostLooks = LOOKS_PER_TRIANGLE * solid.sides.length;
+            _parts = new Vector.<int>(pieces, true);
             _balances = balances;
             if (pieces > 1)
             {
@@ -45,7 +60,7 @@ package starlogo.solid
                 _volumes = new Vector.<Number>(pieces, true);
                 _orientations = new Vector.<int>(pieces, true);
                 _around = new Vector.<Vector.<int>>(pieces, true);
-                slices(solid.sides.length, 10 * TRIANGLES_PER_STEP, measure).call(orient);
+                slices(solid.sides.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
             }
         }
 
@@ -74,6 +89,7 @@ package starlogo.solid
                 if (isFirst)
                 {
                     _corners[piece] = 9 * i + 1;
+                    _parts[piece] = _partFinder.partOf(i);
                 }
                 for (var axis:int = 0; axis < 3; axis++)
                 {
@@ -120,19 +136,30 @@ package starlogo.solid
             }
         }
 
-        // Tests four points of each triangle: its middle, and points near its corners.
+        // Tests four points of each triangle: its middle, and points near its corners. If a piece touches none that may be around it, one
+        // point decides.
         private function testSome(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
                 var piece:int = pieceOf(i);
-                for (var corner:int = 3; corner >= 0 && isSolid(piece) && (_around[piece] == null || _around[piece].length > 0); corner--)
+                for (var corner:int = 3; corner >= 0 && isSolid(piece) && isUndecided(piece); corner--)
                 {
                     windAround(piece, i, corner);
                     _around[piece] = stillAround(piece, _around[piece]);
                     _solid.unwind();
                 }
             }
+        }
+
+        private function isUndecided(piece:int):Boolean
+        {
+            var mayTouch:Boolean = _around[piece] == null;
+            for each (var other:int in _around[piece])
+            {
+                mayTouch ||= _looks < _mostLooks && (!_partFinder.isComplete || _parts[other] == _parts[piece]);
+            }
+            return mayTouch;
         }
 
         // Counts the windings around a point that is a little inside of its piece.
@@ -152,6 +179,7 @@ package starlogo.solid
                     + (isOutwards ? -inwards : inwards) * _solid.planes[5 * triangle + axis];
             }
             _solid.wind(point[0], point[1], point[2]);
+            _looks += _solid.woundCount;
         }
 
         // Those of the pieces that wind around the last point. If all of them have the piece's own orientation, none is needed.
@@ -164,11 +192,13 @@ package starlogo.solid
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = from[i];
-                if (_solid.windings[other] != 0 && (before != null || isLarger(other, piece)) && around.indexOf(other) < 0)
+                if (_solid.windings[other] != 0 && (before != null || isLarger(other, piece)))
                 {
                     around.push(other);
                     hasOpposite ||= _orientations[other] == -_orientations[piece];
                 }
+                // so that it is not counted again
+                _solid.windings[other] = 0;
             }
             around.length = hasOpposite ? around.length : 0;
             return around;

@@ -60,8 +60,14 @@ package starlogo.solid
             slices(order.length, RUNS_PER_STEP, findRuns).repeat(compareSome).call(numberParts);
         }
 
-        // The part of a triangle, given by its index in the hierarchy's order. A part has the number of one of its pieces.
-        private function partOf(triangle:int):int
+        /** Whether all pairs were compared, so that parts with different numbers do not touch. */
+        public function get isComplete():Boolean
+        {
+            return _pairs < MOST_PAIRS;
+        }
+
+        /** The part of a triangle, given by its index in the hierarchy's order. A part has the number of one of its pieces. */
+        public function partOf(triangle:int):int
         {
             return _sets.rootOf(_surface.parts[_order[triangle]]);
         }

@@ -25,6 +25,7 @@ package starlogo.solid
 
         // Null if the surface is known already. Null if no seam has a gap.
         private var _builder:SurfaceBuilder = null;
+        private var _partFinder:PartFinder = null;
         private var _welding:Welding = null;
 
         // The normal of the current triangle.
@@ -72,7 +73,8 @@ package starlogo.solid
 
         private function newParts():Steps
         {
-            return new PartFinder(_hierarchy.root, _solid, _surface, _order);
+            _partFinder = new PartFinder(_hierarchy.root, _solid, _surface, _order);
+            return _partFinder;
         }
 
         private function useSurface():void
@@ -110,7 +112,7 @@ package starlogo.solid
 
         private function newCavities():Steps
         {
-            return new CavityFinder(_solid, _builder.balances);
+            return new CavityFinder(_solid, _builder.balances, _partFinder);
         }
 
         // Writes a triangle's corners, or the places to which they are welded.

@@ -60,7 +60,7 @@ package starlogo.solid
         /**
          * @inheritDoc
          *
-         * @throws ArgumentError if a coordinate is larger than 1e100
+         * @throws ArgumentError if a coordinate is larger than 1e60
          */
         override public function step():Boolean
         {

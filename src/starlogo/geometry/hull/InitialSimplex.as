@@ -38,7 +38,7 @@ package starlogo.geometry.hull
 
         /**
          * @param vertices x, y, z of each. The steps throw an ArgumentError if they are null or empty, if the number of coordinates is not
-         *     a multiple of 3, or if a coordinate is not finite or beyond 1e100
+         *     a multiple of 3, or if a coordinate is not finite or beyond 1e60
          */
         public function InitialSimplex(vertices:Vector.<Number>)
         {

@@ -23,6 +23,7 @@ there already, of the same source and options, is left as it is.
   --help               prints this`;
 
 const MODEL = /\.(obj|dae|zae|glb|gltf|stl)$/i;
+const MOST_FILES = 100;
 const SCALINGS = [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN];
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 const options = {
@@ -125,7 +126,8 @@ function readSource(file) {
 		const document = JSON.parse(bytes);
 		for (const buffer of (document.buffers ?? []).filter(({ uri }) => uri && !uri.startsWith("data:"))) {
 			const path = join(dirname(file), decodeURIComponent(buffer.uri));
-			if (!isIn(folder, path)) throw new Error(`its data is not in the folder: ${buffer.uri}`);
+			if (!isIn(dirname(file), path)) throw new Error(`its data is not in its folder: ${buffer.uri}`);
+			if (parts.length > MOST_FILES) throw new Error(`its data is in more than ${MOST_FILES} files`);
 			parts.push(path);
 			buffer.uri = `data:application/octet-stream;base64,${readFileSync(path, "base64")}`;
 		}

@@ -34,7 +34,7 @@ package growth
             var row:GrowthRow = new GrowthRow(name, "characters", LEAST, MOST, function(n:int, row:GrowthRow):Function
                 {
                     var file:Object = HostileFiles.make(name, n);
-                    row.bytes = file is ByteArray ? file.length : String(file).length;
+                    row.bytes = HostileFiles.lengthOf(name, file);
                     return function():Object
                     {
                         return read(name.split(":")[0], file);

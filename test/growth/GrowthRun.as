@@ -23,7 +23,7 @@ package growth
         private static const RUNS:int = 3;
         private static const SIZES:int = 3;
         private static const FLOOR_BYTES:Number = 67108864;
-        private static const BYTES_PER_BYTE:Number = 400;
+        private static const BYTES_PER_BYTE:Number = 1000;
 
         /** How long the run at n takes at least, in milliseconds. */
         public var calmMs:Number = CALM_MS;

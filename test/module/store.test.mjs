@@ -232,7 +232,7 @@ test("the baker leaves what is there, cooks what has changed, and says what is w
 	writeFileSync(path.join(plain, "deep/its data.bin"), new Uint8Array(36));
 	assert.match(transformed(), /^1 cooked, 4 as they were$/m);
 	writeFileSync(path.join(plain, "deep/three.gltf"), gltf("../../its.bin"));
-	assert.match(run(plain, "--out", again).stderr, /three\.gltf: its data is not in the folder: \.\.\/\.\.\/its\.bin/);
+	assert.match(run(plain, "--out", again).stderr, /three\.gltf: its data is not in its folder: \.\.\/\.\.\/its\.bin/);
 	for (const [args, problem] of [[[], /needs a folder/], [["nowhere"], /nowhere is no folder/], [[plain, "--up", "w"], /--up is x, y or z, not w/],
 		[[plain, "--depth", "0"], /--depth is a whole number/], [[plain, "--bad"], /--bad/], [[plain, "--increment", "x"], /--increment is/]]) {
 		const refused = run(...args);

@@ -27,6 +27,12 @@ package soak
                     "ZIP: manifest of spaces", "ZIP: manifest of tags", "ZIP: many files", "ZIP: bomb"].concat(HostileGltf.names);
         }
 
+        /** The bytes or characters of a file; of the bomb, those of the document in it. */
+        public static function lengthOf(name:String, file:Object):int
+        {
+            return name == "ZIP: bomb" ? 60000000 : (file is ByteArray ? file.length : String(file).length);
+        }
+
         /** Whether the size of a file is only the number that the file declares, or that it repeats: its cost must not grow at all. */
         public static function isDeclared(name:String):Boolean
         {

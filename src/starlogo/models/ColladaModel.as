@@ -18,8 +18,8 @@ package starlogo.models
      * <p>If the scene has surfaces, points that no surface uses are left out. If it has none, the points of the geometries make a model
      * without triangles. In a mirrored node, the corner order of each triangle is reversed, so that triangles still face outwards.</p>
      *
-     * <p>A scene may have 50,000 nodes, a million vertices and two million triangles. More is an error, because a small file can ask for
-     * any number. Cost: linear in the text and the scene; for concave polygons up to quadratic in their corners.</p>
+     * <p>A scene may have a million vertices and two million triangles, and a small file fewer. More is an error, because a small file can
+     * ask for any number. Cost: linear in the text and the scene; for concave polygons up to quadratic in their corners.</p>
      */
     public class ColladaModel extends Model
     {

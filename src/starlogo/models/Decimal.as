@@ -21,6 +21,9 @@ package starlogo.models
 
         // Sign, digits, digits after the point, exponent. Each character fits only one part, so a wrong word is found in linear time.
         private static const PARTS:RegExp = /^([-+]?)(?=\.?\d)(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?$/;
+
+        // players search a pattern in longer words slowly
+        private static const LONGEST:int = 10000;
         private static const MOST_DIGITS:int = 30;
         private static const LARGEST_EXPONENT:Number = 99999;
         private static const POWERS:Vector.<Number> = powersOfTen(22);
@@ -59,7 +62,7 @@ package starlogo.models
                     return number;
                 }
             }
-            return read(PARTS.exec(word));
+            return length > LONGEST ? NaN : read(PARTS.exec(word));
         }
 
         private static function read(parts:Array):Number

@@ -19,6 +19,8 @@ package starlogo.models
         // A line is read in one step, together with its continuation lines.
         private static const MAX_PIECE:int = 1000000;
 
+        private static const RETURN:int = 0x0D;
+        private static const LINE_FEED:int = 0x0A;
         private static const CHARACTERS_PER_PIECE:int = 30000;
         private static const WORDS_PER_STEP:int = 1000;
 
@@ -36,14 +38,16 @@ package starlogo.models
         // The piece is the text from _start up to _end.
         private var _start:int = 0;
         private var _end:int = 0;
+        private var _ends:NextOfTwo;
 
         /**
          * @param name the model's name
+         * @param bytes the bytes or characters that are present
          * @param upAxis "x", "y" or "z", or a ModelTransform
          */
-        public function LineReader(name:String, upAxis:Object)
+        public function LineReader(name:String, bytes:int, upAxis:Object)
         {
-            super(name, UpAxis.of(upAxis, name));
+            super(name, new ModelBudget(name, bytes), UpAxis.of(upAxis, name));
         }
 
         /** @inheritDoc */
@@ -62,6 +66,7 @@ package starlogo.models
         protected final function readLines(source:String):void
         {
             _source = TextTokens.unmarked(source);
+            _ends = new NextOfTwo(_source, "\n", "\r");
             repeat(readSome);
         }
 
@@ -83,7 +88,8 @@ package starlogo.models
         /** Throws if there are too many vertices or triangles so far. */
         protected final function checkLimits(place:String):void
         {
-            refuseIf(ModelLimits.areExceeded(vertices.length / 3, triangleCount), name, ModelLimits.PROBLEM, place);
+            budget.require(ModelBudget.VERTICES, vertices.length / 3, place);
+            budget.require(ModelBudget.TRIANGLES, triangleCount, place);
         }
 
         /** Moves on to the end of the line. */
@@ -147,12 +153,17 @@ package starlogo.models
         private function readPiece():void
         {
             _start = _end;
-            _end = _source.indexOf("\n", _start + CHARACTERS_PER_PIECE) + 1;
-            while (_end > 0 && _source.charAt(_end - (_source.charCodeAt(_end - 2) == 0x0D ? 3 : 2)) == "\\")
+            _end += CHARACTERS_PER_PIECE;
+            do
             {
-                _end = _source.indexOf("\n", _end) + 1;
+                _end = _ends.after(_end);
+                // the second of the two characters that end a line may be the first that is found
+                var isSecond:Boolean = _source.charCodeAt(_end) == LINE_FEED && _source.charCodeAt(_end - 1) == RETURN;
+                var isContinued:Boolean = _source.charAt(_end - (isSecond ? 2 : 1)) == "\\";
+                _end += _source.charCodeAt(_end) == RETURN && _source.charCodeAt(_end + 1) == LINE_FEED ? 2 : 1;
             }
-            _end = _end == 0 ? _source.length : _end;
+            while (isContinued && _end < _source.length);
+            _end = Math.min(_end, _source.length);
             refuseIf(_end - _start > MAX_PIECE, name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(line + 1));
             var text:String = (_start == 0 ? "\n" : "") + _source.substring(_start, _end) + (_end == _source.length ? "\n" : "");
             text = TextTokens.replaceAll(text, "\r\n", "\n");
@@ -160,7 +171,7 @@ package starlogo.models
             text = TextTokens.replaceAll(text, "\t", " ");
             text = TextTokens.replaceAll(text, "\\\n", " " + CONTINUED + " ");
             text = TextTokens.replaceAll(text, "\n", " " + END + " ");
-            words = TextTokens.split(TextTokens.singleSpaced(" " + text + " "));
+            words = TextTokens.singleSpaced(" " + text + " ").split(" ");
             next = 1;
         }
     }

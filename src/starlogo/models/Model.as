@@ -36,7 +36,10 @@ package starlogo.models
          */
         public static const VOLUME:String = "volume";
 
-        /** No scaling, for vertices that are already in the agent's unit and place. A ModelTransform turns, scales and moves them. */
+        /**
+         * No scaling, for vertices that are already in the agent's unit and place. A ModelTransform turns, scales and moves them. A COLLADA
+         * document says how long its unit is: without a ModelTransform its vertices come in metres, a metre for a patch.
+         */
         public static const AS_GIVEN:String = "as given";
 
         /**

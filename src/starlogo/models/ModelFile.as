@@ -33,8 +33,8 @@ package starlogo.models
         public static function text(name:String, bytes:ByteArray, format:String = null):String
         {
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
-            refuseIf(bytes.length > ModelLimits.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " +
-                    ModelLimits.BYTES);
+            refuseIf(bytes.length > ModelBudget.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " +
+                    ModelBudget.BYTES);
             return TextTokens.unmarked(decoded(name, bytes, format));
         }
 

@@ -23,7 +23,7 @@ package starlogo.models
         private static const FETCHED:Number = 0.2;
         private static const READ:Number = 0.5;
 
-        // The address of a file. No file can be beside a "data:" or "blob:" address.
+        // The address of a file: its path, and what comes after. No file can be beside a "data:" or "blob:" address.
         private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
         private static const EXTENSION:RegExp = /\.[^.\/]*$/;
 
@@ -192,8 +192,9 @@ package starlogo.models
             _fetch = _url == "" ? null : fetching(_url);
             if (_usesTransforms && FILE.test(_url))
             {
-                var path:String = _url.replace(FILE, "$1").replace(EXTENSION, "");
-                _transform = fetching(path + ".slb" + _url.replace(FILE, "$2"));
+                var folder:String = ModelAddress.folderOf(_url);
+                var file:String = _url.replace(FILE, "$1").substr(folder.length).replace(EXTENSION, "");
+                _transform = file == "" ? null : fetching(folder + file + ".slb" + _url.replace(FILE, "$2"));
             }
             call(checkFetched);
             setFile(null, null);
@@ -256,7 +257,7 @@ package starlogo.models
         // Fetches the files that a glTF file names.
         private function fetchBuffers():void
         {
-            var folder:String = /^[^?#]*\//.test(_url || "") ? _url.match(/^[^?#]*\//)[0] : "";
+            var folder:String = ModelAddress.folderOf(_url || "");
             _fetches.length = 0;
             for each (var uri:String in _gltf == null ? null : _gltf.missing)
             {
@@ -298,7 +299,7 @@ package starlogo.models
 
         private function normalising():Steps
         {
-            _shape = new NormalisedShape(name, _reader.vertices, _reader.triangles, _scaling, _upAxis as ModelTransform);
+            _shape = new NormalisedShape(name, _reader.vertices, _reader.triangles, _scaling, _upAxis as ModelTransform, _reader.unit);
             return _shape;
         }
 

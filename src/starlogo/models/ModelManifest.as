@@ -33,7 +33,7 @@ package starlogo.models
         public function addressFor(file:String):String
         {
             var parts:Array = file.match(/^([^?#]*)(.*)$/);
-            var folder:String = url.match(/^([^?#]*\/)?/)[0];
+            var folder:String = ModelAddress.folderOf(url);
             if (parts[1].substr(0, folder.length) != folder)
             {
                 return null;
@@ -42,7 +42,7 @@ package starlogo.models
             var name:String = parts[1].substr(folder.length);
             var entry:Object = entryOf(_models, name);
             var cooked:Object = entry == null ? null : entry["cooked"];
-            return cooked is String && cooked != "" ? folder + cooked + parts[2] : null;
+            return cooked is String && ModelAddress.isWithin(String(cooked)) ? folder + cooked + parts[2] : null;
         }
 
         // A file that is no list counts as an empty list.

@@ -16,6 +16,9 @@ package starlogo.models
         /** When all is read: x, y, z, ... as placed in the file, turned to z up. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
+        /** When all is read: the length of the file's unit in patches, for Model.AS_GIVEN. */
+        public var unit:Number = 1;
+
         /** When all is read: three vertex indices per triangle. Empty if the file has no surfaces. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
@@ -25,15 +28,20 @@ package starlogo.models
         /** Points without a surface. They become the model's vertices if there are no others. */
         protected var loosePoints:Vector.<Number> = new Vector.<Number>();
 
+        /** What reading the file may cost. */
+        protected var budget:ModelBudget;
+
         /** The axis that points up in the file; null if the file says it itself. */
         protected var upAxis:String;
 
         /**
          * @param name the model's name
+         * @param budget what reading the file may cost
          * @param upAxis the axis that points up in the file; null if the file says it itself
          */
-        public function ModelReader(name:String, upAxis:String = null)
+        public function ModelReader(name:String, budget:ModelBudget, upAxis:String = null)
         {
+            this.budget = budget;
             this.name = name;
             this.upAxis = upAxis;
         }
@@ -42,7 +50,7 @@ package starlogo.models
         internal final function readShape(scaling:String, transform:ModelTransform):NormalisedShape
         {
             finish(this);
-            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles, scaling, transform);
+            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles, scaling, transform, unit);
             finish(shape);
             return shape;
         }

@@ -47,11 +47,12 @@ package starlogo.models
          * @param triangles three indices for each triangle, null or empty; is not changed
          * @param scaling as for Model's constructor
          * @param transform turns, scales and moves the shape; null for no change
+         * @param unit the factor for Model.AS_GIVEN, which has an effect without a transform
          * @throws ModelError if there is no name or no vertex, if the scaling is unknown, or if the last vertex or triangle is incomplete.
          * The steps throw the other errors of Model's constructor
          */
         public function NormalisedShape(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String,
-                transform:ModelTransform = null)
+                transform:ModelTransform = null, unit:Number = 1)
         {
             this.name = name || "";
             check(this.name == "" ? "a model needs a name that is not empty" : null);
@@ -60,7 +61,8 @@ package starlogo.models
             this.vertices = vertices.slice();
             _count = vertices.length / 3;
             _transform = transform;
-            _factors = transform == null ? new Vector3D(1, 1, 1) : transform.scale;
+            unit = scaling == Model.AS_GIVEN ? unit : 1;
+            _factors = transform == null ? new Vector3D(unit, unit, unit) : transform.scale;
             _translation = transform == null ? new Vector3D() : transform.translation;
             frame.scaling = scaling;
             frame.transform = transform;

@@ -7,8 +7,6 @@ package starlogo.models
      */
     public final class TextTokens
     {
-        private static const LONGEST_WORD:int = 10000;
-
         /** Has only static members. */
         public function TextTokens()
         {
@@ -22,31 +20,7 @@ package starlogo.models
             text = singleSpaced(replaceAll(text, "\t", " "));
             var start:int = text.charCodeAt(0) == 0x20 ? 1 : 0;
             var end:int = text.charCodeAt(text.length - 1) == 0x20 ? text.length - 1 : text.length;
-            return end > start ? split(text.substring(start, end)) : [];
-        }
-
-        /**
-         * The words between single spaces. A very long word is cut, and is then no number. Otherwise it could be a number with so many
-         * digits that reading it would take very long, because players need quadratic time.
-         */
-        public static function split(text:String):Array
-        {
-            var words:Array = text.split(" ");
-            // every word that is too long covers one of these places
-            for (var place:int = LONGEST_WORD >> 1; place < text.length; place += LONGEST_WORD >> 1)
-            {
-                var end:int = text.indexOf(" ", place);
-                if ((end < 0 ? text.length : end) - text.lastIndexOf(" ", place) > LONGEST_WORD)
-                {
-                    return words.map(cut);
-                }
-            }
-            return words;
-        }
-
-        private static function cut(word:String, index:int, all:Array):String
-        {
-            return word.length > LONGEST_WORD ? shorten(word) : word;
+            return end > start ? text.substring(start, end).split(" ") : [];
         }
 
         /** The text without a byte-order mark at its beginning. */

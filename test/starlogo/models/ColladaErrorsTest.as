@@ -127,7 +127,7 @@ package starlogo.models
                                 "<library_nodes>" + nodes +
                                 "</library_nodes>", '<node><instance_node url="#n39"/></node>'));
                 });
-            assertTrue(error.message, error.message.indexOf("more than 50000 nodes") >= 0);
+            assertTrue(error.message, error.message.indexOf(" elements, values, nodes, transforms and instances, each counted as often") >= 0);
         }
 
         [Test]
@@ -178,7 +178,7 @@ package starlogo.models
             var parts:Array = [new Array(3001).join("<translate>0 0 0</translate>"), new Array(3001).join('<instance_geometry url="#a"/>')];
             for each (var part:String in parts)
             {
-                fails(null, "more than 250000 nodes, transforms and instances", Collada.scene(Collada.geometry("a", POINTS,
+                fails(null, " elements, values, nodes, transforms and instances, each counted as often", Collada.scene(Collada.geometry("a", POINTS,
                                 Collada.triangles("0 1 2")) + '<library_nodes><node id="b">' + part + "</node></library_nodes>",
                             "<node>" + new Array(101).join('<instance_node url="#b"/>') + "</node>"));
             }
@@ -193,7 +193,7 @@ package starlogo.models
                 meshes += '<geometry id="g' + i + '"><mesh><triangles count="1"><input semantic="POSITION" source="#p" offset="0"/>' +
                     "<p>0 1 2</p></triangles></mesh></geometry>";
             }
-            fails(null, "more than 4000000 points", Collada.document(Collada.geometry("a", new Array(10001).join(POINTS + " "),
+            fails(null, " numbers, each counted as often as it is used", Collada.document(Collada.geometry("a", new Array(10001).join(POINTS + " "),
                             Collada.triangles("0 1 2")) + "<library_geometries>" + meshes + "</library_geometries>"));
         }
 

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.GreatLand;
+    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
@@ -12,6 +14,25 @@ package starlogo.models
         // its bounds tell which axis is which
         private static const BOX:String = "0 0 0 1 0 0 1 2 0 0 2 0 0 0 4 1 0 4 1 2 4 0 2 4";
         private static const SIDES:String = "0 3 2 1 4 5 6 7 0 1 5 4 1 2 6 5 2 3 7 6 3 0 4 7";
+
+        [Test]
+        public function theUnitCountsAsGiven():void
+        {
+            var asset:String = Collada.Z_UP + '<unit name="centimeter" meter="0.01"/>';
+            var text:String = Collada.document(Collada.geometry("a", "0 0 0 200 0 0 0 400 0", Collada.triangles("0 1 2")), "", asset);
+            assertEquals("0,0,0,2,0,0,0,4,0", new ColladaModel("a", text, null, Model.AS_GIVEN).vertices.join());
+            assertEquals("0,0,0,2,0,0,0,4,0", new ColladaModel("a", text, "z", Model.AS_GIVEN).vertices.join());
+            assertEquals(100, new ColladaModel("a", text, null, Model.AS_GIVEN).source.unit);
+            // a game that turns and scales itself gets the file's own numbers
+            assertEquals("0,0,0,200,0,0,0,400,0", new ColladaModel("a", text, new ModelTransform(), Model.AS_GIVEN).vertices.join());
+            assertEquals(400, new ColladaModel("a", text).source.unit);
+            for each (var wrong:String in ["", "0", "-1", "x", "1e999", "0x10"])
+            {
+                assertEquals(wrong, 200, new ColladaModel("a", text.replace("0.01", wrong), null, Model.AS_GIVEN).vertices[3]);
+            }
+            var cooked:ByteArray = new GreatLand().bake(new ColladaModel("a", text, null, Model.AS_GIVEN));
+            assertEquals("0,0,0,2,0,0,0,4,0", CookedModel.fromBytes("a", cooked).vertices.join());
+        }
 
         [Test]
         public function readsADocument():void

@@ -62,7 +62,7 @@ package starlogo.models
                     assertTrue(digits + end, isNaN(Decimal.of(word + "." + word + end)));
                 }
             }
-            assertEquals(0.1, Decimal.of("." + new Array(3).join("0").substr(2) + "1" + new Array(100001).join("0")));
+            assertEquals(0.1, Decimal.of("." + new Array(3).join("0").substr(2) + "1" + new Array(9001).join("0")));
         }
 
         private static function hexadecimal(word:uint):String

@@ -39,6 +39,39 @@ package starlogo.models
         }
 
         [Test(async, timeout="5000")]
+        public function fetchesNothingFromElsewhere():void
+        {
+            var addresses:Array = ["../../x.bin", "\t//other.host/x", "ht\ntps://other.host/x", "\\\\other.host\\x", "%2e%2e/x.bin", "//other.host/x", "a/../../x"];
+            for each (var address:String in addresses)
+            {
+                _loader.load("a", "model.gltf");
+                _loader.load("b", "http://host?model");
+                _loader.fetches[_loader.fetches.length - 2].deliver(Gltf.tetrahedron().toTextBytes(address));
+                _loader.fetches[_loader.fetches.length - 1].deliver(Gltf.tetrahedron().toTextBytes(address));
+            }
+            _loader.load("c", "http://host?model");
+            _loader.fetches[_loader.fetches.length - 1].deliver(Gltf.tetrahedron().toTextBytes("other.host/x.bin"));
+            _loader.addEventListener("progress", function(event:Event):void
+                {
+                    if (_loader.fetches.length == 16)
+                    {
+                        _loader.fetches[15].deliver(Gltf.tetrahedron().binary);
+                    }
+                });
+            whenComplete(function():void
+                {
+                    assertEquals(16, _loader.fetches.length);
+                    assertEquals("http://host/other.host/x.bin", _loader.fetches[15].addresses.join());
+                    assertEquals("c 4", _log.pop());
+                    assertEquals(14, _log.length);
+                    for each (var line:String in _log)
+                    {
+                        assertTrue(line, line.indexOf("buffers[0].uri: expected data, or a path from the file's folder on") > 0);
+                    }
+                });
+        }
+
+        [Test(async, timeout="5000")]
         public function tellsFormatsApartWhateverTheyAreCalled():void
         {
             var files:Array = ["obj", encoded(OBJ), "stl", encoded(STL), "binary stl", binaryStl(), "gltf", Gltf.tetrahedron().toTextBytes(),

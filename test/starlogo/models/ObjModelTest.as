@@ -10,6 +10,41 @@ package starlogo.models
     {
         private static const SQUARE:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
+        [Test(timeout="20000")]
+        public function readsOldMacsLinesInFilesOfAnyLength():void
+        {
+            for each (var end:String in ["\r", "\n", "\r\n"])
+            {
+                var lines:String = new Array(30001).join("v 0 0 0" + end + "v 1 0 0" + end + "v 1 1 \\" + end + "0" + end + "f -1 -2 -3" + end);
+                assertEquals(90000, new ObjModel("a", lines).triangles.length);
+                fails("line 150001", "expected a vertex", lines + "v 0 0 x");
+                // pieces that end at any place of a line's end and of a continuation
+                for (var i:int = 0; i < 14; i++)
+                {
+                    assertEquals(90000, new ObjModel("a", "#".substr(0, i) + new Array(i).join("#") + end + lines).triangles.length);
+                }
+            }
+        }
+
+        [Test]
+        public function facesOfTwoCornersAreNoFaces():void
+        {
+            assertEquals(9, new ObjModel("a", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2\nf 3 1\nf 2\n").vertices.length);
+            assertEquals(null, new ObjModel("a", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2\n").triangles);
+            assertEquals(9, new ObjModel("a", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 2 2\nf 1 2\nf 1 2 3\nf 1 4").vertices.length);
+            fails("line 3", "no vertex 3", "v 0 0 0\nv 1 0 0\nf 1 3\n");
+        }
+
+        [Test]
+        public function refusesNumbersThatOnlySomePlayersRead():void
+        {
+            for each (var word:String in ["0x10", "0b11", "0o7", "\u00A01", "\f1"])
+            {
+                fails("line 1", "expected a vertex", "v 0 0 " + word);
+                fails("line 2", "expected a vertex's number", "v 0 0 0\nf " + word + " 1 1");
+            }
+        }
+
         [Test]
         public function readsTriangles():void
         {

@@ -14,6 +14,16 @@ package starlogo.models
         private static const TETRAHEDRON:Array = [[0, 0, 0, 0, 4, 0, 3, 0, 0], [0, 0, 0, 3, 0, 0, 0, 0, 2], [0, 0, 0, 0, 0, 2, 0, 4, 0],
                 [3, 0, 0, 0, 4, 0, 0, 0, 2]];
 
+        [Test(timeout="20000")]
+        public function readsOldMacsLinesInFilesOfAnyLength():void
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeUTFBytes("solid a\r" + new Array(15001).join("facet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\r" +
+                        "vertex 0 1 0\rendloop\rendfacet\r") + "endsolid\r");
+            assertTrue(bytes.length > 1000000);
+            assertEquals(45000, StlModel.fromBytes("a", bytes).triangles.length);
+        }
+
         [Test]
         public function readsBothKinds():void
         {

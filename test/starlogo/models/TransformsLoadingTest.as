@@ -35,6 +35,17 @@ package starlogo.models
         }
 
         [Test]
+        public function areOfTheSameHost():void
+        {
+            _loader.usesTransforms = true;
+            _loader.load("a", "https://host.com");
+            _loader.load("a", "https://host.com?a.obj");
+            _loader.load("a", "models/");
+            assertEquals("https://host.com,https://host.com?a.obj,models/", addresses());
+            _loader.cancel();
+        }
+
+        [Test]
         public function areNotAskedForUnlessWanted():void
         {
             _loader.load("a", "bear.obj");

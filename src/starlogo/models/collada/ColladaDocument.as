@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.Decimal;
+    import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
@@ -9,28 +10,31 @@ package starlogo.models.collada
     /** A COLLADA document. It finds elements by id, reads their numbers, and names their places in errors. */
     internal final class ColladaDocument
     {
-        private static const MAX_POINTS_READ:int = 4000000;
-
         /** The root element, COLLADA. */
         public var root:ColladaElement;
 
         /** Cuts all polygons of the document into triangles. */
-        public var triangulator:Triangulator = new Triangulator();
+        public var triangulator:Triangulator;
+
+        /** What reading the document may cost. */
+        public var budget:ModelBudget;
 
         /** The model's name. */
         public var modelName:String;
 
-        private var _pointsRead:int = 0;
         private var _elementsById:Object = {};
 
         /**
          * @param modelName the model's name
+         * @param budget what reading the document may cost
          * @param xml has read the document's text; all its steps must be done
          * @throws ModelError if it is no COLLADA document
          */
-        public function ColladaDocument(modelName:String, xml:XmlReader)
+        public function ColladaDocument(modelName:String, budget:ModelBudget, xml:XmlReader)
         {
             this.modelName = modelName;
+            this.budget = budget;
+            triangulator = new Triangulator(budget.looks);
             root = xml.root;
             refuseIf(root == null, modelName, "this is not XML: expected a COLLADA document");
             refuseIf(root.name != "COLLADA", modelName, "expected a COLLADA document, but its root element is <" + root.name + ">");
@@ -49,19 +53,6 @@ package starlogo.models.collada
             return found;
         }
 
-        /** The first input with a semantic in an element, or null. */
-        public function input(element:ColladaElement, semantic:String):ColladaElement
-        {
-            for each (var candidate:ColladaElement in element.childrenNamed("input"))
-            {
-                if (candidate.attribute("semantic") == semantic)
-                {
-                    return candidate;
-                }
-            }
-            return null;
-        }
-
         /**
          * The element that an attribute refers to.
          *
@@ -78,7 +69,7 @@ package starlogo.models.collada
             var id:String = url.substr(1);
             for each (var name:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : childWithId(scope, name, id)) || _elementsById[name + url];
+                var found:ColladaElement = (scope == null ? null : scope.childWithId(name, id)) || _elementsById[name + url];
                 if (found != null)
                 {
                     return found;
@@ -135,30 +126,6 @@ package starlogo.models.collada
         {
             refuseIf(integer(element, "count", counted) != counted, modelName, "its count is " +
                     TextTokens.shorten(element.attribute("count")) + ", but it has " + counted + " " + what, element);
-        }
-
-        /**
-         * Counts points that are read. If several meshes read the same source, each counts its points.
-         *
-         * @throws ModelError if there are more than a useful file has
-         */
-        public function countPoints(element:ColladaElement, count:int):void
-        {
-            _pointsRead += count;
-            refuseIf(_pointsRead > MAX_POINTS_READ, modelName, "its geometries have more than " + MAX_POINTS_READ +
-                    " points (a shared source counts for each of them)", element);
-        }
-
-        private static function childWithId(element:ColladaElement, name:String, id:String):ColladaElement
-        {
-            for each (var candidate:ColladaElement in element.children)
-            {
-                if (candidate.name == name && candidate.id == id)
-                {
-                    return candidate;
-                }
-            }
-            return null;
         }
     }
 }

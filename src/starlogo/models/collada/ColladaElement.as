@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.AffineTransform;
     import starlogo.models.TextTokens;
 
     /** An element of a COLLADA document. Its name and its attributes' names have no namespace prefix. */
@@ -17,8 +18,14 @@ package starlogo.models.collada
         /** The pieces of the element's own text. Comments and elements may divide it. */
         public var texts:Array = [];
 
+        /** For an element that is a transform: the transform, after it was first needed. */
+        public var transform:AffineTransform = null;
+
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
+
+        // The first child of each name, of each name and id, and the first input of each semantic. It is made when it is first needed.
+        private var _first:Object = null;
 
         /**
          * @param name the element's name
@@ -69,8 +76,36 @@ package starlogo.models.collada
         /** The first child element with a name, or null. */
         public function child(name:String):ColladaElement
         {
-            var found:Vector.<ColladaElement> = childrenNamed(name);
-            return found.length > 0 ? found[0] : null;
+            return first("<" + name);
+        }
+
+        /** The first child element with a name and an id, or null. */
+        public function childWithId(name:String, id:String):ColladaElement
+        {
+            return first("<" + name + "#" + id);
+        }
+
+        /** The first child element "input" with a semantic, or null. */
+        public function input(semantic:String):ColladaElement
+        {
+            return first("@" + semantic);
+        }
+
+        private function first(key:String):ColladaElement
+        {
+            if (_first == null)
+            {
+                _first = {};
+                for each (var child:ColladaElement in children)
+                {
+                    var keys:Array = ["<" + child.name, "<" + child.name + "#" + child.id, child.name == "input" ? "@" + child.attribute("semantic") : ""];
+                    for each (var each:String in keys)
+                    {
+                        _first[each] ||= child;
+                    }
+                }
+            }
+            return _first[key];
         }
 
         /** The words of the element's own text. For long texts, ColladaWords does the same in steps. */

@@ -20,6 +20,7 @@ package starlogo.models.collada
         private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
         private var _primitives:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+        private var _nextPrimitive:int = 0;
         private var _sources:Object = {}; // of positions; the key is "#" and the source's id
         private var _points:Object = {};
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
@@ -51,7 +52,7 @@ package starlogo.models.collada
         /** The work on a primitive. The work on its source comes first, if the source is not read yet. */
         private function readingPrimitive():Steps
         {
-            var element:ColladaElement = _primitives.shift();
+            var element:ColladaElement = _primitives[_nextPrimitive++];
             var work:StepSequence = new StepSequence();
             var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
             return work.begin(function():Steps
@@ -86,7 +87,7 @@ package starlogo.models.collada
 
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
-            var input:ColladaElement = _document.input(vertices, "POSITION");
+            var input:ColladaElement = vertices.input("POSITION");
             refuseIf(input == null, _document.modelName, "expected an <input> with the semantic POSITION", vertices);
             return _document.target(input, "source", ["source"], _mesh);
         }

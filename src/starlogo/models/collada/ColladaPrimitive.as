@@ -76,7 +76,7 @@ package starlogo.models.collada
          */
         internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
         {
-            var input:ColladaElement = document.input(element, "VERTEX") || document.input(element, "POSITION");
+            var input:ColladaElement = element.input("VERTEX") || element.input("POSITION");
             refuseIf(input == null, document.modelName, "expected an <input> with the semantic VERTEX", element);
             return input;
         }

@@ -1,7 +1,9 @@
 package starlogo.models.collada
 {
-    import starlogo.models.ModelLimits;
+    import starlogo.models.Decimal;
+    import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
+    import starlogo.models.ModelTransform;
     import starlogo.models.TextTokens;
     import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
@@ -18,6 +20,7 @@ package starlogo.models.collada
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
+        private var _hasTransform:Boolean;
         private var _xml:XmlReader;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
@@ -35,9 +38,10 @@ package starlogo.models.collada
          */
         public function ColladaReader(name:String, source:String, upAxis:Object)
         {
-            super(name, upAxis == null ? null : UpAxis.of(upAxis, name));
+            super(name, new ModelBudget(name, source == null ? 0 : source.length), upAxis == null ? null : UpAxis.of(upAxis, name));
             refuseIf(source == null, name, "there is no text to read");
-            _xml = new XmlReader(name, source);
+            _hasTransform = upAxis is ModelTransform;
+            _xml = new XmlReader(name, source, budget);
             add(_xml).begin(walking).repeat(readInstances);
         }
 
@@ -49,9 +53,11 @@ package starlogo.models.collada
 
         private function walking():Steps
         {
-            _document = new ColladaDocument(name, _xml);
+            _document = new ColladaDocument(name, budget, _xml);
             _xml = null;
-            upAxis ||= upAxisOfDocument();
+            var asset:ColladaElement = _document.root.child("asset");
+            upAxis ||= upAxisOf(asset);
+            unit = _hasTransform ? 1 : unitOf(asset);
             _scene = new ColladaScene(_document, UpAxis.transform(upAxis));
             return _scene;
         }
@@ -95,7 +101,8 @@ package starlogo.models.collada
             var firstCorner:int = triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            refuseIf(ModelLimits.areExceeded(firstVertex + vertexCount, firstCorner / 3 + triangleCount), name, ModelLimits.PROBLEM, instance.element);
+            budget.require(ModelBudget.VERTICES, firstVertex + vertexCount, instance.element);
+            budget.require(ModelBudget.TRIANGLES, firstCorner / 3 + triangleCount, instance.element);
             out.length += 3 * vertexCount;
             triangles.length += 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
@@ -134,9 +141,16 @@ package starlogo.models.collada
             return _meshes[key];
         }
 
-        private function upAxisOfDocument():String
+        // A unit that is no length counts as a metre.
+        private static function unitOf(asset:ColladaElement):Number
         {
-            var asset:ColladaElement = _document.root.child("asset");
+            var element:ColladaElement = asset == null ? null : asset.child("unit");
+            var metres:Number = element == null ? 1 : Decimal.of(TextTokens.trimmed(element.attribute("meter")));
+            return metres > 0 && metres < Infinity ? metres : 1;
+        }
+
+        private function upAxisOf(asset:ColladaElement):String
+        {
             var element:ColladaElement = asset == null ? null : asset.child("up_axis");
             if (element == null)
             {

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
+    import starlogo.models.ModelBudget;
     import starlogo.models.refuseIf;
     import starlogo.models.TextTokens;
     import starlogo.steps.StepSequence;
@@ -12,11 +13,8 @@ package starlogo.models.collada
         private static const MAX_DEPTH:int = 256;
         private static const MAX_CONTROLLERS:int = 16;
 
-        /** The most nodes of a scene. A node may place another one twice, so a small file can have any number. */
-        internal static const MAX_NODES:int = 50000;
-
-        /** The most elements inside nodes. Each transform, instance and controller counts as often as it is placed. */
-        internal static const MAX_PARTS:int = 250000;
+        // a placed element takes more memory than an element
+        private static const THINGS_PER_PART:int = 2;
 
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaNode> = new Vector.<ColladaNode>();
@@ -28,8 +26,6 @@ package starlogo.models.collada
         private var _node:ColladaNode = null;
         private var _child:int = 0;
         private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
-        private var _visited:int = 0;
-        private var _parts:int = 0;
 
         /**
          * @param document the document
@@ -84,10 +80,8 @@ package starlogo.models.collada
 
         private function enter(node:ColladaNode):void
         {
-            refuseIf(++_visited > MAX_NODES, _document.modelName, "the scene has more than " + MAX_NODES +
-                    " nodes, including those of each instance_node", node.element);
             refuseIf(node.depth > MAX_DEPTH, _document.modelName, "its nodes are nested more than " + MAX_DEPTH + " deep", node.element);
-            countParts(node.element, 1 + node.element.children.length);
+            _document.budget.take(ModelBudget.THINGS, THINGS_PER_PART * (1 + node.element.children.length), node.element);
             _node = node;
             _child = 0;
         }
@@ -109,7 +103,7 @@ package starlogo.models.collada
                     _nodes.push(new ColladaNode(element, _node, _node.transform));
                     break;
                 default:
-                    var local:AffineTransform = ColladaTransform.of(_document, element);
+                    var local:AffineTransform = element.transform ||= ColladaTransform.of(_document, element);
                     _node.transform = local == null ? _node.transform : _node.transform.after(local);
                     break;
             }
@@ -122,13 +116,6 @@ package starlogo.models.collada
                 _pending.push(_nodes.pop());
             }
             _node = null;
-        }
-
-        private function countParts(element:ColladaElement, count:int):void
-        {
-            _parts += count;
-            refuseIf(_parts > MAX_PARTS, _document.modelName, "the scene has more than " + MAX_PARTS +
-                    " nodes, transforms and instances, each counted as often as it is placed", element);
         }
 
         private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
@@ -145,11 +132,11 @@ package starlogo.models.collada
             var target:ColladaElement = _document.target(element, "url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
-                countParts(element, 1);
+                _document.budget.take(ModelBudget.THINGS, THINGS_PER_PART, element);
                 var skin:ColladaElement = target.child("skin");
                 var deformer:ColladaElement = skin || _document.requiredChild(target, "morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
-                transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
+                transform = shape == null ? transform : transform.after(shape.transform ||= ColladaTransform.matrix(_document, shape));
                 target = _document.target(deformer, "source", ["geometry", "controller"]);
                 refuseIf(i > MAX_CONTROLLERS, _document.modelName, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle", element);

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.Decimal;
+    import starlogo.models.ModelBudget;
     import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -39,6 +40,8 @@ package starlogo.models.collada
             _accessor = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
             _array = document.target(_accessor, "source", ["float_array", "int_array"], source);
             _text = new ColladaWords(new <ColladaElement>[_array]);
+            document.budget.take(ModelBudget.NUMBERS, _text.length / 2, _accessor);
+            document.budget.take(ModelBudget.THINGS, _accessor.children.length, _accessor);
             add(_text).begin(readingPoints);
         }
 
@@ -47,7 +50,7 @@ package starlogo.models.collada
             _words = _text.words;
             _document.checkCount(_array, _words.length, "numbers");
             readAccessor();
-            _document.countPoints(_accessor, count + _words.length / 3);
+            _document.budget.take(ModelBudget.NUMBERS, 3 * count, _accessor);
             first = _points.length / 3;
             _points.length += 3 * count;
             return new Slices(count, POINTS_PER_STEP, readPoints);

@@ -31,6 +31,12 @@ package starlogo.models.collada
             _ends = new NextOfTwo(_text, " ", "\n");
         }
 
+        /** The number of characters of the texts. */
+        public function get length():int
+        {
+            return _text.length;
+        }
+
         /** @inheritDoc Reads a piece of the text. It does not split words. */
         public function step():Boolean
         {

@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.ModelBudget;
     import starlogo.models.NextOfTwo;
     import starlogo.models.refuseIf;
     import starlogo.steps.Steps;
@@ -15,9 +16,6 @@ package starlogo.models.collada
 
         /** The most attributes of an element. */
         internal static const MAX_ATTRIBUTES:int = 100;
-
-        /** The most elements of a document. */
-        internal static const MAX_ELEMENTS:int = 500000;
 
         private static const TAGS_PER_STEP:int = 100;
         private static const QUESTION:int = 0x3F;
@@ -39,7 +37,7 @@ package starlogo.models.collada
         private var _source:String;
         private var _at:int = 0;
         private var _quotes:NextOfTwo;
-        private var _elements:int = 0;
+        private var _budget:ModelBudget;
 
         // the names of the elements that are not closed yet, with their prefixes
         private var _names:Array = [];
@@ -48,9 +46,11 @@ package starlogo.models.collada
         /**
          * @param name the model's name
          * @param source the text
+         * @param budget pays for the elements
          */
-        public function XmlReader(name:String, source:String)
+        public function XmlReader(name:String, source:String, budget:ModelBudget)
         {
+            _budget = budget;
             _name = name;
             _source = source;
             _quotes = new NextOfTwo(source, "\"", "'");
@@ -73,7 +73,6 @@ package starlogo.models.collada
                     readTag();
                 }
             }
-            refuseIf(_elements > MAX_ELEMENTS, _name, "the document has more than " + MAX_ELEMENTS + " elements");
             refuse(_at == _source.length && _open != null);
             return _at < _source.length;
         }
@@ -121,7 +120,7 @@ package starlogo.models.collada
             var quote:int = _quotes.after(_at);
             var name:String = _source.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
             refuse(name == "" || root != null && _open == null);
-            _elements++;
+            _budget.take(ModelBudget.THINGS, 1);
             var element:ColladaElement = new ColladaElement(localName(name), _open);
             root ||= element;
             _at += name.length;

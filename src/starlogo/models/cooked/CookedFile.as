@@ -3,7 +3,7 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.Fingerprint;
-    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelBudget;
     import starlogo.steps.StepSequence;
 
     /**
@@ -194,7 +194,7 @@ package starlogo.models.cooked
         private static function hasHead(bytes:ByteArray):Boolean
         {
             var length:int = bytes.length;
-            return length % Fingerprint.LENGTH == 0 && length <= ModelLimits.BYTES && bytes.readInt() == VERSION && bytes.readInt() == length;
+            return length % Fingerprint.LENGTH == 0 && length <= ModelBudget.BYTES && bytes.readInt() == VERSION && bytes.readInt() == length;
         }
     }
 }

@@ -4,7 +4,7 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.models.Model;
-    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
@@ -47,7 +47,7 @@ package starlogo.models.cooked
          */
         public function CookedReader(name:String, file:CookedFile)
         {
-            super(name);
+            super(name, new ModelBudget(name, ModelBudget.BYTES));
             _file = file;
             call(readHead);
         }
@@ -74,8 +74,10 @@ package starlogo.models.cooked
             _form = readCount(CookedShape.DOUBLE);
             _divisor = CookedShape.divisorOf(_form);
             var hasTransform:Boolean = readCount(1) == 1;
-            var vertexCount:int = readCount(ModelLimits.VERTICES);
-            var triangleCount:int = readCount(ModelLimits.TRIANGLES);
+            var vertexCount:int = readCount(int.MAX_VALUE);
+            var triangleCount:int = readCount(int.MAX_VALUE);
+            budget.require(ModelBudget.VERTICES, vertexCount);
+            budget.require(ModelBudget.TRIANGLES, triangleCount);
             if (hasTransform)
             {
                 transform = readTransform();

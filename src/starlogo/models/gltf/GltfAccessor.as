@@ -1,6 +1,7 @@
 package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
+    import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
@@ -55,23 +56,19 @@ package starlogo.models.gltf
         /**
          * @param file the file; all its steps must be done
          * @param index the accessor's index
-         * @param type "SCALAR", "VEC3" or another type
-         * @param most the most elements it may have
          */
-        public function GltfAccessor(file:GltfFile, index:int, type:String, most:int)
+        public function GltfAccessor(file:GltfFile, index:int)
         {
             var json:GltfJson = file.json;
             place = "accessors[" + index + "]";
             _file = file;
             _accessor = json.entry("accessors", index);
-            refuseIf(_accessor.type !== type, json.name, "expected \"" + type + "\", but found \"" + _accessor.type + "\"", place + ".type");
-            count = json.whole(_accessor, "count", place, most, -1);
-            _width = WIDTHS[type];
+            count = json.whole(_accessor, "count", place, int.MAX_VALUE, -1);
+            _width = WIDTHS[_accessor.type];
             _kind = kindOf(_accessor, place);
             _divisor = _accessor.normalized === true && LARGEST[_kind] > 0 ? LARGEST[_kind] : 0;
             _view = json.reference(_accessor, "bufferView", place, "bufferViews");
             _offset = json.whole(_accessor, "byteOffset", place, int.MAX_VALUE, 0);
-            numbers = new Vector.<Number>(count * _width);
             if (_view >= 0)
             {
                 var size:int = SIZES[_kind] * _width;
@@ -80,6 +77,8 @@ package starlogo.models.gltf
                 file.openView(_view, _offset, count == 0 ? 0 : Number(count - 1) * _stride + size, place);
                 slices(count, NUMBERS_PER_STEP / _width, readRows);
             }
+            file.budget.take(_view < 0 ? ModelBudget.ZEROS : ModelBudget.NUMBERS, Number(count) * _width, place);
+            numbers = new Vector.<Number>(count * _width);
             _sparse = json.objectIn(_accessor, "sparse", place);
             if (_sparse != null)
             {
@@ -124,6 +123,7 @@ package starlogo.models.gltf
             var size:int = SIZES[_kind] * _width;
             _file.openView(indexView, indexOffset, Number(sparseCount) * SIZES[indexKind], where + ".indices");
             _file.openView(valueView, valueOffset, Number(sparseCount) * size, where + ".values");
+            _file.budget.take(ModelBudget.NUMBERS, Number(sparseCount) * (1 + _width), where);
             _replaced = new Vector.<Number>(sparseCount);
             var row:Vector.<Number> = new Vector.<Number>(sparseCount * _width);
             slices(sparseCount, NUMBERS_PER_STEP / _width, function(first:int, end:int):void

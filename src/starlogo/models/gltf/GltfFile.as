@@ -2,9 +2,10 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import starlogo.models.ModelAddress;
+    import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.ModelFile;
-    import starlogo.models.ModelLimits;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
@@ -24,9 +25,6 @@ package starlogo.models.gltf
 
         private static const BUFFERS_PER_STEP:int = 100;
 
-        /** The most buffers in other files. Each of them is fetched. */
-        private static const MAX_MISSING:int = 100;
-
         // optional extensions that do not change shapes
         private static const HARMLESS:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
         private static const DRACO:String = "KHR_draco_mesh_compression";
@@ -42,6 +40,9 @@ package starlogo.models.gltf
         /** The JSON, when no step is left. */
         internal var json:GltfJson = null;
 
+        /** What reading the file may cost. It grows with the buffers in other files. */
+        internal var budget:ModelBudget;
+
         private var _name:String;
         private var _bytes:ByteArray;
         private var _text:String;
@@ -50,6 +51,10 @@ package starlogo.models.gltf
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
+
+        // the buffers that each address is for, and the accessors so far, with "#" before the address or index
+        private var _places:Object = {};
+        private var _accessors:Object = {};
 
         /**
          * @param name the model's name
@@ -63,7 +68,8 @@ package starlogo.models.gltf
             _bytes = bytes;
             _text = text;
             open();
-            _meter = new JsonMeter(name, _text);
+            budget = new ModelBudget(name, _text.length);
+            _meter = new JsonMeter(name, _text, budget);
             add(_meter).call(parse);
         }
 
@@ -88,14 +94,25 @@ package starlogo.models.gltf
          */
         public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
-            for (var i:int = 0; i < _buffers.length; i++)
+            refuseIf(bytes == null, _name, problem, "buffers[" + _places["#" + uri][0] + "].uri");
+            budget.addBytes(bytes.length);
+            for each (var index:int in _places["#" + uri])
             {
-                if (_buffers[i] == null && json.entry("buffers", i).uri === uri)
-                {
-                    refuseIf(bytes == null, _name, problem, "buffers[" + i + "].uri");
-                    keep(i, bytes);
-                }
+                keep(index, bytes);
             }
+        }
+
+        /**
+         * An accessor. It is the same for all that use it, so its numbers are read once.
+         *
+         * @param index the accessor's index
+         * @param type the type that it must have: "SCALAR", "VEC3" or another
+         */
+        internal function accessor(index:int, type:String):GltfAccessor
+        {
+            var found:String = json.entry("accessors", index).type;
+            refuseIf(found !== type, _name, "expected \"" + type + "\", but found \"" + found + "\"", "accessors[" + index + "].type");
+            return _accessors["#" + index] ||= new GltfAccessor(this, index);
         }
 
         /** Checks a bufferView and returns its bytes. Their position is set to the given offset in the view. */
@@ -124,7 +141,7 @@ package starlogo.models.gltf
         {
             if (_bytes != null && isBinary(_bytes))
             {
-                refuseIf(_bytes.length > ModelLimits.BYTES, _name, "the file has " + _bytes.length + " bytes: expected at most " + ModelLimits.BYTES);
+                refuseIf(_bytes.length > ModelBudget.BYTES, _name, "the file has " + _bytes.length + " bytes: expected at most " + ModelBudget.BYTES);
                 openChunks();
             }
             else if (_text == null)
@@ -223,13 +240,14 @@ package starlogo.models.gltf
 
         private function readBuffer(index:int, buffer:Object, place:String):void
         {
-            json.whole(buffer, "byteLength", place, ModelLimits.BYTES, -1);
+            json.whole(buffer, "byteLength", place, ModelBudget.BYTES, -1);
             var uri:* = buffer.uri;
             refuseIf(uri !== undefined && !(uri is String), _name, "expected an address", place + ".uri");
             if (uri === undefined)
             {
                 if (index == 0 && _chunk != null)
                 {
+                    budget.addBytes(_chunk.length);
                     keep(0, _chunk);
                 }
                 return;
@@ -245,18 +263,20 @@ package starlogo.models.gltf
                     });
                 return;
             }
-            refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), _name, "expected data, or a path from the file's folder on, but found \"" +
+            refuseIf(!ModelAddress.isWithin(uri), _name, "expected data, or a path from the file's folder on, but found \"" +
                     TextTokens.shorten(uri) + "\"", place + ".uri");
-            if (missing.indexOf(uri) < 0)
+            if (!_places.hasOwnProperty("#" + uri))
             {
-                refuseIf(missing.length == MAX_MISSING, _name, "more than " + MAX_MISSING + " other files are needed", place + ".uri");
+                budget.take(ModelBudget.FILES, 1, place + ".uri");
                 missing.push(uri);
+                _places["#" + uri] = [];
             }
+            _places["#" + uri].push(index);
         }
 
         private function keep(index:int, bytes:ByteArray):void
         {
-            var wanted:int = json.entry("buffers", index).byteLength;
+            var wanted:int = json.whole(json.entry("buffers", index), "byteLength", "buffers[" + index + "]", ModelBudget.BYTES, -1);
             refuseIf(bytes.length < wanted, _name, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelBudget;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
@@ -44,13 +44,13 @@ package starlogo.models.gltf
             var index:int = _json.reference(primitive, "indices", place, "accessors");
             if (index >= 0)
             {
-                _indices = new GltfAccessor(file, index, "SCALAR", 3 * ModelLimits.TRIANGLES);
+                _indices = file.accessor(index, "SCALAR");
                 refuseIf(!_indices.areIndices, _json.name, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
                 add(_indices);
             }
             var cornerCount:int = _indices == null ? _vertexCount : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            refuseIf(ModelLimits.areExceeded(0, _firstCorner / 3 + triangleCount), _json.name, ModelLimits.PROBLEM, place);
+            file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
             triangles.length += 3 * triangleCount;
             slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
         }

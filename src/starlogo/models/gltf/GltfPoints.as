@@ -2,7 +2,7 @@ package starlogo.models.gltf
 {
     import starlogo.models.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelBudget;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -59,7 +59,7 @@ package starlogo.models.gltf
             }
             firstVertex = vertices.length / 3;
             count = source.count;
-            refuseIf(ModelLimits.areExceeded(firstVertex + count, 0), json.name, ModelLimits.PROBLEM, place);
+            file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), place);
             vertices.length += 3 * count;
             addTargets(json, json.listIn(primitive, "targets", place), weights);
             begin(skinning).slices(count, VERTICES_PER_STEP, placeVertices);
@@ -71,17 +71,6 @@ package starlogo.models.gltf
             return _skin == null ? _world.isMirror : _skin.isMirror;
         }
 
-        /** The number of a primitive's morph targets that have an effect. */
-        public static function activeCount(targets:Array, weights:Vector.<Number>):int
-        {
-            var active:int = 0;
-            for (var i:int = 0; i < targets.length && i < weights.length; i++)
-            {
-                active += weights[i] != 0 ? 1 : 0;
-            }
-            return active;
-        }
-
         private function addTargets(json:GltfJson, targets:Array, weights:Vector.<Number>):void
         {
             for (var i:int = 0; i < targets.length && i < weights.length; i++)
@@ -90,7 +79,7 @@ package starlogo.models.gltf
                 var index:int = json.reference(json.elementOf(targets, i, where), "POSITION", where + "[" + i + "]", "accessors");
                 if (index >= 0 && weights[i] != 0)
                 {
-                    addTarget(json, new GltfAccessor(_file, index, "VEC3", count), weights[i]);
+                    addTarget(json, _file.accessor(index, "VEC3"), weights[i]);
                 }
             }
         }
@@ -98,6 +87,7 @@ package starlogo.models.gltf
         private function addTarget(json:GltfJson, target:GltfAccessor, weight:Number):void
         {
             refuseIf(target.count != count, json.name, "it has " + target.count + " elements, but there are " + count + " vertices", target.place);
+            _file.budget.take(ModelBudget.NUMBERS, 3 * Number(count), _place);
             add(target).call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
@@ -125,7 +115,7 @@ package starlogo.models.gltf
             }
             copyPoints();
             _world = new AffineTransform();
-            _skin = new GltfSkin(_file, _scene, _skinIndex, _attributes, _place + ".attributes", _points);
+            _skin = new GltfSkin(_file, _scene.jointsOf(_file, _skinIndex), _attributes, _place + ".attributes", _points);
             return _skin;
         }
 

@@ -1,10 +1,11 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
     import starlogo.models.UpAxis;
     import starlogo.models.VertexFilter;
     import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -14,22 +15,17 @@ package starlogo.models.gltf
      */
     public final class GltfReader extends ModelReader
     {
-        /** The most points for all meshes together. Several meshes may share one source; it counts for each. */
-        private static const MAX_POINTS:int = 4000000;
-
         private var _file:GltfFile;
         private var _scene:GltfScene = null;
 
-        // the node whose mesh is next, and the next primitive of that mesh
+        // the node whose mesh is next, the next primitive of that mesh, and the weights of its morph targets
         private var _node:int = 0;
         private var _primitive:int = 0;
+        private var _weights:Vector.<Number>;
         private var _reading:Steps = null;
 
-        // Results so far. The key of a mesh's vertices is their accessors. The key of the present node's vertices is everything they
-        // depend on.
-        private var _sources:Object = {};
+        // The vertices of the present node so far. The key is everything that they depend on.
         private var _placed:Object = {};
-        private var _pointCount:Number = 0;
 
         /**
          * @param name the model's name
@@ -38,7 +34,7 @@ package starlogo.models.gltf
          */
         public function GltfReader(name:String, file:GltfFile, upAxis:Object)
         {
-            super(name, upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name));
+            super(name, file.budget, upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name));
             _file = file;
             begin(walking).repeat(readParts).begin(droppingUnused);
         }
@@ -65,7 +61,7 @@ package starlogo.models.gltf
             return true;
         }
 
-        // Begins the next reading of the present primitive, or goes on to the next primitive. Returns false if there are no more.
+        // Begins to read the present primitive and goes on to the next. Returns false if there are no more.
         private function nextPart():Boolean
         {
             if (_node == _scene.nodes.length)
@@ -73,9 +69,17 @@ package starlogo.models.gltf
                 return false;
             }
             var json:GltfJson = _file.json;
+            var nodePlace:String = "nodes[" + _scene.nodes[_node] + "]";
             var node:Object = json.entry("nodes", _scene.nodes[_node]);
-            var mesh:int = json.reference(node, "mesh", "nodes[" + _scene.nodes[_node] + "]", "meshes");
-            var primitives:Array = json.listIn(json.entry("meshes", mesh), "primitives", "meshes[" + mesh + "]");
+            var index:int = json.reference(node, "mesh", nodePlace, "meshes");
+            var mesh:Object = json.entry("meshes", index);
+            var place:String = "meshes[" + index + "]";
+            var primitives:Array = json.listIn(mesh, "primitives", place);
+            if (_primitive == 0)
+            {
+                _weights = json.numbers(node, "weights", nodePlace, -1) || json.numbers(mesh, "weights", place, -1, new Vector.<Number>());
+            }
+            budget.take(ModelBudget.THINGS, 1 + _weights.length, place);
             if (_primitive == primitives.length)
             {
                 _primitive = 0;
@@ -83,62 +87,35 @@ package starlogo.models.gltf
                 _placed = {};
                 return true;
             }
-            var where:String = "meshes[" + mesh + "].primitives";
-            var primitive:Object = json.elementOf(primitives, _primitive, where);
-            where += "[" + _primitive + "]";
-            _file.refuseDraco(primitive, where);
-            if (!beginReading(node, json.entry("meshes", mesh), mesh, primitive, where))
-            {
-                _primitive++;
-            }
+            place += ".primitives";
+            _reading = readingPrimitive(json, json.elementOf(primitives, _primitive, place), place + "[" + _primitive + "]");
+            _primitive++;
             return true;
         }
 
-        // Whether a primitive needs more reading. The mesh's vertices come first, then the vertices at the node's place, then the
-        // triangles.
-        private function beginReading(node:Object, mesh:Object, meshIndex:int, primitive:Object, where:String):Boolean
+        // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Null if it has no vertices.
+        private function readingPrimitive(json:GltfJson, primitive:Object, place:String):Steps
         {
-            var json:GltfJson = _file.json;
-            var attributes:Object = json.objectIn(primitive, "attributes", where);
-            var position:int = attributes == null ? -1 : json.reference(attributes, "POSITION", where + ".attributes", "accessors");
+            _file.refuseDraco(primitive, place);
+            var attributes:Object = json.objectIn(primitive, "attributes", place);
+            var position:int = attributes == null ? -1 : json.reference(attributes, "POSITION", place + ".attributes", "accessors");
             if (position < 0)
             {
-                return false; // the primitive has no vertices
+                return null;
             }
-            var source:GltfAccessor = _sources["#" + position];
-            if (source == null)
-            {
-                source = new GltfAccessor(_file, position, "VEC3", ModelLimits.VERTICES);
-                countPoints(source.count, where);
-                _sources["#" + position] = source;
-                _reading = source;
-                return true;
-            }
-            var weights:Vector.<Number> = json.numbers(mesh, "weights", "meshes[" + meshIndex + "]", -1, new Vector.<Number>());
-            weights = json.numbers(node, "weights", "nodes[" + _scene.nodes[_node] + "]", -1, weights);
-            var hasSurface:Boolean = GltfPart.modeOf(json, primitive, where) >= GltfPart.TRIANGLES;
-            var targets:Array = json.listIn(primitive, "targets", where);
+            var source:GltfAccessor = _file.accessor(position, "VEC3");
+            var hasSurface:Boolean = GltfPart.modeOf(json, primitive, place) >= GltfPart.TRIANGLES;
             // primitives may share their vertices and have different triangles
-            var isPlain:Boolean = targets.length == 0 && attributes.JOINTS_0 === undefined;
+            var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + _primitive);
-            var points:GltfPoints = _placed[key];
-            if (points == null)
-            {
-                countPoints(source.count * (1 + GltfPoints.activeCount(targets, weights)), where);
-                points = new GltfPoints(_file, _scene, _scene.nodes[_node], primitive, where, weights, source, hasSurface ? vertices : loosePoints);
-                _placed[key] = points;
-                _reading = points;
-                return true;
-            }
-            _primitive++;
-            _reading = hasSurface ? new GltfPart(_file, primitive, where, points, triangles) : null;
-            return true;
-        }
-
-        private function countPoints(count:Number, where:String):void
-        {
-            _pointCount += count;
-            refuseIf(_pointCount > MAX_POINTS, name, "the meshes up to this one together have more than " + MAX_POINTS + " points", where);
+            var node:int = _scene.nodes[_node];
+            return new StepSequence().add(source).begin(function():Steps
+                {
+                    return _placed[key] ||= new GltfPoints(_file, _scene, node, primitive, place, _weights, source, hasSurface ? vertices : loosePoints);
+                }).begin(function():Steps
+                {
+                    return hasSurface ? new GltfPart(_file, primitive, place, _placed[key], triangles) : null;
+                });
         }
 
         private function droppingUnused():Steps

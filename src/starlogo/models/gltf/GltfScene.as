@@ -19,6 +19,7 @@ package starlogo.models.gltf
         private var _worlds:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
         private var _isVisited:Vector.<Boolean>;
+        private var _joints:Object = {}; // of each skin, by "#" and its index
 
         /**
          * @param json the file's JSON
@@ -60,6 +61,12 @@ package starlogo.models.gltf
                 _worlds[i] = world;
             }
             return world;
+        }
+
+        /** The joints of a skin. Its steps may still be running. */
+        public function jointsOf(file:GltfFile, skin:int):GltfJoints
+        {
+            return _joints["#" + skin] ||= new GltfJoints(file, this, skin);
         }
 
         private function findParents(first:int, end:int):void
@@ -123,7 +130,7 @@ package starlogo.models.gltf
                 var children:Array = _json.listIn(object, "children", "nodes[" + node + "]");
                 for (var k:int = children.length - 1; k >= 0; k--)
                 {
-                    enter(children[k]);
+                    enter(_json.numberOf(children[k], "nodes[" + node + "].children[" + k + "]", "nodes"));
                 }
             }
             return _pending.length > 0;

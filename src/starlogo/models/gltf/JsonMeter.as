@@ -1,6 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.Decimal;
+    import starlogo.models.ModelBudget;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
@@ -12,7 +13,9 @@ package starlogo.models.gltf
     internal final class JsonMeter extends StepSequence
     {
         internal static const MAX_DEPTH:int = 100;
-        internal static const MAX_VALUES:int = 2000000;
+
+        // a value takes a quarter of the memory of an element
+        private static const THINGS_PER_VALUE:Number = 0.25;
 
         // Ruffle's parser keeps whole numbers within 32 bits. In long numbers players differ in the last bits.
         private static const LONGEST_NUMBER:int = 9;
@@ -34,14 +37,16 @@ package starlogo.models.gltf
         private var _depth:int = 0;
         private var _pieces:Array = [];
         private var _taken:int = 0;
-        private var _values:int = 0;
+        private var _budget:ModelBudget;
 
         /**
          * @param name the model's name
          * @param text possible JSON
+         * @param budget pays for the values
          */
-        public function JsonMeter(name:String, text:String)
+        public function JsonMeter(name:String, text:String, budget:ModelBudget)
         {
+            _budget = budget;
             _name = name;
             _text = text;
             repeat(measure);
@@ -65,6 +70,7 @@ package starlogo.models.gltf
             var length:int = text.length;
             var last:int = Math.min(_next + CHARACTERS_PER_STEP, length);
             var i:int = _next;
+            var values:int = 0;
             while (i < last)
             {
                 var code:int = text.charCodeAt(i);
@@ -77,7 +83,7 @@ package starlogo.models.gltf
                 if (code == 0x7B || code == 0x5B)
                 {
                     _depth++;
-                    _values++;
+                    values++;
                     refuseIf(_depth > MAX_DEPTH, _name, "its JSON is nested deeper than " + MAX_DEPTH, "character " + i);
                 }
                 else if (code == 0x7D || code == 0x5D)
@@ -86,11 +92,11 @@ package starlogo.models.gltf
                 }
                 else if (code == COMMA)
                 {
-                    _values++;
+                    values++;
                 }
             }
             _next = i;
-            refuseIf(_values > MAX_VALUES, _name, "its JSON has more than " + MAX_VALUES + " values");
+            _budget.take(ModelBudget.THINGS, THINGS_PER_VALUE * values, "character " + i);
             return _next < length;
         }
 

@@ -30,6 +30,7 @@ package starlogo.models.obj
         private var _highestIndex:int = -1;
         private var _highestLine:int;
         private var _corners:Vector.<uint> = new Vector.<uint>();
+        private var _hasFaces:Boolean = false;
 
         /**
          * @param name the model's name
@@ -38,10 +39,10 @@ package starlogo.models.obj
          */
         public function ObjReader(name:String, source:String, upAxis:Object)
         {
-            super(name, upAxis);
+            super(name, source == null ? 0 : source.length, upAxis);
             refuseIf(source == null, name, "there is no text to read");
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            _triangulator = new Triangulator(vertices, triangles);
+            _triangulator = new Triangulator(budget.looks, vertices, triangles);
             readLines(source);
             call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
         }
@@ -132,6 +133,7 @@ package starlogo.models.obj
 
         private function addFace(count:int):void
         {
+            _hasFaces ||= count > 2;
             if (count == 3)
             {
                 triangles.push(_corners[0], _corners[1], _corners[2]);
@@ -197,7 +199,7 @@ package starlogo.models.obj
         /** If there are faces, removes the vertices that no face uses. */
         private function droppingUnused():Steps
         {
-            return _highestIndex < 0 ? null : new VertexFilter(vertices, triangles, _isUsed);
+            return !_hasFaces ? null : new VertexFilter(vertices, triangles, _isUsed);
         }
 
         private function errorAt(line:int, problem:String):ModelError

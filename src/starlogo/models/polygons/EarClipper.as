@@ -54,7 +54,7 @@ package starlogo.models.polygons
                 var before:int = previous[node];
                 var after:int = next[node];
                 var area:Number = _rings.turn(before, node, after);
-                var isCut:Boolean = area == 0 || misses > 2 * count || ++_rings.work > PolygonRings.MAX_WORK;
+                var isCut:Boolean = area == 0 || misses > 2 * count || ++_rings.work > _rings.mostWork;
                 if (isCut || area > 0 && (misses > count || isEar(before, node, after)))
                 {
                     if (area > 0)

@@ -101,7 +101,7 @@ package starlogo.models.polygons
             var node:int = _outline;
             do
             {
-                if (++_rings.work > PolygonRings.MAX_WORK)
+                if (++_rings.work > _rings.mostWork)
                 {
                     return -1;
                 }

@@ -8,12 +8,6 @@ package starlogo.models.polygons
      */
     internal final class PolygonRings
     {
-        /**
-         * The limit of work: the number of corners looked at. It is reached after some seconds. Beyond it, corners are cut off without a
-         * test, and holes are filled.
-         */
-        internal static const MAX_WORK:int = 10000000;
-
         /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
         internal var x:Vector.<Number> = new Vector.<Number>();
 
@@ -32,6 +26,9 @@ package starlogo.models.polygons
         /** The number of corners looked at so far, in all polygons. */
         internal var work:int = 0;
 
+        /** The most corners to look at. Beyond it, corners are cut off without a test, and holes are filled. */
+        internal var mostWork:Number;
+
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
@@ -40,9 +37,10 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
-        /** Creates an object without rings. */
-        public function PolygonRings()
+        /** Creates an object without rings. @param mostWork the most corners to look at */
+        public function PolygonRings(mostWork:Number)
         {
+            this.mostWork = mostWork;
         }
 
         /**

@@ -7,8 +7,7 @@ package starlogo.models.polygons
      * are joined to the outline (HoleBridges), and ears are cut off (EarClipper). Every outline is accepted. Corners in a straight line,
      * and outlines that cross or cover themselves, never produce a triangle of area 0.</p>
      *
-     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners. The total work is limited to 10,000,000 looks at
-     * corners. Beyond that, corners are cut off without a test, and holes are filled.</p>
+     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the given number of looks at corners.</p>
      *
      * @private
      */
@@ -18,7 +17,7 @@ package starlogo.models.polygons
         private static const WORK_PER_STEP:int = 10000;
 
         private var _vertices:Vector.<Number>;
-        private var _rings:PolygonRings = new PolygonRings();
+        private var _rings:PolygonRings;
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
 
@@ -28,11 +27,14 @@ package starlogo.models.polygons
         private var _isCutting:Boolean = false;
 
         /**
+         * @param mostWork the most looks at corners, for all polygons together. Beyond that, corners are cut off without a test, and holes
+         * are filled
          * @param vertices as in setTarget
          * @param triangles as in setTarget
          */
-        public function Triangulator(vertices:Vector.<Number> = null, triangles:Vector.<uint> = null)
+        public function Triangulator(mostWork:Number, vertices:Vector.<Number> = null, triangles:Vector.<uint> = null)
         {
+            _rings = new PolygonRings(mostWork);
             setTarget(vertices, triangles);
             _bridges = new HoleBridges(_rings);
             _clipper = new EarClipper(_rings);

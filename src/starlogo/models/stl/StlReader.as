@@ -6,7 +6,7 @@ package starlogo.models.stl
     import starlogo.models.Decimal;
     import starlogo.models.LineReader;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelBudget;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
 
@@ -41,19 +41,19 @@ package starlogo.models.stl
          */
         public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object)
         {
-            super(name, upAxis);
+            super(name, bytes == null ? text.length : bytes.length, upAxis);
             _bytes = bytes;
             if (bytes != null)
             {
                 bytes.endian = Endian.LITTLE_ENDIAN;
                 _count = countIn(bytes);
-                refuseIf(ModelLimits.areExceeded(0, _count), name, ModelLimits.PROBLEM);
-                _points = new PointTable(Math.min(3 * _count, ModelLimits.VERTICES));
+                budget.require(ModelBudget.TRIANGLES, _count);
+                _points = new PointTable(Math.min(3 * _count, ModelBudget.MOST_VERTICES));
                 slices(_count, FACETS_PER_STEP, readFacets);
             }
             else
             {
-                _points = new PointTable(Math.min(text.length / 20, ModelLimits.VERTICES));
+                _points = new PointTable(Math.min(text.length / 20, ModelBudget.MOST_VERTICES));
                 readLines(text);
             }
             vertices = _points.coordinates;

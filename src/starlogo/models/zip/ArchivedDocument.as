@@ -3,7 +3,7 @@ package starlogo.models.zip
     import flash.utils.ByteArray;
     import starlogo.models.ModelError;
     import starlogo.models.ModelFile;
-    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelBudget;
     import starlogo.models.TextTokens;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -48,7 +48,7 @@ package starlogo.models.zip
 
         private function unpackingDocument():Steps
         {
-            _document = _archive.unpack(documentPath(), ModelLimits.BYTES);
+            _document = _archive.unpack(documentPath(), ModelBudget.BYTES);
             return _document;
         }
 

@@ -68,7 +68,6 @@ package starlogo.models.zip
             if (isDeflated)
             {
                 _packed = packed;
-                content.length = size + LONGEST_MATCH;
             }
             else
             {
@@ -257,6 +256,10 @@ package starlogo.models.zip
             var bitCount:int = _bitCount;
             var written:int = _written;
             var end:int = Math.min(_written + BYTES_PER_STEP, _size + 1);
+            if (content.length < end + LONGEST_MATCH)
+            {
+                content.length = Math.min(2 * end, _size) + LONGEST_MATCH + BYTES_PER_STEP;
+            }
             while (written < end)
             {
                 if (bitCount < 16)

@@ -135,7 +135,7 @@ package starlogo.models.polygons
                 corners.push(i);
             }
             var triangles:Vector.<uint> = new Vector.<uint>();
-            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(10000000, vertices, triangles);
             triangulator.addPolygon(corners);
             var pieces:int = 1;
             for (; triangulator.isCutting; pieces++)
@@ -180,7 +180,7 @@ package starlogo.models.polygons
 
         private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
         {
-            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(10000000, vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
             triangulator.addPolygon(loops[0], holes);
             while (triangulator.isCutting)

@@ -1,0 +1,99 @@
+package starlogo.models
+{
+    /**
+     * What reading a file may cost. A reader asks it before it reserves memory for a declared count, and before it does something again.
+     * What a file may repeat grows with the bytes that are present, so time and memory are in proportion to them (docs/limits.md).
+     *
+     * @private
+     */
+    public final class ModelBudget
+    {
+        /** The vertices of the model, with those of every instance. */
+        public static const VERTICES:int = 0;
+
+        /** The triangles of the model, with those of every instance. */
+        public static const TRIANGLES:int = 1;
+
+        /** The numbers that are read. They count as often as they are used. */
+        public static const NUMBERS:int = 2;
+
+        /** The numbers that a file has no data for, because it only declares them. */
+        public static const ZEROS:int = 3;
+
+        /** Elements, values, nodes, transforms and instances. They count as often as they are placed. */
+        public static const THINGS:int = 4;
+
+        /** Other files that are fetched. */
+        public static const FILES:int = 5;
+
+        /** The most vertices of a model. */
+        public static const MOST_VERTICES:int = 1000000;
+
+        /** The most bytes of a file. */
+        public static const BYTES:int = 67108864;
+
+        /** The most looks at corners while polygons are cut, for each byte of a file, and beside that. */
+        private static const LOOKS_PER_BYTE:Number = 40;
+        private static const LOOKS:Number = 100000;
+
+        private static const WHAT:Vector.<String> = new <String>["# vertices or 2000000 triangles", "1000000 vertices or # triangles",
+                "# numbers, each counted as often as it is used", "# numbers without data",
+                "# elements, values, nodes, transforms and instances, each counted as often as it is placed", "# other files"];
+        private static const VERTICES_PER_BYTE:Number = 16;
+        private static const FREE_VERTICES:Number = 100000;
+        private static const NUMBERS_PER_BYTE:Number = 16;
+        private static const FREE_NUMBERS:Number = 500000;
+        private static const MOST_NUMBERS:Number = 40000000;
+        private static const THINGS_PER_BYTE:Number = 1;
+        private static const FREE_THINGS:Number = 50000;
+        private static const MOST_THINGS:Number = 500000;
+
+        private var _name:String;
+        private var _bytes:Number = 0;
+        private var _most:Vector.<Number> = new <Number>[0, 0, 0, 0, 0, 100];
+        private var _taken:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /**
+         * @param name the model's name
+         * @param bytes the bytes or characters that are present
+         */
+        public function ModelBudget(name:String, bytes:Number)
+        {
+            _name = name;
+            addBytes(bytes);
+        }
+
+        /** Adds bytes that have come. */
+        public function addBytes(bytes:Number):void
+        {
+            _bytes += bytes;
+            _most[VERTICES] = Math.min(MOST_VERTICES, FREE_VERTICES + VERTICES_PER_BYTE * _bytes);
+            _most[TRIANGLES] = 2 * _most[VERTICES];
+            _most[NUMBERS] = Math.min(MOST_NUMBERS, FREE_NUMBERS + NUMBERS_PER_BYTE * _bytes);
+            _most[ZEROS] = _bytes;
+            _most[THINGS] = Math.min(MOST_THINGS, FREE_THINGS + THINGS_PER_BYTE * _bytes);
+        }
+
+        /** The most looks at corners while polygons are cut. */
+        public function get looks():Number
+        {
+            return LOOKS + LOOKS_PER_BYTE * _bytes;
+        }
+
+        /** Takes some of a kind. @throws ModelError if fewer are left */
+        public function take(kind:int, count:Number, place:Object = ""):void
+        {
+            _taken[kind] += count;
+            require(kind, _taken[kind], place);
+        }
+
+        /** Checks a number of which none is taken. @throws ModelError if it is more than a file may have */
+        public function require(kind:int, count:Number, place:Object = ""):void
+        {
+            if (count > _most[kind])
+            {
+                throw new ModelError(_name, String(place), "it has more than " + WHAT[kind].replace("#", _most[kind]));
+            }
+        }
+    }
+}

@@ -9,7 +9,7 @@ package starlogo.models
         public var url:String;
 
         private var _fetch:ModelFetch = null;
-        private var _models:Object = null;
+        private var _models:Object = null; // the key is "#" and a file, which differs from every property that each Object has
 
         /** @param url the list's address */
         public function ModelManifest(url:String)
@@ -40,25 +40,32 @@ package starlogo.models
             }
             _models ||= read(_fetch.bytes);
             var name:String = parts[1].substr(folder.length);
-            var entry:Object = entryOf(_models, name);
+            var entry:Object = _models["#" + name];
             var cooked:Object = entry == null ? null : entry["cooked"];
-            return cooked is String && ModelAddress.isWithin(String(cooked)) ? folder + cooked + parts[2] : null;
+            // the model's own address may be anywhere, because the game chose it
+            var own:String = cooked is String ? String(cooked) : "";
+            own = own.indexOf(name) == 0 ? own.substr(name.length) : own;
+            return ModelAddress.isWithin(own) ? folder + cooked + parts[2] : null;
         }
 
         // A file that is no list counts as an empty list.
         private static function read(bytes:ByteArray):Object
         {
-            var models:Object = null;
+            var models:Object = {};
             try
             {
                 bytes.position = 0;
-                models = JSON.parse(bytes.readUTFBytes(bytes.length)).models;
+                var read:Object = JSON.parse(bytes.readUTFBytes(bytes.length)).models;
+                for (var name:String in read)
+                {
+                    models["#" + name] = read[name];
+                }
             }
             catch (error:Error)
             {
-                models = null; // it was not fetched, or is no JSON
+                return {}; // it was not fetched, or is no JSON
             }
-            return models || new Object();
+            return models;
         }
     }
 }

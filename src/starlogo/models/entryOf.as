@@ -7,10 +7,6 @@ package starlogo.models
      */
     public function entryOf(owner:Object, name:String):Object
     {
-        if (owner != null && owner.hasOwnProperty is Function)
-        {
-            return owner.hasOwnProperty(name) ? owner[name] : null;
-        }
         for (var key:String in owner)
         {
             if (key == name)

@@ -4,6 +4,7 @@ package starlogo.models
     import flash.events.Event;
     import flash.events.IOErrorEvent;
     import flash.events.ProgressEvent;
+    import flash.net.URLLoader;
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
@@ -12,6 +13,7 @@ package starlogo.models
     import starlogo.GreatLand;
     import support.CountingFitter;
     import support.LibraryContents;
+    import support.OfferingURLLoader;
     import support.SteppedModels;
     import support.encoded;
 
@@ -222,6 +224,20 @@ package starlogo.models
                     assertTrue(_greatLand.hasModel("dragon") && _greatLand.hasModel("kelp"));
                     assertTrue("it stops when the budget is spent", offering.longestFrame <= BUDGET + offering.longestStep);
                 });
+        }
+
+        [Test]
+        public function aManifestNamesNothingOutsideItsFolder():void
+        {
+            for each (var address:String in ["x", "../x", "//other.host/x", "ht\ntps://x", "%2e%2e/x", "/x", "bear.obj/../../x", "bear.obj"])
+            {
+                var manifest:ModelManifest = new ModelManifest("a/m.json");
+                manifest.fetch(function():URLLoader
+                    {
+                        return new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: address}}}))});
+                    });
+                assertEquals(address, address == "x" ? "a/x?v=1" : null, manifest.addressFor("a/bear.obj?v=1"));
+            }
         }
 
         [Test]

@@ -8,7 +8,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, write
 import { gzipSync } from "node:zlib";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { build } from "esbuild";
+import { build, transform } from "esbuild";
 import { models } from "../../assets/generator/models/index.mjs";
 import { palette } from "../../assets/generator/palette.mjs";
 import { flatten } from "../../assets/generator/scene.mjs";
@@ -52,6 +52,21 @@ const formatsApart = (isSingle) => ({
 		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: readable, suffix: !isSingle && importer.endsWith("formats.js") ? "?formats" : "" }));
 	},
 });
+
+/**
+ * Gives the engine's private members, and those that only its packages share, short names. All uses of them are in the engine's one file.
+ * Only its marks of classes ($isAgent) are named in texts.
+ */
+const shortEngine = {
+	name: "short-engine",
+	setup({ onLoad }) {
+		onLoad({ filter: /starlogo-collision\.js$/ }, async ({ path: file }) => {
+			const text = readFileSync(file, "utf8");
+			if (/["'](_|\$(?!is[A-Z]))[a-z]/i.test(text)) throw new Error(`${file} is not as it was: it names private members in texts`);
+			return { contents: (await transform(text, { mangleProps: /^[_$][a-z]/i, reserveProps: /^\$is[A-Z]/, target: "es2022" })).code, loader: "js" };
+		});
+	},
+};
 
 /** Keeps only those of Blockly's messages that bundled code names, in each language. */
 const fewMessages = {
@@ -99,7 +114,7 @@ const UNUSED_CLASSES = ["KeyframeTrack", "BooleanKeyframeTrack", "ColorKeyframeT
 /**
  * Removes unused parts of three.js. three.js contains every shader for every material as text, which no bundler leaves out. Shaders that
  * the page does not use become empty. Other shaders include them only if a feature switches them on. Unused parts of the renderer are
- * removed too.
+ * removed too, and what writes scenes into files.
  */
 const leanThree = {
 	name: "lean-three",
@@ -130,7 +145,9 @@ const leanThree = {
 				if (short === text) throw new Error(`${file} is not as it was: look what is written into ${name}`);
 				text = short;
 			}
-			return { contents: text, loader: "js" };
+			const silent = text.replace(/^\ttoJSON\([^)]*\) \{\n[^]*?^\t\}\n/gm, "");
+			if (silent.length > text.length - 20000) throw new Error(`${file} is not as it was: look how toJSON is written`);
+			return { contents: silent, loader: "js" };
 		});
 	},
 };
@@ -149,7 +166,7 @@ const settings = (isSingle) => ({
 	chunkNames: "parts/[name]-[hash]",
 	alias: { ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
-	plugins: [tameBlockly(isSingle), formatsApart(isSingle), fewMessages, leanThree],
+	plugins: [tameBlockly(isSingle), formatsApart(isSingle), shortEngine, fewMessages, leanThree],
 	logLevel: "warning",
 });
 

@@ -5,22 +5,22 @@
 import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
 import { chiefOf } from "./shared/files.js";
-import { further, learnClass, speak, texts } from "./shared/language.js";
+import { further, learn, speak, texts } from "./shared/language.js";
 import { DOCS } from "./shared/served.js";
 
-/** The languages, each with its own name, its words, and those for teachers. */
+/** The languages, each with its own name, its words, and the words of some views. */
 const LANGUAGES = {
-	en: { name: "English", load: () => import("./languages/en.js"), loadClass: () => import("./languages/class/en.js") },
-	de: { name: "Deutsch", load: () => import("./languages/de.js"), loadClass: () => import("./languages/class/de.js") },
+	en: { name: "English", load: () => import("./languages/en.js"), further: { class: () => import("./languages/class/en.js"), lab: () => import("./languages/lab/en.js") } },
+	de: { name: "Deutsch", load: () => import("./languages/de.js"), further: { class: () => import("./languages/class/de.js"), lab: () => import("./languages/lab/de.js") } },
 };
 const LANGUAGE_KEY = "starlogo-playground.language";
 
 const VIEWS = {
 	play: () => import("./play/view.js"),
-	inspect: () => import("./inspect/view.js"),
-	compare: () => import("./compare/view.js"),
-	measure: () => import("./measure/view.js"),
-	teach: () => learnClass().then(() => import("./teach/view.js")),
+	inspect: () => learn("lab").then(() => import("./inspect/view.js")),
+	compare: () => learn("lab").then(() => import("./compare/view.js")),
+	measure: () => learn("lab").then(() => import("./measure/view.js")),
+	teach: () => learn("class").then(() => import("./teach/view.js")),
 };
 
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
@@ -61,7 +61,7 @@ async function begin() {
 	lendColours(document.documentElement);
 	const code = languageOf();
 	speak((await LANGUAGES[code].load()).texts);
-	further.load = LANGUAGES[code].loadClass;
+	for (const [name, load] of Object.entries(LANGUAGES[code].further)) further[name] = { load };
 	document.documentElement.lang = code;
 	document.querySelector("h1 span").textContent = texts.page.name;
 	const views = document.getElementById("views");

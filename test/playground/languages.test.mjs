@@ -9,7 +9,7 @@ import { begin, drawNothing, open, ready, root } from './browser.mjs';
 
 const folder = path.join(root, 'js/playground/languages');
 const wordsIn = async (file) => (await import(pathToFileURL(path.join(folder, file)).href)).texts;
-const languages = Object.fromEntries(await Promise.all(readdirSync(folder).filter((file) => file.endsWith('.js')).map(async (file) => [path.parse(file).name, { ...await wordsIn(file), ...await wordsIn(`class/${file}`) }])));
+const languages = Object.fromEntries(await Promise.all(readdirSync(folder).filter((file) => file.endsWith('.js')).map(async (file) => [path.parse(file).name, { ...await wordsIn(file), ...await wordsIn(`class/${file}`), ...await wordsIn(`lab/${file}`) }])));
 const { en, ...others } = languages;
 const German = { locale: 'de-AT', viewport: { width: 1366, height: 768 }, isDrawn: false };
 

@@ -61,13 +61,13 @@ class CompareView {
 		this.code = h("code");
 		this.shared = h("span", { role: "status" });
 		const copied = h("span", { role: "status" });
-		const copy = button(words.copy, async () => {
+		const copy = button(texts.copying.copy, async () => {
 			try {
 				await navigator.clipboard.writeText(this.code.textContent);
-				copied.textContent = words.copied;
+				copied.textContent = texts.copying.copied;
 			} catch {
 				getSelection().selectAllChildren(this.code);
-				copied.textContent = words.notCopied;
+				copied.textContent = texts.copying.notCopied;
 			}
 		});
 		const listing = h("details.code", {}, h("summary", {}, words.code), h("div.tools", {}, copy, copied), h("pre", { tabindex: "0", "aria-label": words.code }, this.code));

@@ -22,15 +22,15 @@ export function showJavascript(program, title, file, models) {
 	const copy = async () => {
 		try {
 			await navigator.clipboard.writeText(text);
-			said.textContent = texts.compare.copied;
+			said.textContent = texts.copying.copied;
 		} catch {
 			getSelection().selectAllChildren(code);
-			said.textContent = texts.compare.notCopied;
+			said.textContent = texts.copying.notCopied;
 		}
 	};
 	const dialog = h("dialog.ask.javascript", { "aria-label": words.title, onclose: () => dialog.remove() },
 		h("h2", {}, words.title), h("p", {}, words.note),
-		h("div.tools", {}, button(texts.compare.copy, copy, { class: "primary" }), button(words.download, () => hand(text, `${file}.mjs`, "text/javascript")),
+		h("div.tools", {}, button(texts.copying.copy, copy, { class: "primary" }), button(words.download, () => hand(text, `${file}.mjs`, "text/javascript")),
 			...(DOCS ? [h("a", { href: `${DOCS}index.html`, target: "_blank" }, words.documentation), h("a", { href: `${DOCS}examples.html`, target: "_blank" }, words.examples)] : []), said,
 			button(texts.gallery.close, () => dialog.close(), { class: "close" })),
 		h("pre", { tabindex: "0", "aria-label": words.title }, code));

@@ -2,7 +2,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
-import { learnClass, texts } from "../shared/language.js";
+import { learn, texts } from "../shared/language.js";
 import { MODEL_FILE } from "./kept.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { create, program as programOf, size, start } from "./notation.js";
@@ -423,14 +423,14 @@ export class Programs {
 
 	/** Opens the dialog that hands in all of the user's work. */
 	async handIn() {
-		await learnClass();
+		await learn("class");
 		const { handIn } = await import("./handin.js");
 		handIn(this);
 	}
 
 	/** Opens the dialog that makes the browser forget this pupil. */
 	async nextPupil() {
-		await learnClass();
+		await learn("class");
 		const { nextPupil } = await import("./handin.js");
 		nextPupil(this);
 	}

@@ -6,12 +6,14 @@ export function speak(words) {
 	Object.assign(texts, words);
 }
 
-/** Loads the words of the teacher's pages and of handing in. The page's first script sets it. */
-export const further = { load: null };
+/** Load the words that only some views need: "class" for the teacher's pages and handing in, "lab" for the others. The first script fills it in. */
+export const further = {};
 
 /** Waits until these words are there. */
-export async function learnClass() {
-	if (!texts.handing) speak((await further.load()).texts);
+export async function learn(name) {
+	const { load } = further[name];
+	further[name].loaded ??= load().then((words) => speak(words.texts));
+	await further[name].loaded;
 }
 
 /** A number with this many decimals, with the language's decimal sign. */

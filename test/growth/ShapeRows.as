@@ -2,6 +2,7 @@ package growth
 {
     import starlogo.GreatLand;
     import starlogo.models.Model;
+    import support.SolidModels;
 
     /** What is computed of models: hulls, structures, hierarchies, surfaces. */
     public final class ShapeRows
@@ -13,7 +14,29 @@ package growth
                     new GrowthRow("model: a closed curve", "vertices", 2000, 40000, beginModel(curve)),
                     new GrowthRow("model: two skew arcs", "vertices", 2000, 40000, beginModel(arcs)),
                     new GrowthRow("model: a skew plane", "vertices", 4000, 80000, beginModel(plane)),
-                    new GrowthRow("model: a skew plane, exact", "vertices", 4000, 80000, beginModel(plane, true))];
+                    new GrowthRow("model: a skew plane, exact", "vertices", 4000, 80000, beginModel(plane, true)),
+                    new GrowthRow("model: two rings", "vertices", 2000, 40000, beginModel(rings)),
+                    new GrowthRow("model: triangles at one edge, exact", "triangles", 2000, 80000, beginModel(edgeFan, true)),
+                    new GrowthRow("model: triangles at one vertex, exact", "triangles", 2000, 80000, beginModel(vertexFan, true)),
+                    new GrowthRow("model: copies of a triangle, exact", "triangles", 2000, 80000, beginModel(copies, true)),
+                    new GrowthRow("model: pieces from 1e-6 to 1e6, exact", "pieces", 500, 20000, beginModel(geometricRow, true)),
+                    new GrowthRow("model: cavities in cavities, exact", "pieces", 100, 1600, beginModel(cavities, true)),
+                    new GrowthRow("model: boxes edge to edge, turned in and out, exact", "pieces", 200, 8000, beginModel(boxes, true)),
+                    new GrowthRow("model: unknown names", "names", 10000, 600000, beginNames)];
+        }
+
+        // Asks for n models that are not there.
+        private static function beginNames(n:int, row:GrowthRow):Function
+        {
+            return function():Object
+            {
+                var greatLand:GreatLand = new GreatLand();
+                for (var i:int = 0; i < n; i++)
+                {
+                    greatLand.hasModel("unknown " + i);
+                }
+                return greatLand;
+            };
         }
 
         // Adds a model of n vertices to a game.
@@ -60,6 +83,91 @@ package growth
                 }
             }
             return new Model("a", points);
+        }
+
+        private static function rings(n:int):Model
+        {
+            var points:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < n; i++)
+            {
+                var angle:Number = 2 * Math.PI * int(i / 2) / int(n / 2);
+                points.push(Math.cos(angle), Math.sin(angle), i & 1);
+            }
+            return new Model("a", points);
+        }
+
+        private static function edgeFan(n:int):Model
+        {
+            var points:Vector.<Number> = new <Number>[0, 0, 0, 0, 0, 1];
+            var corners:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < n; i++)
+            {
+                var angle:Number = 2 * Math.PI * i / n;
+                points.push(Math.cos(angle), Math.sin(angle), 0.5);
+                corners.push(0, 1, 2 + i);
+            }
+            return new Model("a", points, corners);
+        }
+
+        private static function vertexFan(n:int):Model
+        {
+            var points:Vector.<Number> = new <Number>[0, 0, 1];
+            var corners:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < n; i++)
+            {
+                var angle:Number = 2 * Math.PI * i / n;
+                points.push(Math.cos(angle), Math.sin(angle), 0);
+                corners.push(0, 1 + i, 1 + (i + 1) % n);
+            }
+            return new Model("a", points, corners);
+        }
+
+        private static function copies(n:int):Model
+        {
+            var corners:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < n; i++)
+            {
+                corners.push(0, i % 3 == 0 ? 1 : 2, i % 3 == 0 ? 2 : 1);
+            }
+            return new Model("a", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], corners);
+        }
+
+        private static function geometricRow(n:int):Model
+        {
+            return pieces(n, function(i:int):Array
+                {
+                    var size:Number = Math.pow(10, 12 * i / n - 6);
+                    return [0.2 * size, size, size * (i % 7) / 7, size * (i % 3) / 3, false];
+                });
+        }
+
+        private static function cavities(n:int):Model
+        {
+            return pieces(n, function(i:int):Array
+                {
+                    var size:Number = 1 - i / n;
+                    return [size, 0, 0, -size / 2, i % 2 == 1];
+                });
+        }
+
+        private static function boxes(n:int):Model
+        {
+            var side:int = Math.sqrt(n);
+            return pieces(side * side, function(i:int):Array
+                {
+                    return [1, i % side, int(i / side), (i + int(i / side)) % 2, i % 3 == 1];
+                });
+        }
+
+        // Cubes. of(i) has size, x, y, z, and whether it is turned inside out.
+        private static function pieces(n:int, of:Function):Model
+        {
+            var cubes:Array = [];
+            for (var i:int = 0; i < n; i++)
+            {
+                cubes.push(of(i));
+            }
+            return SolidModels.of("a", cubes, Model.AS_GIVEN);
         }
 
         // A square grid of triangles in the plane x + y + z = 0.

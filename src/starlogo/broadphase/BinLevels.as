@@ -33,23 +33,18 @@ package starlogo.broadphase
                 half = other;
             }
             var level:BinLevel = byNumber[extents.level[row]];
-            var isFitting:Boolean = level != null && half <= level.largestHalf && half > level.tooSmallHalf;
-            var width:Number = isFitting ? level.width : widthFor(2 * half);
-            var reach:Number = width * BinLevel.REACH;
             var middleX:Number = extents.x[row];
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
             var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            var isFar:Boolean = distanceSquared >= reach * reach;
-            if (isFar)
+            if (level != null && half <= level.largestHalf && half > level.tooSmallHalf && distanceSquared < level.reachSquared)
             {
-                width = widthFor(Math.sqrt(distanceSquared) / BinLevel.REACH);
+                return false;
             }
-            if (isFar || !isFitting)
-            {
-                extents.level[row] = levelOf(width).number;
-            }
-            return isFar;
+            var width:Number = widthFor(2 * half);
+            var distant:Number = widthFor(Math.sqrt(distanceSquared) / BinLevel.REACH);
+            extents.level[row] = levelOf(Math.max(width, distant)).number;
+            return distant > width;
         }
 
         /**

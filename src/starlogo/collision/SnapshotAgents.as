@@ -103,12 +103,12 @@ package starlogo.collision
             bytes.position = 0;
             while (bytes.bytesAvailable >= 4)
             {
-                hash = hash * 31 + bytes.readInt() | 0;
+                hash = (hash << 5) - hash + bytes.readInt();
                 hash ^= hash >>> 15;
             }
             while (bytes.bytesAvailable > 0)
             {
-                hash = hash * 31 + bytes.readUnsignedByte() | 0;
+                hash = (hash << 5) - hash + bytes.readUnsignedByte();
             }
             return hash;
         }

@@ -74,8 +74,17 @@ package starlogo.handlers
             }
             var breed:int = numbers[breedNumber];
             var otherBreed:int = numbers[otherNumber];
-            var ofBreed:Vector.<PairHandlers> = _pairs[breed + 1] ||= new Vector.<PairHandlers>(_pairs.length, true);
-            return ofBreed[otherBreed + 1] ||= make(breed, otherBreed);
+            var ofBreed:Vector.<PairHandlers> = _pairs[breed + 1];
+            if (ofBreed == null)
+            {
+                ofBreed = _pairs[breed + 1] = new Vector.<PairHandlers>(_pairs.length, true);
+            }
+            var found:PairHandlers = ofBreed[otherBreed + 1];
+            if (found == null)
+            {
+                found = ofBreed[otherBreed + 1] = make(breed, otherBreed);
+            }
+            return found;
         }
 
         private function make(breed:int, otherBreed:int):PairHandlers

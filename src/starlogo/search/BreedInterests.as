@@ -36,11 +36,9 @@ package starlogo.search
         private var _others:int = -1;
         private var _agentBreeds:int = 0;
 
-        // A bit for each pair of numbers that was added, in both orders. A row of bits has _words elements. By number: whether all breeds of
-        // agents are of interest together with it.
+        // A bit for each pair of numbers, in both orders: whether it is of interest. A row of bits has _words elements.
         private var _bits:Vector.<int> = new Vector.<int>();
         private var _words:int = 1;
-        private var _withAll:Vector.<Boolean> = new Vector.<Boolean>();
 
         // How many pairs of breeds of agents have a bit.
         private var _agentPairs:int = 0;
@@ -72,17 +70,15 @@ package starlogo.search
         {
             var number:int = enter(breed);
             var other:int = enter(otherBreed);
-            if (number == _others || other == _others)
+            if (!hasBit(number, other))
             {
-                _withAll[number == _others ? other : number] = true;
+                var end:int = number == _others ? breedCount : number + 1;
+                for (var i:int = number == _others ? 0 : number; i < end; i++)
+                {
+                    markWith(i, number, other);
+                }
             }
-            else if (!hasBit(number, other))
-            {
-                setBit(number, other);
-                setBit(other, number);
-                _agentPairs += isOfAgents(number) && isOfAgents(other) ? 1 : 0;
-            }
-            areAll = _others >= 0 ? _withAll[_others] : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
+            areAll = 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
         }
 
         /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
@@ -98,7 +94,7 @@ package starlogo.search
         {
             var count:int = breedCount;
             return index >= 0 && index < count && otherIndex >= 0 && otherIndex < count
-                && (hasBit(index, otherIndex) || _withAll[index] && isOfAgents(otherIndex) || _withAll[otherIndex] && isOfAgents(index));
+                && hasBit(index, otherIndex);
         }
 
         /** @private Gives numbers to the breeds that appeared after the last call. */
@@ -162,20 +158,14 @@ package starlogo.search
         internal function keepOfInterest(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var numbersOfRows:Vector.<int> = ofRows;
-            var number:int = numbersOfRows[row];
-            if (_withAll[number])
-            {
-                return count;
-            }
             var bits:Vector.<int> = _bits;
-            var first:int = number * _words;
-            var areOfAgents:Boolean = isOfAgents(number);
+            var first:int = numbersOfRows[row] * _words;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
                 var otherNumber:int = numbersOfRows[rows[other]];
-                if ((bits[int(first + (otherNumber >> 5))] & (1 << otherNumber)) != 0 || areOfAgents && _withAll[otherNumber])
+                if ((bits[int(first + (otherNumber >> 5))] & (1 << otherNumber)) != 0)
                 {
                     others[kept] = other;
                     kept++;
@@ -207,7 +197,6 @@ package starlogo.search
                 return number;
             }
             number = _named.push(breed) - 1;
-            _withAll[number] = false;
             if (number >= 32 * _words)
             {
                 widen();
@@ -216,12 +205,13 @@ package starlogo.search
             {
                 _bits.push(0);
             }
+            var i:int;
             if (breed == OTHERS)
             {
                 _others = number;
                 numbers.length = 0;
                 follow();
-                for (var i:int = 0; i < number; i++)
+                for (i = 0; i < number; i++)
                 {
                     numbers[_named[i]] = i;
                 }
@@ -231,7 +221,38 @@ package starlogo.search
                 numbers[breed] = number;
             }
             _agentBreeds += isOfAgents(number) ? 1 : 0;
+            // until now the breed was one of the others
+            for (i = 0; _others >= 0 && _others != number && isOfAgents(number) && i <= number; i++)
+            {
+                if (hasBit(_others, i == number ? _others : i))
+                {
+                    mark(number, i);
+                }
+            }
             return number;
+        }
+
+        // Marks the pairs of a number and another number, or all breeds of agents if that stands for ANY_BREED.
+        private function markWith(i:int, number:int, other:int):void
+        {
+            var end:int = other == _others ? breedCount : other + 1;
+            for (var k:int = other == _others ? 0 : other; k < end; k++)
+            {
+                if ((i == number || isOfAgents(i)) && (k == other || isOfAgents(k)))
+                {
+                    mark(i, k);
+                }
+            }
+        }
+
+        private function mark(number:int, other:int):void
+        {
+            if (!hasBit(number, other))
+            {
+                setBit(number, other);
+                setBit(other, number);
+                _agentPairs += isOfAgents(number) && isOfAgents(other) ? 1 : 0;
+            }
         }
 
         // Makes the rows of bits twice as long.

@@ -1,0 +1,97 @@
+package starlogo.search
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /** Pairs of breeds, compared with a list of them. */
+    public class BreedInterestsTest
+    {
+        private var _random:SeededRandom;
+        private var _names:Array;
+
+        [Before]
+        public function makeNames():void
+        {
+            _random = new SeededRandom(4810);
+            _names = [Breeds.TERRAIN, Breeds.EDGE];
+            for (var i:int = 0; i < 40; i++)
+            {
+                _names.push("interest " + i);
+            }
+        }
+
+        [Test]
+        public function arePairsThatWereAdded():void
+        {
+            var including:int = 0;
+            for (var game:int = 0; game < 12; game++)
+            {
+                var interests:BreedInterests = new BreedInterests();
+                var added:Array = [];
+                for (var count:int = 1; count < 70; count++)
+                {
+                    var pair:Array = [anyName(game), anyName(game)];
+                    added.push(pair);
+                    interests.add(pair[0], pair[1]);
+                    including += count % 9 == 0 || count < 6 ? check(interests, added) : 0;
+                }
+            }
+            assertTrue(including + " pairs", including > 5000);
+        }
+
+        // In some games only a few breeds are named.
+        private function anyName(game:int):String
+        {
+            if (_random.chance(game % 3 == 0 ? 0.1 : 0))
+            {
+                return BreedInterests.ANY_BREED;
+            }
+            return _random.chance(0.1) ? _names[_random.integer(0, 1)] : _names[_random.integer(2, game % 2 == 0 ? 5 : 39)];
+        }
+
+        private function check(interests:BreedInterests, added:Array):int
+        {
+            var including:int = 0;
+            var areAll:Boolean = true;
+            for each (var a:String in _names)
+            {
+                for each (var b:String in _names)
+                {
+                    var expected:Boolean = isAdded(a, b, added);
+                    assertEquals(a + ", " + b + " of " + added.join(" "), expected, interests.includes(interests.indexOf(a), interests.indexOf(b)));
+                    including += expected ? 1 : 0;
+                    areAll = areAll && (expected || isFixture(a) || isFixture(b) || interests.indexOf(a) < 0 || interests.indexOf(b) < 0);
+                }
+            }
+            assertEquals(added.join(" "), areAll, interests.areAll);
+            return including;
+        }
+
+        private static function isAdded(a:String, b:String, added:Array):Boolean
+        {
+            for each (var pair:Array in added)
+            {
+                if (matches(pair[0], a) && matches(pair[1], b) || matches(pair[0], b) && matches(pair[1], a))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        private static function matches(name:String, breed:String):Boolean
+        {
+            return name == breed || name == BreedInterests.ANY_BREED && !isFixture(breed);
+        }
+
+        private static function isFixture(breed:String):Boolean
+        {
+            return breed == Breeds.TERRAIN || breed == Breeds.EDGE;
+        }
+    }
+}

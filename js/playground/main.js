@@ -137,7 +137,7 @@ onFile("drop", ({ dataTransfer }) => {
 	const files = [...dataTransfer.files];
 	const file = chiefOf(files);
 	if (shown?.view.openFile) shown.view.openFile(file, files);
-	else note.textContent = texts.dropElsewhere(file.name);
+	else note.textContent = /\.json$/i.test(file.name) ? texts.dropProgram(file.name) : texts.dropElsewhere(file.name);
 });
 
 addEventListener("hashchange", () => {

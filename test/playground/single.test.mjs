@@ -121,6 +121,7 @@ test('without a server, every view works, programs and models are kept, and noth
 	await page.goto(at('#teach/hunt'));
 	await page.waitForSelector('[data-drawn="hunt"]');
 	assert.ok(await page.locator('.shown-blocks .blocklyPath').count() > 3);
+	assert.equal(await page.locator('.sheet .address').count(), 0, 'a file has no address for others');
 	await page.goto(at('#play/maze'));
 	await ready(page, 'play');
 	await page.setInputFiles('input[type=file]', path.join(root, 'assets/bear.obj'));

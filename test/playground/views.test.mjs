@@ -563,6 +563,8 @@ test('a file that is dropped elsewhere, and a graphics card that goes away, are 
 	const { page, leave } = await open(site, 'compare');
 	await drop(page, ['bear.obj', Buffer.from('v 1 2 3')]);
 	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened\. Open models in the view “Inspect”/);
+	await drop(page, ['mine.json', Buffer.from('{}')]);
+	assert.match(await page.textContent('header [role=status]'), /^mine\.json was not opened\. Open programs in the view “Play”/);
 	await page.getByRole('link', { name: 'Inspect' }).click();
 	await ready(page, 'inspect');
 	assert.equal(await page.textContent('header [role=status]'), '');

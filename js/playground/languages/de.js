@@ -14,6 +14,7 @@ export const texts = {
 	again: "Noch einmal versuchen",
 	needsFiles: (file, others) => `${file} hat seine Daten in ${others}. Lege alle zusammen ab oder wähle sie zusammen.`,
 	dropElsewhere: (file) => `${file} wurde nicht geöffnet: Modelle sieht man sich unter „Untersuchen“ an.`,
+	dropProgram: (file) => `${file} wurde nicht geöffnet: Programme öffnet man unter „Spielen“.`,
 	lostWebGL: "Der Browser zeichnet kein 3D mehr: Die Grafikkarte ist beschäftigt oder wurde zurückgesetzt. Warte einen Augenblick oder lade die Seite neu. Alles außer den Bildern funktioniert.",
 	noWebGL: "Dieser Browser zeichnet hier kein 3D (WebGL ist abgeschaltet oder fehlt). Alles außer den Bildern funktioniert.",
 	shapes: {

@@ -19,6 +19,7 @@ export const texts = {
 	again: "Try again",
 	needsFiles: (file, others) => `${file} also needs ${others}. Drop or choose all of these files together.`,
 	dropElsewhere: (file) => `${file} was not opened. Open models in the view “Inspect”.`,
+	dropProgram: (file) => `${file} was not opened. Open programs in the view “Play”.`,
 	lostWebGL: "The browser has stopped drawing 3D because the graphics card is busy or was reset. Wait a moment, or load the page again. Everything but the pictures works.",
 	noWebGL: "This browser draws no 3D here (WebGL is off or missing). Everything but the pictures works.",
 	shapes: {

@@ -83,7 +83,8 @@ class TeachView {
 				})),
 				h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])),
 				h("h2", {}, title),
-				h("p", {}, h("a.address", { href: address.href }, address.href)),
+				// the address of a file leads nowhere on another computer
+				location.protocol === "file:" ? null : h("p", {}, h("a.address", { href: address.href }, address.href)),
 				picture, ...part(words.aim, aim), ...part(words.told, text), ...part(texts.lessons.challenge, challenge), ...part(texts.lessons.hint, hint),
 				h("h3", {}, words.given), blocks,
 				...part(words.ask, ask), h("div.lines", { "aria-hidden": "true" })),

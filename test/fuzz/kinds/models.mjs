@@ -42,8 +42,8 @@ function part(center, halves, isBox, isTurned) {
 }
 
 /**
- * Solids in a row that reach into each other, each turned inside out or not, and a shell that stands apart, whose inner surface bounds a cavity.
- * Returns the parts of the solids, and those of the shell.
+ * Solids in a row that reach into each other, each turned inside out or not, and a shell, whose inner surface bounds a cavity. There may be a solid
+ * in the cavity, and one across the shell's outer surface. Returns the parts of the solids, and those of the shell.
  */
 function partsOf(seed) {
 	const { random, between, integer } = toolsOf(numbersOf(seed));
@@ -51,8 +51,11 @@ function partsOf(seed) {
 	if (random() < 0.5) return { solids, shell: [] };
 	const isTurned = random() < 0.5;
 	const isBox = random() < 0.7;
-	const center = [between(-0.1, 0.1), 3, 0];
-	return { solids, shell: [part(center, [0.6, 0.6, 0.6], isBox, isTurned), part(center, [0.35, 0.3, 0.4], isBox, !isTurned)] };
+	const shell = [part([0, 3, 0], [0.6, 0.6, 0.6], isBox, isTurned), part([0, 3, 0], isBox ? [0.35, 0.3, 0.4] : [0.25, 0.2, 0.3], isBox, !isTurned)];
+	// a solid in the cavity, and one across the outer surface
+	if (random() < 0.4) solids.push(part([between(-0.02, 0.02), 3, 0], [0.08, 0.06, 0.07], random() < 0.7, random() < 0.5));
+	if (isBox && random() < 0.4) solids.push(part([between(-0.2, 0.2), 3.75, between(-0.2, 0.2)], [between(0.1, 0.3), 0.25, 0.2], random() < 0.7, random() < 0.5));
+	return { solids, shell };
 }
 
 /** The model of parts: with corners of its own for each triangle, or shared ones. */
@@ -145,10 +148,10 @@ export const models = {
 			}
 		},
 	},
-	/** An asker that has not moved, whose model is replaced: it has its new shape. */
+	/** An asker that has not moved, whose model is replaced, removed and there again: it has its new shape, or its questions are refused. */
 	asker: {
-		random: ({ integer, between }) => [1 + integer(1e6), 1 + integer(1e6), between(0, 2), integer(4)],
-		play(game, seed, other, away, which) {
+		random: ({ integer, between, random }) => [1 + integer(1e6), 1 + integer(1e6), between(0, 2), integer(4), random() < 0.5],
+		play(game, seed, other, away, which, isListed) {
 			const { land } = game;
 			land.loadAllBoundingStructures = true;
 			const give = (from) => {
@@ -158,21 +161,34 @@ export const models = {
 			give(seed);
 			const [asker, ball] = [new Agent("parts"), new Agent("sphere")];
 			ball.moveTo(away, 0.2, 0.1);
-			const system = game.makeSystem({ system: which, exact: seed % 2 === 0, depth: 5 });
-			const queries = new AgentQueries(system);
-			queries.update(seed % 3 === 0 ? [ball] : [ball, asker]);
-			const asked = () => [queries.touchesAny(asker), queries.distance(asker, ball), queries.distanceToPoint(asker, new Vector3D(away, 3, 1)), queries.castAgent(asker, 1, 0.2, 0.1)?.time ?? null, queries.touching(asker).length];
-			const again = () => {
-				const fresh = new AgentQueries(game.makeSystem({ system: which, exact: seed % 2 === 0, depth: 5 }));
+			const setting = { system: which, exact: seed % 2 === 0, depth: 5 };
+			const queries = new AgentQueries(game.makeSystem(setting));
+			queries.update(isListed ? [ball, asker] : [ball]);
+			const point = new Vector3D(away, 3, 1);
+			const questions = [(of) => of.touchesAny(asker), (of) => of.distance(asker, ball), (of) => of.distanceToPoint(asker, point), (of) => of.castAgent(asker, 1, 0.2, 0.1)?.time ?? null, (of) => of.touching(asker).length, (of) => of.overlapsAgent(asker, 0.1, 0.2, 0.3)];
+			const compare = () => {
+				const fresh = new AgentQueries(game.makeSystem(setting));
 				fresh.update([ball]);
-				return [fresh.touchesAny(asker), fresh.distance(asker, ball), fresh.distanceToPoint(asker, new Vector3D(away, 3, 1)), fresh.castAgent(asker, 1, 0.2, 0.1)?.time ?? null, fresh.touching(asker).length];
+				const [known, meant] = [queries, fresh].map((of) => questions.map((ask) => ask(of)));
+				game.expect("asker is stale", known.every((value, i) => value === meant[i] || Math.abs(value - meant[i]) < HAIR), `${known}, with new questions ${meant}, in system ${which}, away ${away}`);
 			};
 			for (const model of [seed, other]) {
 				give(model);
-				const [known, fresh] = [asked(), again()];
-				const isSame = known.every((value, i) => value === fresh[i] || Math.abs(value - fresh[i]) < HAIR);
-				game.expect("asker is stale", isSame, `${known}, with new questions ${fresh}, in system ${which}, away ${away}`);
+				compare();
 			}
+			land.removeModel("parts");
+			const needsModel = which > 0;
+			for (const [i, ask] of questions.entries()) {
+				let problem = null;
+				try {
+					ask(queries);
+				} catch (error) {
+					problem = error;
+				}
+				game.expect("asker without model", problem?.name === "ArgumentError" || !needsModel && problem === null, `question ${i}: ${problem}, in system ${which}`);
+			}
+			give(seed);
+			compare();
 		},
 	},
 };

@@ -107,7 +107,8 @@ package starlogo.collision
 
         /**
          * Computes how two agents touch. If both were in the last search, it takes them as they were then. Otherwise it takes them as they are now.
-         * If the collider belongs to a Collision, the last search is the search of its last frame.
+         * If the collider belongs to a Collision, the last search is the search of its last frame. The ground and the edges of the world count as
+         * they are now. A handler that changes them takes its contact as its third argument, which is of the frame.
          *
          * @param collider the normal points to it
          * @param collidee another agent

@@ -8,10 +8,16 @@ import { chiefOf } from "./shared/files.js";
 import { further, learn, speak, texts } from "./shared/language.js";
 import { DOCS } from "./shared/served.js";
 
-/** The languages, each with its own name, its words, and the words of some views. */
+/** The languages, each with its own name, the words that every view needs, and further parts of its words. */
 const LANGUAGES = {
-	en: { name: "English", load: () => import("./languages/en.js"), further: { class: () => import("./languages/class/en.js"), lab: () => import("./languages/lab/en.js") } },
-	de: { name: "Deutsch", load: () => import("./languages/de.js"), further: { class: () => import("./languages/class/de.js"), lab: () => import("./languages/lab/de.js") } },
+	en: {
+		name: "English", load: () => import("./languages/en.js"),
+		further: { class: () => import("./languages/class/en.js"), game: () => import("./languages/game/en.js"), lab: () => import("./languages/lab/en.js") },
+	},
+	de: {
+		name: "Deutsch", load: () => import("./languages/de.js"),
+		further: { class: () => import("./languages/class/de.js"), game: () => import("./languages/game/de.js"), lab: () => import("./languages/lab/de.js") },
+	},
 };
 const LANGUAGE_KEY = "starlogo-playground.language";
 
@@ -20,7 +26,7 @@ const VIEWS = {
 	inspect: () => learn("lab").then(() => import("./inspect/view.js")),
 	compare: () => learn("lab").then(() => import("./compare/view.js")),
 	measure: () => learn("lab").then(() => import("./measure/view.js")),
-	teach: () => learn("class").then(() => import("./teach/view.js")),
+	teach: () => Promise.all([learn("class"), learn("game")]).then(() => import("./teach/view.js")),
 };
 
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));

@@ -149,8 +149,12 @@ export async function hold(page, address) {
 
 export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: PATIENCE });
 
-/** Presses a button, by what is on it. */
-export const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
+/** Presses a button, by what is on it. If it is in the menu of Play, the menu is opened first. */
+export async function press(page, name) {
+	const isInMenu = await page.evaluate((wanted) => [...document.querySelectorAll('.menu:not(:popover-open) button')].some(({ textContent }) => textContent === wanted), name);
+	if (isInMenu) await page.locator('.tool-menu').click();
+	await page.getByRole('button', { name, exact: true }).click();
+}
 
 /** Waits for the title of the program that is open in Play. */
 export const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);

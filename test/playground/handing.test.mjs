@@ -29,7 +29,6 @@ async function doHelmet(page) {
 	await go(page, 'play/lesson-helmet');
 	await page.waitForFunction(() => /helmet/.test(document.querySelector('.lesson h2')?.textContent));
 	await page.getByLabel('Collision system').selectOption('exact');
-	await press(page, 'Step');
 	await page.waitForFunction(() => /^Done!/.test(document.querySelector('.why').textContent));
 }
 

@@ -9,7 +9,15 @@ import { begin, drawNothing, open, ready, root } from './browser.mjs';
 
 const folder = path.join(root, 'js/playground/languages');
 const wordsIn = async (file) => (await import(pathToFileURL(path.join(folder, file)).href)).texts;
-const languages = Object.fromEntries(await Promise.all(readdirSync(folder).filter((file) => file.endsWith('.js')).map(async (file) => [path.parse(file).name, { ...await wordsIn(file), ...await wordsIn(`class/${file}`), ...await wordsIn(`lab/${file}`) }])));
+/** All words of a language: every view's, and the parts that load later. */
+async function wordsOf(file) {
+	const words = { ...await wordsIn(file) };
+	for (const part of ['class', 'game', 'lab']) {
+		for (const [key, value] of Object.entries(await wordsIn(`${part}/${file}`))) words[key] = { ...words[key], ...value };
+	}
+	return words;
+}
+const languages = Object.fromEntries(await Promise.all(readdirSync(folder).filter((file) => file.endsWith('.js')).map(async (file) => [path.parse(file).name, await wordsOf(file)])));
 const { en, ...others } = languages;
 const German = { locale: 'de-AT', viewport: { width: 1366, height: 768 }, isDrawn: false };
 

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
-import { SIZES, begin, dragBall, drop, open, ready, root, saved } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, open, press, ready, root, saved } from './browser.mjs';
 
 const LAPTOP = { viewport: { width: 1366, height: 768 }, isDrawn: false };
 
@@ -404,7 +404,7 @@ test('Play\'s world loads 275 KB of scripts at most, Inspect 255 and Compare 253
 test('a program is shown as JavaScript, with the way to documentation and examples, whose links all lead somewhere', async () => {
 	const { page, said } = await shared('play');
 	await use(page, 'chase');
-	await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+	await press(page, 'This program as JavaScript');
 	const dialog = page.getByRole('dialog', { name: 'This program as JavaScript' });
 	const shown = await dialog.locator('pre').textContent();
 	assert.match(shown, /^\/\/ “Chase”: [^]*import \{ Agent, [^]* \} from "starlogo-collision";[^]*everyFrame\("dragons", function\* \(me\) \{/);

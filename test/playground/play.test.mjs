@@ -280,7 +280,7 @@ test('a student\'s own program is never lost: not by examples, links, nor broken
 	await page.evaluate(() => {
 		location.hash = 'play/nonsense';
 	});
-	await page.waitForSelector('.status.problem');
+	await page.waitForSelector('.gallery .status.problem');
 	await choose(page, 'paintball');
 	await page.reload();
 	await ready(page, 'play');
@@ -696,7 +696,7 @@ test('a lesson is opened, done and left for the next; the first screen has all p
 	const { page, said, leave } = await open(site, 'play', Desktop);
 	await page.waitForSelector('.gallery .intro');
 	await page.locator('.gallery .next').click();
-	await page.getByText('A hint').click();
+	await press(page, 'A hint');
 	assert.ok(await page.getByText('under Movement, goes into the script').isVisible());
 	await press(page, 'Next');
 	await page.waitForFunction(() => /^Lesson 2 of 10Why is the helmet missed\?/.test(document.querySelector('.lesson').textContent));
@@ -704,6 +704,7 @@ test('a lesson is opened, done and left for the next; the first screen has all p
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
 	await step(page, 2);
 	assert.equal(await page.textContent('.lesson .why'), '');
+	// the choice is all that is asked for
 	await page.getByLabel('Collision system').selectOption('tightest fits');
 	await page.waitForSelector('.confetti', { state: 'attached' });
 	assert.match(await page.textContent('.lesson .why'), /^Done! A unit sphere is as wide as the fireman/);

@@ -85,7 +85,8 @@ async function solve(page, name) {
 		last.nextConnection.connect(made.previousConnection);
 	}, change);
 	await page.getByLabel('Speed').fill('5');
-	await press(page, 'Run');
+	// where the system is the solution its choice starts the game
+	if (!system) await press(page, 'Run');
 }
 
 test('without a server, all ten lessons are solved', { skip }, async () => {

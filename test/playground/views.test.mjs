@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, begin, dragBall, drop, hold, open, ready, root } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, hold, open, press, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
@@ -72,7 +72,7 @@ for (const view of VIEWS) {
 				await faultless(page, 'light');
 			});
 			await t.test('nor in its program as JavaScript', async () => {
-				await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+				await press(page, 'This program as JavaScript');
 				await page.waitForSelector('dialog pre');
 				await faultless(page, 'light');
 				await page.keyboard.press('Escape');

@@ -30,7 +30,7 @@ before(async () => {
 	const english = path.join(root, 'bin/generated/english.mjs');
 	const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
 	mkdirSync(path.dirname(english), { recursive: true });
-	writeFileSync(english, `import { texts } from ${from('languages/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\n`);
+	writeFileSync(english, `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\nspeak(further);\n`);
 	buildSync({
 		stdin: { contents: [`import ${JSON.stringify(english)};`, ...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
 		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', nodePaths: [path.join(root, 'js/playground/node_modules')],
@@ -478,8 +478,7 @@ const SYSTEMS = ['unit spheres', 'tightest fits', 'hierarchies', 'combination', 
 const NONE = [];
 
 /**
- * What does each lesson: a change of its program; the systems in which the changed program does it, and those in which the given one does it. Unit
- * spheres of the walls fill the whole room, so that nobody walks in it.
+ * What does each lesson: a change of its program; the systems in which the changed program does it, and those in which the given one does it.
  */
 const SOLUTIONS = {
 	blocks: { change: (scripts) => append(scripts, 'starlogo_each', forward(0.05)), solved: SYSTEMS, given: NONE },
@@ -495,7 +494,7 @@ const SOLUTIONS = {
 	},
 	room: {
 		change: (scripts) => scripts.push({ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_bounce' }) }),
-		solved: SYSTEMS.slice(1), given: NONE,
+		solved: SYSTEMS, given: NONE,
 	},
 	near: { change: (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) })))), solved: SYSTEMS, given: NONE },
 	see: { change: (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: nearestTurtle })))), solved: SYSTEMS, given: NONE },
@@ -531,6 +530,69 @@ for (const [name, { change, solved, given }] of Object.entries(SOLUTIONS)) {
 		assert.ok(challenge.length > 10 && why.length > 10);
 	});
 }
+
+/** Scripts with a block put below the first one of the start. */
+const atStart = (scripts, block) => {
+	const { inputs } = scripts.find(({ type }) => type === 'starlogo_start');
+	const { next, ...first } = inputs.DO.block;
+	inputs.DO.block = { ...first, next: { block: { ...block, next } } };
+};
+const hierarchical = (WHO) => ({ type: 'starlogo_hierarchical', fields: { WHO, ON: 'on' } });
+const sweeping = (WHO) => ({ type: 'starlogo_sweep', fields: { WHO, ON: 'on' } });
+const inEach = (scripts, breed, ...blocks) => {
+	scripts.find(({ type, fields }) => type === 'starlogo_each' && fields.BREED === breed).inputs = inside(...blocks);
+};
+
+/** Wrong solutions of each lesson: what is said of it, a change of its program or none, and the system. */
+const MISTAKES = {
+	blocks: [['still'], ['once', (scripts) => {
+		scripts.find(({ type }) => type === 'starlogo_start').inputs.DO.block.inputs = { COUNT: number(5), ...inside({ type: 'starlogo_scatter' }, wait(0.2), forward(1)) };
+	}],
+		['none', (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_delete', fields: { WHO: 'turtles' } })]],
+	helmet: [['through'], ['changed', (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_delete', fields: { WHO: 'firemen' } }), 'exact']],
+	wing: [['air'], ['air', null, 'unit spheres'], ['changed', (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_delete', fields: { WHO: 'dragons' } }), 'exact']],
+	main: [['box'], ['system', null, 'exact'], ['balls', (scripts) => ['dragons', 'paintballs'].forEach((breed) => atStart(scripts, hierarchical(breed)))]],
+	fast: [['through'], ['slow', (scripts) => inEach(scripts, 'paintballs', forward(0.5))], ['walls', (scripts) => append(scripts, 'starlogo_start', sweeping('walls'))]],
+	starts: [['frames'], ['few', (scripts) => {
+		scripts.find(({ type }) => type === 'starlogo_collision').inputs = {};
+	}]],
+	room: [['out'], ['gone', (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_delete', fields: { WHO: 'walls' } })],
+		['still', (scripts) => inEach(scripts, 'bears', { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'walls' }, inputs: { STEPS: number(0.1) } })]],
+	near: [['silent'], ['others', (scripts) => scripts.push(script('starlogo_each', 'turtles', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) }))))],
+		['other', (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('text', { TEXT: 'Hello' }))))]],
+	see: [['silent'], ['others', (scripts) => scripts.push(script('starlogo_each', 'turtles', say(value('text', { TEXT: 'Hello' }))))],
+		['other', (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: value('starlogo_nearest', { BREED: 'bears' }, { DISTANCE: number(10) }) }))))]],
+	hunt: [['straight'], ['none', (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_delete', fields: { WHO: 'bears' } })],
+		['late', (scripts) => inEach(scripts, 'bears', { type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.005))]],
+};
+
+test('a wrong solution of a lesson is told what is wrong with it, and a right one is not', () => {
+	assert.deepEqual(Object.keys(MISTAKES), Object.keys(parts.LESSONS));
+	/** What is said of a game, in order, until it is done. */
+	const told = (name, state, system) => {
+		const world = played(state, 0);
+		if (system) world.useSystem(system);
+		const [memory, said] = [{}, new Set()];
+		for (let frame = 0; frame < LONGEST_LESSON; frame++) {
+			world.step();
+			if (parts.LESSONS[name].isDone(world, memory)) return [...said, 'done'];
+			said.add(parts.LESSONS[name].wrong(world, memory));
+		}
+		return [...said];
+	};
+	for (const [name, mistakes] of Object.entries(MISTAKES)) {
+		const { program: state } = parts.LESSONS[name];
+		const words = Object.keys(parts.texts.mistakes[name]);
+		assert.deepEqual(words.filter((word) => !mistakes.some(([each]) => each === word) && !(name === 'main' && word === 'changed') && word !== 'none'), [], `${name}: each is tried`);
+		for (const [what, change, system] of mistakes) {
+			const said = told(name, change ? changed(state, change) : state, system);
+			assert.ok(said.includes(what) && !said.includes('done'), `${name}: ${what} of ${said}`);
+			assert.ok(said.every((each) => each === null || words.includes(each)), `${name}: ${said}`);
+		}
+		const { change, solved } = SOLUTIONS[name];
+		for (const system of solved) assert.deepEqual(told(name, change ? changed(state, change) : state, system).filter((each) => each !== null), ['done'], `${name}, ${system}`);
+	}
+});
 
 test('all lessons are tried, and begin with a system in which they are not done yet', () => {
 	assert.deepEqual(Object.keys(SOLUTIONS), Object.keys(parts.LESSONS));
@@ -752,7 +814,7 @@ const everything = () => {
 			...[['starlogo_hierarchical', { WHO: 'bears', ON: 'on' }], ['starlogo_collide_as', { WHO: 'turtles', AS: 'sphere' }], ['starlogo_sweep', { WHO: 'balls', ON: 'on' }], ['starlogo_show', { WHO: 'bears', ON: 'on' }]].map(([type, fields]) => ({ type, fields })),
 			{ type: 'starlogo_depth', fields: { WHO: 'bears' }, inputs: { DEPTH: number(3) } },
 			create(1, 'climbers', 'bear', go(-3, -3, 0), { type: 'starlogo_flat' }, { type: 'starlogo_mound', inputs: { HEIGHT: number(2), WIDTH: number(6) } }, { type: 'starlogo_wall', inputs: { HEIGHT: number(0.5) } }, grow(value('starlogo_ground_height'))),
-			{ type: 'starlogo_goal', fields: { TEXT: 'A "goal"' } }, { type: 'starlogo_ground', fields: { GROUND: 'sea' } }, set('a', number(3)), set('b', op('POWER', number(-2), number(2))),
+			{ type: 'starlogo_goal', fields: { TEXT: 'A "goal"' } }, { type: 'starlogo_limit', fields: { TEXT: 'late' }, inputs: { SECONDS: number(4.5) } }, { type: 'starlogo_sound', fields: { SOUND: 'ding' } }, { type: 'starlogo_note', inputs: { NOTE: number(64) } }, { type: 'starlogo_ground', fields: { GROUND: 'sea' } }, set('a', number(3)), set('b', op('POWER', number(-2), number(2))),
 		),
 		{ type: 'starlogo_touch_start', fields: { BREED: 'climbers', OTHER: '*terrain' }, inputs: inside(paint('me', any)) },
 		each('climbers', forward(0.02), { type: 'controls_if', inputs: { IF0: value('starlogo_on_ground'), DO0: { block: paint('me', any) } } }, { type: 'starlogo_stand' }),

@@ -99,6 +99,21 @@ export const STATEMENTS = {
 	starlogo_ground: (block, world) => () => {
 		world.ground = block.fields.GROUND;
 	},
+	starlogo_limit: (block, world) => {
+		const seconds = number(block, "SECONDS", world);
+		return () => {
+			world.limit = { until: world.frameIn(seconds()), text: block.fields.TEXT };
+		};
+	},
+	starlogo_sound: (block, world) => () => {
+		world.sounds.push(block.fields.SOUND);
+	},
+	starlogo_note: (block, world) => {
+		const note = number(block, "NOTE", world);
+		return () => {
+			world.sounds.push(note());
+		};
+	},
 	starlogo_end: (block, world) => () => {
 		world.ended ??= { how: block.fields.HOW, text: block.fields.TEXT };
 	},

@@ -48,6 +48,12 @@ export class Beside {
 		for (const { scene } of [this.view, this]) scene.differing = new Map();
 	}
 
+	/** Moves the agent that is the same as one of the first game to the same place. */
+	moveLike({ number, x, y, z }) {
+		this.world.agents.find((agent) => agent.number === number)?.jumpTo(x, y, z);
+		if (!this.view.isRunning && this.world.frame > 0) this.world.collide();
+	}
+
 	/** Does a frame, before the first game does its own. */
 	step() {
 		if (this.world.ended) return;

@@ -132,6 +132,9 @@ export const DEFINITIONS = [
 	define("starlogo_score_change", "game", [input("SCORE")], STATEMENT),
 	define("starlogo_score", "game", [], NUMBER),
 	define("starlogo_clock", "game", [], NUMBER),
+	define("starlogo_limit", "game", [input("SECONDS"), text(words.timeOver)], STATEMENT),
+	define("starlogo_sound", "look", [dropdown("SOUND", options(words.sounds))], STATEMENT),
+	define("starlogo_note", "look", [input("NOTE")], STATEMENT),
 	define("starlogo_end", "game", [dropdown("HOW", options(words.ends)), text(words.someEnd)], STATEMENT),
 	define("starlogo_wait", "logic", [input("SECONDS")], STATEMENT),
 	// blocks that Blockly has too, under its names
@@ -166,13 +169,13 @@ export const TOOLBOX = {
 		category("events", block("starlogo_start"), block("starlogo_each"), block("starlogo_key"), block("starlogo_timer", { SECONDS: 1 }), block("starlogo_click")),
 		category("collisions", block("starlogo_collision"), block("starlogo_touch_start"), block("starlogo_touch_end"), block("starlogo_bounce"), block("starlogo_sweep"), block("starlogo_system"),
 			block("starlogo_hierarchical"), block("starlogo_depth", { DEPTH: 5 }), block("starlogo_collide_as"), block("starlogo_show")),
-		category("movement", block("starlogo_forward", { STEPS: 1 }), block("starlogo_until", { STEPS: 1 }), block("starlogo_turn", { DEGREES: 15 }), block("starlogo_face", { AGENT: NEAREST }),
-			block("starlogo_heading", { HEADING: 90 }), block("starlogo_up", { STEPS: 1 }), block("starlogo_go", { X: 0, Y: 0, Z: 0 }), block("starlogo_stand"), block("starlogo_scatter"), block("starlogo_back")),
+		category("movement", block("starlogo_forward", { STEPS: 0.1 }), block("starlogo_until", { STEPS: 0.1 }), block("starlogo_turn", { DEGREES: 5 }), block("starlogo_face", { AGENT: NEAREST }),
+			block("starlogo_heading", { HEADING: 90 }), block("starlogo_up", { STEPS: 0.1 }), block("starlogo_go", { X: 0, Y: 0, Z: 0 }), block("starlogo_stand"), block("starlogo_scatter"), block("starlogo_back")),
 		category("senses", block("starlogo_count", { DISTANCE: 5 }), block("starlogo_number_of", { COLOUR: "starlogo_pick" }), block(NEAREST, { DISTANCE: 10 }), block("starlogo_distance", { AGENT: NEAREST }),
 			block("starlogo_can_see", { AGENT: NEAREST }), block("starlogo_touching"), block("starlogo_on_ground"), block("starlogo_ground_height"), block("starlogo_key_down"), block("starlogo_mouse")),
 		category("agents", block("starlogo_create", { COUNT: 1 }, { BREED: "bears", SHAPE: "bear" }), block("starlogo_hatch", null, { BREED: "paintballs", SHAPE: "sphere" }), block("starlogo_delete"), block("starlogo_ask", { AGENT: NEAREST }), block("starlogo_become"), block("starlogo_trait"), block("starlogo_agent")),
-		category("looks", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 }), block("starlogo_say", { TEXT: words.hello })),
-		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_ground"), block("starlogo_mound", { HEIGHT: 2, WIDTH: 6 }), block("starlogo_wall", { HEIGHT: 1 }), block("starlogo_flat"), block("starlogo_end")),
+		category("looks", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 }), block("starlogo_say", { TEXT: words.hello }), block("starlogo_sound"), block("starlogo_note", { NOTE: 60 })),
+		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_limit", { SECONDS: 60 }), block("starlogo_ground"), block("starlogo_mound", { HEIGHT: 2, WIDTH: 6 }), block("starlogo_wall", { HEIGHT: 1 }), block("starlogo_flat"), block("starlogo_end")),
 		category("control", block("controls_if"), block("controls_ifelse"), block("starlogo_wait", { SECONDS: 1 }), block("controls_repeat_ext", { TIMES: 4 }), block("controls_whileUntil"),
 			block("logic_compare"), block("logic_operation"), block("logic_negate"), block("logic_boolean")),
 		category("maths", block("math_number"), block("math_arithmetic", { A: 1, B: 1 }), block("math_random_int", { FROM: 1, TO: 10 }), block("math_modulo", { DIVIDEND: 10, DIVISOR: 3 })),
@@ -185,3 +188,40 @@ const COLOURS = { event: "#9a6200", collision: "#b3384a", movement: "#2c66c9", s
 
 export const BLOCK_STYLES = Object.fromEntries(Object.entries(COLOURS).map(([name, colour]) => [`${name}_blocks`, { colourPrimary: colour }]));
 export const CATEGORY_STYLES = Object.fromEntries(Object.entries(COLOURS).map(([name, colour]) => [`${name}_category`, { colour }]));
+
+/** The breeds that a program creates, then those that it throws, with their shapes. */
+function castOf(program) {
+	const cast = new Map();
+	for (const type of ["starlogo_create", "starlogo_hatch"]) JSON.stringify(program, (key, value) => {
+		if (value?.type === type && !cast.has(value.fields.BREED)) cast.set(value.fields.BREED, value.fields.SHAPE);
+		return value;
+	});
+	return cast;
+}
+
+/**
+ * The blocks of a drawer for a program: they name its breeds. A block about others names the second breed.
+ *
+ * @param {object[]} items the drawer's blocks, which do not change
+ * @param {object} program in Blockly's notation
+ */
+export function drawerFor(items, program) {
+	const cast = castOf(program);
+	const [first, second = first] = [...cast.keys()];
+	if (first === undefined) return items;
+	return items.map((item) => JSON.parse(JSON.stringify(item), (key, value) => {
+		const names = DEFINITIONS.find(({ type }) => type === value?.type)?.args0.map(({ name }) => name);
+		if (!names) return value;
+		const fields = { ...value.fields };
+		if (names.includes("BREED")) fields.BREED = OF_OTHERS.test(value.type) ? second : first;
+		if (names.includes("OTHER")) fields.OTHER = second;
+		if (names.includes("SHAPE")) fields.SHAPE = cast.get(fields.BREED);
+		// at the start there is no “me” whose trait could be set
+		if (OF_ALL.test(value.type)) fields.WHO = first;
+		return { ...value, fields };
+	}));
+}
+
+/** Blocks about other agents than me, and blocks that are put at a game's start for all of a breed. */
+const OF_OTHERS = /^starlogo_(until|count|number_of|nearest|touching|become|hatch)$/;
+const OF_ALL = /^starlogo_(hierarchical|depth|collide_as|show|sweep)$/;

@@ -5,7 +5,8 @@ import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { button, h, isDark, onThemeChange } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 import { ICON, MEDIA } from "../shared/served.js";
-import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, meet } from "./blocks.js";
+import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, drawerFor, meet } from "./blocks.js";
+import { Placing } from "./placing.js";
 
 const PARTS = {
 	light: { workspaceBackgroundColour: "#ffffff", toolboxBackgroundColour: "#f4f6fa", toolboxForegroundColour: "#1c2430", flyoutBackgroundColour: "#e9edf4", flyoutForegroundColour: "#1c2430", flyoutOpacity: 1, scrollbarColour: "#9aa6b6" },
@@ -13,6 +14,8 @@ const PARTS = {
 };
 /** The size of blocks' words in points, and the blocks' scale. Together the words are at least 14 pixels high. */
 const [WORDS, SCALE] = [12, 0.9];
+/** The largest and the smallest scale of the drawer's blocks, and the pixels that it leaves for the scripts if it can. */
+const [IN_DRAWER, LEAST_IN_DRAWER, LEFT_FOR_SCRIPTS] = [0.84, 0.75, 220];
 const [SMALLEST, LARGEST, ZOOM] = [0.3, 1.5, 1.2];
 /** The most letters in the name of a breed or a variable. */
 const LONGEST = 30;
@@ -26,6 +29,7 @@ const pictures = { of: () => null };
 /** The menu of shapes, with a picture of each. */
 const picturedShapes = () => MENUS.SHAPE().map(([text, value]) => [h("span.shape", { title: text }, h("img", { "data-shape": value, alt: "", width: 80, height: 60 }), text), value]);
 
+Blockly.Scrollbar.scrollbarThickness = 9;
 Blockly.dialog.setPrompt(async (message, value, callback) => {
 	const { ask } = await import("./ask.js");
 	callback(await ask(message, value, LONGEST));
@@ -224,7 +228,12 @@ export class Editor {
 			return workspace;
 		});
 		// A block leaves the drawer in whatever direction it is pulled. The drawer scrolls beside its blocks, and by the wheel.
-		this.workspace.getFlyout().isDragTowardWorkspace = () => true;
+		const flyout = this.workspace.getFlyout();
+		flyout.isDragTowardWorkspace = () => true;
+		const showItems = flyout.show.bind(flyout);
+		flyout.show = (items) => showItems(Array.isArray(items) ? drawerFor(items, this.program) : items);
+		flyout.getFlyoutScale = () => this.#drawerScale;
+		this.placing = new Placing(this.workspace);
 		this.#addTools(host, bar, say);
 		this.forgetTheme = onThemeChange(() => adoptStyles(() => this.workspace.setTheme(theme())));
 		this.observer = new ResizeObserver(() => Blockly.svgResize(this.workspace));
@@ -238,6 +247,7 @@ export class Editor {
 			} else if (!event.isUiEvent && !this.#isLoading) {
 				onChange(this.#countDeleted(event));
 			}
+			if (!this.#isLoading) this.placing.hear(event);
 			this.#showTools();
 		});
 	}
@@ -271,6 +281,17 @@ export class Editor {
 		if (type !== Blockly.Events.BLOCK_DELETE || !recordUndo) return 0;
 		this.#deleted = { group, count: ids.length + (this.#deleted.group === group ? this.#deleted.count : 0) };
 		return this.#deleted.count;
+	}
+
+	/** The scale of the drawer's blocks. If the widest one needs it, they are smaller. */
+	get #drawerScale() {
+		const { workspace } = this;
+		const flyout = workspace.getFlyout();
+		const most = Math.min(IN_DRAWER, workspace.scale);
+		if (workspace.horizontalLayout) return most;
+		const widest = Math.max(1, ...flyout.getContents().map((item) => item.getElement().getBoundingRectangle().getWidth()));
+		const room = workspace.getInjectionDiv().clientWidth - workspace.getToolbox().getWidth() - LEFT_FOR_SCRIPTS;
+		return Math.min(most, Math.max(LEAST_IN_DRAWER, room / (widest + 3 * MARGIN)));
 	}
 
 	get program() {

@@ -1,7 +1,7 @@
 /** The page's games, in Blockly's notation. */
 import { texts } from "../shared/language.js";
 import {
-	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, get, go, goal, ground, hatch, heading, key, many, math, mound, move, nearest, number, numbers, paint,
+	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, get, go, goal, ground, hatch, heading, key, limit, many, math, mound, move, nearest, number, numbers, paint,
 	program, remove, repeat, say, scatter, score, set, size, stand, start, step, sweep, timer, touch, trait, turn, up, when,
 } from "./notation.js";
 
@@ -43,7 +43,6 @@ const walks = (breed, steps, others) => [
 	folded(key("left", "held", breed, turn("left", number(3)))),
 	folded(key("right", "held", breed, turn("right", number(3)))),
 ];
-const inTime = (breed, seconds, text) => folded(timer(1, breed, when(compare("GT", field("starlogo_clock"), number(seconds)), end("lost", text))));
 
 const GEMS = 6;
 const chase = program(
@@ -71,7 +70,7 @@ const maze = many(["place"],
 	each("turtles", move(0.05)),
 	collision("turtles", "walls", bounce),
 	folded(start(
-		goal(words.maze.goal),
+		goal(words.maze.goal), limit(90, words.maze.lost),
 		create(1, "people", "person", size(1.2), go(-9, -9, 0), heading(90)),
 		create(1, "fortresses", "fortress", size(3), go(9, -9, 0)),
 		set("place", -8),
@@ -83,7 +82,6 @@ const maze = many(["place"],
 		create(1, "turtles", "turtle", size(1.3), go(9, -3, 0), heading(200)),
 	)),
 	...walks("people", 0.1, "walls"),
-	inTime("people", 90, words.maze.lost),
 );
 
 const SHIELDS = 3;
@@ -134,13 +132,12 @@ const tag = program(
 		turn("left", numbers(-6, 6)), alongside(number(0.06), "trees")),
 	each("players", when(compare("EQ", count("people", 50), number(0)), end("won", words.tag.won))),
 	folded(start(
-		goal(words.tag.goal), score(number(0)),
+		goal(words.tag.goal), limit(45, words.tag.lost), score(number(0)),
 		create(1, "players", "person", size(1.4), paint("me", colour("red"))),
 		create(RUNNERS, "people", "person", scatter, size(1.2), paint("me", colour("blue"))),
 		create(6, "trees", "tree", scatter, size(1.6)),
 	)),
 	...walks("players", 0.12, "trees"),
-	inTime("players", 45, words.tag.lost),
 );
 
 const [BALLS, GOAL] = [3, 20];
@@ -176,13 +173,12 @@ const hills = program(
 	folded(each("gems", stand)),
 	folded(each("trees", stand)),
 	folded(start(
-		goal(words.hills.goal), score(number(0)),
+		goal(words.hills.goal), limit(40, words.hills.lost), score(number(0)),
 		create(1, "people", "person", size(1.2), heading(90)),
 		create(PEAKS, "gems", "sphere", heading(numbers(0, 359)), move(8), mound(numbers(1, 3), numbers(5, 8)), size(0.6), paint("me", colour("yellow"))),
 		create(6, "trees", "tree", heading(numbers(0, 359)), move(numbers(4, 6)), mound(1, 5), size(1.6)),
 	)),
 	...walks("people", 0.1, "trees"),
-	inTime("people", 40, words.hills.lost),
 );
 
 export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball, hills };

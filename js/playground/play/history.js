@@ -19,6 +19,14 @@ export class History {
 		this.shown = undefined;
 	}
 
+	/** Keeps the last frame anew, because the user has moved an agent in it. */
+	amend(listed) {
+		this.goOn();
+		if (this.#frames.length === 0) return;
+		this.#agents -= this.#frames.pop().all.length;
+		this.add(listed);
+	}
+
 	/** The number of frames that one can go back. */
 	get length() {
 		return Math.max(0, this.#frames.length - 1);

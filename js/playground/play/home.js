@@ -47,9 +47,9 @@ export class Home {
 
 	#card({ id, name, note, isDone, isNext }, { canRename, canRemove }, number) {
 		const picture = h("img", { "data-program": id, alt: "", width: 240, height: 150 });
-		const item = h("li", {}, h("button.open", { type: "button", class: isNext ? "open next" : "open", onclick: () => this.programs.openEntry(id) },
+		const item = h("li", {}, h("button.open", { type: "button", class: isNext ? "open next" : "open", "aria-label": canRename ? name : null, onclick: () => this.programs.openEntry(id) },
 			h("span.picture", {}, picture, number === null ? null : h("span.number", {}, String(number)), isDone ? h("span.tick", { role: "img", "aria-label": texts.lessons.done }, "✓") : null),
-			h("span.name", {}, name), note ? h("small", {}, note) : null, isNext ? h("strong.here", {}, number === 1 ? words.begin : words.here) : null));
+			canRename ? null : h("span.name", {}, name), note ? h("small", {}, note) : null, isNext ? h("strong.here", {}, number === 1 ? words.begin : words.here) : null));
 		if (!canRemove) return item;
 		const input = h("input", { type: "text", value: name, maxlength: 60, "aria-label": words.rename(name), onchange: () => {
 			const text = input.value.trim();

@@ -115,6 +115,9 @@ const STATEMENTS = {
 	starlogo_score_change: (block, place, writer) => [`game.score += ${writer.value(block, "SCORE", place)};`],
 	starlogo_goal: ({ fields }) => [`game.goal = ${text(fields.TEXT)};`],
 	starlogo_ground: ({ fields }) => [`game.ground = ${text(fields.GROUND)};`],
+	starlogo_limit: (block, place, writer) => [`game.limit = { until: game.frame + Math.max(1, Math.round(${writer.value(block, "SECONDS", place)} * ${FRAMES_A_SECOND})), text: ${text(block.fields.TEXT)} };`],
+	starlogo_sound: ({ fields }) => [`// here the game plays the sound ${text(fields.SOUND)}`],
+	starlogo_note: (block, place, writer) => [`// here the game plays the note ${writer.value(block, "NOTE", place)}`],
 	starlogo_end: ({ fields }) => [`game.ended ??= { how: ${text(fields.HOW)}, text: ${text(fields.TEXT)} };`],
 	starlogo_forward: (block, place, writer) => [`forward(${place.me}, ${writer.value(block, "STEPS", place)});`],
 	starlogo_turn: (block, place, writer) => [`${place.me}.heading ${block.fields.DIRECTION === "left" ? "+=" : "-="} ${writer.value(block, "DEGREES", place)};`],
@@ -261,13 +264,13 @@ export function javascriptOf(program, title, models) {
 	const main = [...addModels, ...scripts].join("\n");
 	const helpers = neededBy(`${main}\n${ENGINE}`);
 	const has = (word) => new RegExp(`\\b${word}\\b`).test(`${main}\n${helpers.join("\n")}`);
-	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*welcome*/", has("traits") ? "\n\ttraits.welcome(agent);" : "");
+	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*limit*/", has("game\\.limit") ? "\n\tif (game.limit && game.frame >= game.limit.until) game.ended ??= { how: \"lost\", text: game.limit.text };" : "").replaceAll("/*welcome*/", has("traits") ? "\n\ttraits.welcome(agent);" : "");
 	const colours = Object.entries(COLOURS).filter(([name]) => has(`colours\\.${name}`)).map(([name, colour]) => `${name}: ${hex(colour)}`);
 	const variables = [...writer.names.values()].map((name) => `${NAME.test(name) ? name : text(name)}: 0`);
 	const state = [
 		"/** Who is in the game, and how it stands. */",
 		"export const agents = [];",
-		`export const game = { frame: 0, score: ${has("game\\.score") ? 0 : null}, goal: null, ground: "meadow", ended: null };`,
+		`export const game = { frame: 0, score: ${has("game\\.score") ? 0 : null}, goal: null, ground: "meadow",${has("game\\.limit") ? " limit: null," : ""} ended: null };`,
 		...(variables.length > 0 ? [`const variables = { ${variables.join(", ")} };`] : []),
 		...(colours.length > 0 ? [`const colours = { ${colours.join(", ")} };`] : []),
 		...(has("HALF_WIDTH") ? [`const HALF_WIDTH = ${HALF_WIDTH};`] : []),

@@ -194,7 +194,7 @@ export function step() {
 	}
 	pressed.clear();
 	clicked = null;
-	collisions.collision.update(agents);
+	collisions.collision.update(agents);/*limit*/
 }
 
 export function press(key) {

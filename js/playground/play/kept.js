@@ -2,7 +2,6 @@
 import { contentOf, toBytes, toText } from "../shared/files.js";
 import { parseModel } from "../shared/models.js";
 import { texts } from "../shared/language.js";
-import { meet } from "./blocks.js";
 
 const words = texts.play;
 export const MODEL_FILE = /\.(obj|dae|zae|glb|gltf|stl)$/i;
@@ -68,6 +67,7 @@ export class Models {
 		const model = await parseModel(name, bytes);
 		world.greatLand.addModel(model);
 		models.set(name, model);
+		const { meet } = await import("./blocks.js");
 		meet("SHAPE", name);
 		this.#known.set(name, bytes);
 	}

@@ -4,7 +4,7 @@ import { texts } from "../shared/language.js";
 
 const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
-export const LESSON_NAMES = Object.keys(words.list);
+export const LESSON_NAMES = ["blocks", "helmet", "wing", "main", "fast", "starts", "room", "near", "see", "hunt"];
 
 /** Remembers, in the browser, the lessons that were done and the games that were won. */
 class Ticks {
@@ -48,7 +48,8 @@ export class LessonCard {
 	#lessons = null;
 
 	/**
-	 * @param {(name: string|null) => void} onOpen called to open a lesson's program; with null to leave the lesson
+	 * @param {(name: string|null, isNew: boolean) => void} onOpen called to open a lesson's program; with null to leave the lesson. If isNew is
+	 * true, the lesson's own program is meant, and not what the user has made of it
 	 * @param {Record<string, () => void>} onward what follows the last lesson, by the names of its words
 	 */
 	constructor(onOpen, onward) {
@@ -71,6 +72,11 @@ export class LessonCard {
 		return this.#ticks.has(name);
 	}
 
+	/** Whether the open lesson is done by the choice of a collision system. */
+	get isOfSystem() {
+		return Boolean(this.#lessons?.[this.#name]?.isOfSystem);
+	}
+
 	/** Whether a game of the page's has been won, now or earlier. */
 	isWon(name) {
 		return this.#ticks.has(`game ${name}`);
@@ -80,10 +86,14 @@ export class LessonCard {
 		this.#ticks.add(`game ${name}`);
 	}
 
-	/** Shows a lesson's card; null hides it. */
-	show(name) {
+	/**
+	 * Shows a lesson's card; null hides it.
+	 *
+	 * @param {string|null} name
+	 * @param {boolean} isOwn whether the user has changed the lesson's program
+	 */
+	show(name, isOwn = false) {
 		this.#name = name;
-		this.begin();
 		this.element.hidden = name === null;
 		this.element.replaceChildren();
 		if (name === null) return;
@@ -91,24 +101,34 @@ export class LessonCard {
 			this.#lessons = LESSONS;
 		});
 		const at = LESSON_NAMES.indexOf(name);
-		const { title, text, challenge, hint } = words.list[name];
+		const { title, text, challenge, hint, why } = words.list[name];
 		const go = (to) => () => this.onOpen(LESSON_NAMES[to]);
 		this.sign = h("p.why", { role: "status" });
 		this.isLast = at === LESSON_NAMES.length - 1;
 		this.next = this.isLast ? button(words.onward.games, this.onward.games) : button(words.next, go(at + 1));
 		this.heading = h("h2", { tabindex: "-1" }, title);
-		const fold = button("", () => this.#fold(!card.classList.contains("folded")), { class: "fold" });
-		const card = h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
-			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, fold),
-			h("p.text", {}, text),
-			h("p.challenge", {}, h("strong", {}, `${words.challenge} `), challenge),
-			this.sign,
-			h("div.steps", {}, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next, button(words.leave, () => this.onOpen(null)),
-				h("details.hint", {}, h("summary", {}, words.hint), h("p", {}, hint))));
-		Object.assign(this, { card, foldButton: fold });
+		this.hintButton = button(words.hint, () => this.#turnTo(this.card.dataset.shows === "hint" ? "text" : "hint"), { class: "hint-button" });
+		this.foldButton = button("", () => this.#fold(!this.card.classList.contains("folded")), { class: "fold" });
+		this.againButton = button(words.again, () => this.onOpen(name, true), { hidden: !isOwn });
+		// all of what it may say takes its place from the beginning, so that nothing below it moves
+		const kept = (each) => h("p.kept-free", { "aria-hidden": "true" }, each);
+		const said = h("div.said", {}, h("p.text", {}, text), h("p.hint", {}, hint), this.sign, ...[`${words.done} ${why}`, ...Object.values(texts.mistakes[name])].map(kept));
+		this.card = h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
+			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, this.foldButton,
+				button("✕", () => this.onOpen(null), { class: "leave", "aria-label": words.leave, title: words.leave })),
+			said,
+			h("div.turn", {}, h("p.challenge", {}, h("strong", {}, `${words.challenge} `), challenge),
+				h("div.steps", {}, this.hintButton, this.againButton, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next)));
+		this.begin();
 		this.#fold(false);
-		this.element.append(card);
-		this.#sayIfDone();
+		this.element.append(this.card);
+		this.#turnTo("text");
+		if (this.isDone(name)) this.#sayDone();
+	}
+
+	/** Shows or hides the button that goes back to the lesson's own program. */
+	set isOwn(isOwn) {
+		if (this.againButton) this.againButton.hidden = !isOwn;
 	}
 
 	/** Moves the focus to the card. */
@@ -116,17 +136,31 @@ export class LessonCard {
 		this.heading?.focus({ preventScroll: true });
 	}
 
+	/** Shows the lesson's text, its hint, or why it is done or not done yet. */
+	#turnTo(part) {
+		this.card.dataset.shows = part;
+		this.hintButton.setAttribute("aria-pressed", String(part === "hint"));
+		if (part === "text" && this.sign.textContent !== "") this.card.dataset.shows = "why";
+	}
+
 	/** Shows only the task, or the whole card. */
 	#fold(isFolded) {
 		this.card.classList.toggle("folded", isFolded);
-		this.foldButton.textContent = isFolded ? words.unfold : words.fold;
+		const label = isFolded ? words.unfold : words.fold;
+		this.foldButton.setAttribute("aria-label", label);
+		this.foldButton.title = label;
 		this.foldButton.setAttribute("aria-expanded", String(!isFolded));
 	}
 
-	#sayIfDone() {
-		if (!this.isDone(this.#name)) return;
+	#say(sign, text) {
+		this.sign.replaceChildren(sign, ` ${text}`);
+		this.#fold(false);
+		this.#turnTo("why");
+	}
+
+	#sayDone() {
 		const isAll = LESSON_NAMES.every((name) => this.isDone(name));
-		this.sign.replaceChildren(h("strong.done", {}, words.done), ` ${words.list[this.#name].why}${isAll ? ` ${words.all}` : ""}`);
+		this.#say(h("strong.done", {}, words.done), `${words.list[this.#name].why}${isAll ? ` ${words.all}` : ""}`);
 		if (this.isLast) this.sign.append(h("span.onward", {}, ...["change", "own"].map((name) => button(words.onward[name], this.onward[name]))));
 		this.next.classList.add("primary");
 	}
@@ -134,15 +168,26 @@ export class LessonCard {
 	/** Called when a game begins again. */
 	begin() {
 		this.#memory = {};
+		if (this.#name === null || this.isDone(this.#name) || this.sign.textContent === "") return;
+		this.sign.replaceChildren();
+		this.#turnTo("text");
 	}
 
-	/** Checks a game after a frame. Returns true if the frame has completed the lesson. */
+	/** Checks a game after a frame. Returns true if the frame has completed the lesson. If the game cannot complete it, the card says why. */
 	look(world) {
 		const name = this.#name;
-		if (name === null || this.#memory.isDone || !this.#lessons?.[name].isDone(world, this.#memory)) return false;
-		this.#memory.isDone = true;
-		this.#ticks.add(name);
-		this.#sayIfDone();
-		return true;
+		const memory = this.#memory;
+		const lesson = this.#lessons?.[name];
+		if (!lesson || memory.isDone) return false;
+		if (lesson.isDone(world, memory)) {
+			memory.isDone = true;
+			this.#ticks.add(name);
+			this.#sayDone();
+			return true;
+		}
+		const wrong = lesson.wrong(world, memory);
+		if (wrong !== null && wrong !== memory.wrong && !this.isDone(name)) this.#say(h("strong.not-yet", {}, words.notYet), texts.mistakes[name][wrong]);
+		memory.wrong = wrong ?? memory.wrong;
+		return false;
 	}
 }

@@ -43,6 +43,8 @@ export const compare = (OP, A, B) => ({ block: { type: "logic_compare", fields: 
 export const when = (condition, ...blocks) => ({ type: "controls_if", inputs: { IF0: condition, DO0: inside(...blocks) } });
 export const score = (value) => ({ type: "starlogo_score_set", inputs: { SCORE: value } });
 export const end = (HOW, TEXT) => ({ type: "starlogo_end", fields: { HOW, TEXT } });
+export const limit = (seconds, TEXT) => ({ type: "starlogo_limit", fields: { TEXT }, inputs: { SECONDS: number(seconds) } });
+export const sound = (SOUND) => ({ type: "starlogo_sound", fields: { SOUND } });
 export const goal = (TEXT) => ({ type: "starlogo_goal", fields: { TEXT } });
 
 export const collision = (BREED, OTHER, ...blocks) => ({ type: "starlogo_collision", fields: { BREED, OTHER }, inputs: { DO: inside(...blocks) } });

@@ -35,8 +35,10 @@ export class Panel {
 		this.cast = h("ul.cast");
 		this.totals = h("ul.totals", { "aria-label": words.totals });
 		this.element = h("div.panel", {},
-			h("details.numbers", {}, h("summary", {}, words.figures), h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text))))),
-			h("div.meetings", {}, h("div", {}, h("h2", {}, words.cast), this.cast), h("div", {}, h("h2", {}, words.events), this.totals), this.list));
+			h("h2.visually-hidden", {}, words.cast), this.cast,
+			h("details.numbers", {}, h("summary", {}, words.figures),
+				h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text)))),
+				h("div.meetings", {}, h("h2", {}, words.events), this.totals, this.list)));
 	}
 
 	/** Counts a frame. */

@@ -2,9 +2,10 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
-import { learn, texts } from "../shared/language.js";
+import { fixed, learn, texts } from "../shared/language.js";
 import { MODEL_FILE } from "./kept.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
+import { menu, menuButton } from "./menu.js";
 import { create, program as programOf, size, start } from "./notation.js";
 import { isProgram, isWork, modelsOf } from "../shared/packing.js";
 import { Shelf, fileName, fromLink, meaning, toLink } from "./storage.js";
@@ -24,7 +25,7 @@ const OWN = /^own-[a-z\d]+-[a-z\d]+$/;
 /** A link with a program is longer. */
 const LONGEST_NAME = 60;
 
-const library = () => import("./library.js");
+const library = () => learn("game").then(() => import("./library.js"));
 const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
 /** Whether the page has a program with this name. */
 const isBrought = (name) => name in words.games || name in words.examples || LESSON_NAMES.includes(lessonOf(name));
@@ -48,17 +49,17 @@ export class Programs {
 	constructor(view) {
 		this.view = view;
 		this.shelf = new Shelf();
-		this.lessons = new LessonCard((name) => (name === null ? this.#leaveLesson() : this.choose(LESSON + name, true)), {
+		this.lessons = new LessonCard((name, isNew) => (name === null ? this.#leaveLesson() : this.choose(LESSON + name, true, isNew)), {
 			games: () => this.openHome(), change: () => this.choose(FIRST), own: () => this.openNew(),
 		});
 		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#rename() });
 		this.kept = h("span.keeping");
-		this.element = h("div.naming", {},
-			h("div.tools", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept),
-			h("div.tools.files", {}, button(words.new, () => this.openNew()), button(words.save, () => this.#download()),
-				fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
-				button(words.share, () => this.share()), button("</>", () => this.#showJavascript(), { class: "code", "aria-label": words.javascript.title, title: words.javascript.title }),
-				button(words.print, () => this.#print()), button(texts.gallery.handIn, () => this.handIn())));
+		this.keepButton = button(words.keep, () => this.#keep(), { title: words.keepNote });
+		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => this.#download()),
+			fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
+			button(words.share, () => this.share()), button(words.javascript.title, () => this.#showJavascript()), button(words.print, () => this.#print()), button(texts.gallery.handIn, () => this.handIn()));
+		this.menuButton = menuButton(words.menu, this.menu);
+		this.element = h("div.naming", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept, this.menuButton, this.menu);
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
@@ -167,7 +168,7 @@ export class Programs {
 		this.#system = CollisionBlocks.systemNames.includes(program.system) ? program.system : null;
 		// a program made from a lesson's program still belongs to the lesson
 		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? (LESSON_NAMES.includes(lesson) ? lesson : null);
-		this.lessons.show(this.#lesson);
+		this.lessons.show(this.#lesson, this.shelf.find(name) !== null);
 		this.#showTitle(title);
 		view.reset();
 		view.lookAt(program);
@@ -193,8 +194,8 @@ export class Programs {
 		this.title.value = title;
 		const isOwn = this.shelf.find(this.#name) !== null;
 		this.kept.className = isOwn ? "keeping kept" : "keeping";
-		if (isOwn) this.kept.textContent = this.shelf.isKept ? words.kept : words.keptNowhere;
-		else this.kept.replaceChildren(button(words.keep, () => this.#keep(), { title: words.keepNote }));
+		this.kept.textContent = !isOwn ? "" : this.shelf.isKept ? words.kept : words.keptNowhere;
+		this.keepButton.disabled = isOwn;
 	}
 
 	/** Renames the program and keeps it under the new name. */
@@ -223,7 +224,7 @@ export class Programs {
 	/** Opens the first screen: all programs and lessons, with pictures. It may say why it is shown. */
 	async openHome(note = "") {
 		if (this.view.isRunning) this.view.stop();
-		const { Home } = await import("./home.js");
+		const [{ Home }] = await Promise.all([import("./home.js"), learn("game")]);
 		this.#home?.leave();
 		this.#home = new Home(this, this.view.main, note);
 	}
@@ -254,9 +255,18 @@ export class Programs {
 		else await this.choose(id, id.startsWith(LESSON));
 	}
 
-	/** Called when a game is won. The page's own games get a tick. */
-	win() {
+	/** Called when a game is won. The page's own games get a tick. Returns what there is to say about the best time. */
+	win(seconds) {
 		if (this.#name in words.games) this.lessons.win(this.#name);
+		const { record } = this;
+		if (record !== null && record <= seconds) return words.best(fixed(record, 1));
+		this.shelf.putRecord(this.#name, seconds);
+		return record === null ? "" : words.newBest;
+	}
+
+	/** The seconds of the best victory in the open game, or null. */
+	get record() {
+		return this.shelf.recordOf(this.#name);
 	}
 
 	renameEntry(id, name) {
@@ -283,10 +293,12 @@ export class Programs {
 	/**
 	 * Opens one of the page's or the user's programs.
 	 *
-	 * @param {string} name its name, or its id
+	 * @param {string} asked its name, or its id
 	 * @param {boolean} isRead whether the focus goes to its lesson
+	 * @param {boolean} isNew whether a lesson is opened as it was in the beginning, and not as the user has changed it
 	 */
-	async choose(name, isRead = false) {
+	async choose(asked, isRead = false, isNew = false) {
+		const name = isNew ? asked : this.#ownOf(asked);
 		this.#asked = name;
 		await this.view.editing;
 		const program = this.shelf.find(name)?.program ?? await brought(name);
@@ -299,6 +311,13 @@ export class Programs {
 		} catch {
 			this.view.say(words.brokenProgram, true);
 		}
+	}
+
+	/** What the user has made of a lesson's program last, or else the lesson's program itself. */
+	#ownOf(name) {
+		const lesson = lessonOf(name);
+		const own = lesson === null ? [] : this.shelf.all.filter((each) => each.lesson === lesson && isProgram(each.program));
+		return own.sort((a, b) => b.changed - a.changed)[0]?.id ?? name;
 	}
 
 	/** Opens a new program of the user's, with one agent. */
@@ -343,11 +362,9 @@ export class Programs {
 		if (!this.shelf.find(this.#name) || this.#isTaken) this.#putNew(this.#name === "link" ? this.#title : words.copyOf(this.#title));
 		else this.#put();
 		if (!view.isRunning && view.isStale) view.showBeginning();
+		view.showRun();
 		if (!this.shelf.isKept) view.say(words.notKept, true);
-		else if (view.isRunning && view.isStale) view.offer(words.stale, words.startAnew, () => {
-			view.reset();
-			view.run();
-		});
+		else if (view.isRunning && view.isStale) view.say(words.stale);
 		else if (deleted > 0 && !view.isRunning) view.offer(words.deleted(deleted), words.undo, () => {
 			view.editor.undo();
 			view.say(words.ready);
@@ -364,6 +381,7 @@ export class Programs {
 		this.shelf.last = id;
 		this.#name = id;
 		this.#isTaken = false;
+		this.lessons.isOwn = true;
 		this.#showTitle(name);
 		// the kept program counts from now on, not the link
 		this.#setAddress(id);
@@ -450,7 +468,7 @@ export class Programs {
 	}
 
 	async #showJavascript() {
-		const { showJavascript } = await import("./developer.js");
+		const [{ showJavascript }] = await Promise.all([import("./developer.js"), learn("lab")]);
 		showJavascript(this.program, this.#title, fileName(this.#title), this.view.models);
 	}
 

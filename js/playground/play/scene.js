@@ -15,9 +15,11 @@ const STRUCTURES = { color: LINES.tested };
 const CHOSEN = { color: LINES.chosen };
 /** The view of stages on the ground. */
 export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HALF_WIDTH, isLand: true };
-/** The length of a flash and of a mark, in frames. */
-const [FLASH, MARK] = [9, 45];
+/** The length of a flash and of a mark, in frames, and the share of white in a flash. Agents keep their colour in it. */
+const [FLASH, MARK, BRIGHT] = [9, 45, 0.2];
 const MOST_SAID = 40;
+/** The last seconds of a game with a limit of time. */
+const LATE = 10;
 /** The height of signs above heads. */
 const ABOVE = 0.35;
 /** The size of the shapes' pictures in menus. */
@@ -34,6 +36,10 @@ export class Scene {
 	differing = new Map();
 	/** Whether the same game is played beside this one. */
 	isBeside = false;
+	/** What the end says about the best time; and the best time itself in seconds, or null. */
+	best = "";
+	record = null;
+	#best = "";
 	#mainBreed = null;
 	#explained = null;
 	#said = new Map();
@@ -51,13 +57,14 @@ export class Scene {
 	constructor(stage, world, models, screen) {
 		Object.assign(this, { stage, world, models });
 		this.goal = h("p.goal", { hidden: true });
+		this.clock = h("p.score.clock", { hidden: true });
 		this.score = h("p.score", { hidden: true, "aria-live": "polite" });
 		this.caption = h("p.caption", { hidden: true });
 		this.end = h("div.end", { role: "alert", hidden: true });
 		this.legend = h("ul.legend.sees", { hidden: true });
 		this.bubbles = h("div.bubbles");
 		this.facts = h("div.inspector", { hidden: true, role: "region", "aria-label": words.inspector });
-		screen.append(this.bubbles, h("div.overlay", {}, h("div.banner", {}, this.goal, this.caption, this.score), this.facts), this.end);
+		screen.append(this.bubbles, h("div.overlay", {}, h("div.banner", {}, this.goal, this.caption, h("div.counts", {}, this.score, this.clock)), this.facts), this.end);
 		stage.onDrawn = () => this.#placeBubbles();
 	}
 
@@ -109,7 +116,7 @@ export class Scene {
 		if (main) stage.follow(main, this.#height(main), this.camera === "eyes");
 		stage.setGround(world.ground);
 		stage.showTerrain(world.terrain);
-		stage.showAgents(this.camera === "follow" ? this.#notHiding(main, world) : world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
+		stage.showAgents(this.camera === "follow" ? this.#notHiding(main, world) : world.agents, this.models, ({ hit }) => Math.max(0, BRIGHT * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		world.structures.lines(lines);
 		stage.wireframe("structures", STRUCTURES).showLines(lines);
@@ -174,15 +181,21 @@ export class Scene {
 	}
 
 	#show(again) {
-		const { goal, score, ended, seconds } = this.world;
+		const { goal, score, ended, seconds, secondsLeft } = this.world;
+		this.clock.hidden = secondsLeft === null;
+		if (secondsLeft !== null) {
+			this.clock.classList.toggle("late", secondsLeft <= LATE);
+			this.clock.textContent = `${words.clock(Math.ceil(secondsLeft))}${this.record === null ? "" : ` · ${words.bestShort(fixed(this.record, 1))}`}`;
+		}
 		this.goal.hidden = !goal;
 		this.goal.textContent = goal;
 		this.score.hidden = score === null;
 		if (score !== null && this.score.textContent !== words.score(score)) this.score.textContent = words.score(score);
 		this.#explain(this.isSeen ? words.seesNote : this.isBeside ? words.differs : {});
-		if (this.end.hidden === Boolean(ended)) {
+		if (this.end.hidden === Boolean(ended) || (ended && this.best !== this.#best)) {
+			this.#best = this.best;
 			this.end.hidden = !ended;
-			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
+			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), this.best && h("p.best", {}, this.best), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
 			if (ended) this.end.querySelector("button")?.focus({ preventScroll: true });
 		}
 	}

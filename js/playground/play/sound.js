@@ -10,6 +10,15 @@ const BETWEEN = 6;
 const TOUCHES = [523, 587, 659, 784, 880];
 const DONE = [523, 659, 784, 1047];
 const LOST = [392, 330, 262];
+/** The sounds of blocks: their waves, their tones in hertz, and the seconds of each tone. */
+const SOUNDS = {
+	pop: ["sine", [420, 700], 0.04], ding: ["triangle", [1319, 1319], 0.18], jump: ["square", [262, 330, 440, 587], 0.04], fall: ["square", [587, 440, 330, 262, 196], 0.06],
+	zap: ["sawtooth", [1400, 900, 500, 250], 0.03], drum: ["sine", [140, 90, 60], 0.05],
+};
+/** The most sounds that blocks play in one frame. */
+const MOST_SOUNDS = 4;
+/** The number and the frequency of the note a', and the seconds of a block's note. */
+const [A, A_HERTZ, NOTE] = [69, 440, 0.25];
 
 export class Sound {
 	#context = null;
@@ -48,7 +57,11 @@ export class Sound {
 	}
 
 	/** Listens to a frame of a game. Plays a tone if a touch has begun in it. */
-	hear({ frame, state: { meetings }, events: [event] }) {
+	hear({ frame, state: { meetings }, events: [event], sounds }) {
+		for (const each of sounds.slice(0, MOST_SOUNDS)) {
+			if (typeof each === "number") this.#play([A_HERTZ * 2 ** ((Math.min(127, Math.max(0, each)) - A) / 12)], NOTE);
+			else if (each in SOUNDS) this.#play(SOUNDS[each][1], SOUNDS[each][2], SOUNDS[each][0]);
+		}
 		if (frame <= this.#frame) {
 			// the game has begun again, or gone back
 			this.#last = -BETWEEN;
@@ -71,7 +84,7 @@ export class Sound {
 	}
 
 	/** Plays tones one after the other. Each lasts this many seconds. */
-	#play(tones, seconds) {
+	#play(tones, seconds, wave = "triangle") {
 		if (this.#isMuted || !globalThis.AudioContext) return;
 		// browsers allow sound only after the user has pressed something
 		this.#context ??= new AudioContext();
@@ -79,7 +92,7 @@ export class Sound {
 		tones.forEach((tone, i) => {
 			const [source, volume] = [this.#context.createOscillator(), this.#context.createGain()];
 			const begin = currentTime + i * seconds;
-			source.type = "triangle";
+			source.type = wave;
 			source.frequency.value = tone;
 			volume.gain.setValueAtTime(0.12, begin);
 			volume.gain.exponentialRampToValueAtTime(0.001, begin + seconds);

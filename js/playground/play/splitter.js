@@ -4,7 +4,7 @@ import { texts } from "../shared/language.js";
 
 const KEY = "starlogo-playground.blocks-width";
 /** The least, the largest and the first width of the blocks, in percent of the window. */
-const [LEAST, MOST, FIRST] = [25, 72, 50];
+const [LEAST, MOST, FIRST] = [25, 72, 54];
 const STEP = 2;
 
 /**

@@ -42,10 +42,20 @@ export class Shelf {
 		this.#write(this.all.filter((each) => each.id !== id));
 	}
 
-	/** Removes all programs, and the memory of the last one. */
+	/** Removes all programs, the memory of the last one and the best times. */
 	forget() {
 		this.#write([]);
+		this.#keep(`${KEY}.records`, {});
 		this.last = null;
+	}
+
+	/** The seconds of the best victory in a game, or null. */
+	recordOf(id) {
+		return read(`${KEY}.records`)?.[id] ?? null;
+	}
+
+	putRecord(id, seconds) {
+		this.#keep(`${KEY}.records`, { ...read(`${KEY}.records`), [id]: seconds });
 	}
 
 	/** The id of the program that was open last. */

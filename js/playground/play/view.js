@@ -10,6 +10,7 @@ import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { fixed, texts } from "../shared/language.js";
 import { Keys } from "./keys.js";
+import { dragAgents } from "./dragging.js";
 import { Models } from "./kept.js";
 import { loadMessages } from "./messages.js";
 import { Panel } from "./panel.js";
@@ -25,6 +26,8 @@ const words = texts.play;
 const MOST_AT_ONCE = 8;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const PICTURE = [240, 150];
+/** A game with at most so many agents is looked at closely. */
+const FEW = 4;
 /** The number of pieces of confetti, and the milliseconds that they fall. */
 const [PIECES, CELEBRATED] = [36, 3000];
 
@@ -35,6 +38,7 @@ export async function createView(main, link) {
 	for (const model of models.values()) greatLand.addModel(model);
 	const view = new PlayView(main, models, new World(greatLand));
 	const opening = view.open(link);
+	await words;
 	view.preview(await view.programs.first(link));
 	if (view.programs.isHome(link)) await view.programs.openHome();
 	const [{ Editor }] = await Promise.all([words.then(() => import("./editor.js")), view.own.takeKept()]);
@@ -51,6 +55,8 @@ class PlayView {
 	#owed = 0;
 	#speed = 1;
 	isBroken = false;
+	/** Whether the user has dragged anything. */
+	isDragKnown = false;
 	/** Resolved when the editor is loaded. */
 	editing = new Promise((resolve) => {
 		this.#beginEditing = resolve;
@@ -77,6 +83,13 @@ class PlayView {
 			world.click(agent);
 			this.#choose(agent);
 		});
+		dragAgents(this.stage, {
+			// the camera would follow, and run away
+			mayDrag: (agent) => this.scene.camera === "all" || agent !== (this.scene.chosen ?? this.scene.main),
+			isStill: () => !this.isRunning,
+			onDrag: (agent, isDone) => this.#drag(agent, isDone),
+		});
+		this.stage.controls?.addEventListener("start", () => this.#forgetDragNote());
 		world.onSystem = (name) => {
 			this.system.value = name;
 		};
@@ -86,21 +99,24 @@ class PlayView {
 	#build(main) {
 		this.main = main;
 		this.runLabel = h("span", {}, words.run);
-		this.runButton = button(h("span.icon"), () => (this.isRunning ? this.stop() : this.run()), { class: "primary run" });
+		this.runButton = button(h("span.icon"), () => (this.isRunning && this.isStale ? this.#anew() : this.isRunning ? this.stop() : this.run()), { class: "primary run" });
 		this.runButton.append(this.runLabel);
 		this.status = h("p.status", { role: "status" }, words.ready);
 		const systems = CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]);
 		this.system = choice(systems, CollisionBlocks.TIGHTEST_FITS, (name) => this.#useSystem(name));
 		this.editBar = h("div.edit", { role: "group", "aria-label": words.editor.label });
-		this.programs.element.lastChild.append(this.editBar);
+		this.programs.menuButton.before(this.editBar);
 		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocksKeys });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.speed = slider(words.speed, { min: 0, max: SPEEDS.length - 1, step: 1, value: SPEEDS.indexOf(1), format: (i) => words.speeds(SPEEDS[i]) }, (i) => {
 			this.#speed = SPEEDS[i];
-			this.#playOn();
 		});
+		// keys may move the slider on
+		this.speed.input.addEventListener("pointerup", () => this.#playOn());
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => this.#goBack(-at));
-		this.screen = h("div.screen", {}, this.worldHost);
+		this.fullscreen = button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen });
+		this.dragNote = h("p.drag-note", { hidden: true }, words.drag);
+		this.screen = h("div.screen", {}, this.worldHost, this.dragNote);
 		this.screens = h("div.screens", {}, this.screen);
 		this.theatre = h("div.theatre", {}, this.screens);
 		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
@@ -121,18 +137,20 @@ class PlayView {
 			else this.main.querySelector(".show").prepend(this.controls);
 			this.#playOn();
 		});
+		const sees = tick(words.sees, false, (on) => {
+			this.scene.isSeen = on;
+			this.draw();
+			this.#playOn();
+		});
 		main.replaceChildren(
-			h("div.desk", {}, this.programs.lessons.element, h("section.program", { "aria-label": words.blocks }, this.programs.element, this.blocksHost)),
+			// the lesson is read before the blocks, though it is above the world
+			this.programs.lessons.element,
+			h("section.program", { "aria-label": words.blocks }, this.programs.element, this.blocksHost),
 			splitter(main),
 			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
-				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera),
-					tick(words.sees, false, (on) => {
-						this.scene.isSeen = on;
-						this.draw();
-					})),
+				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera), sees),
 				this.theatre,
-				h("div.time", {}, this.speed.element, this.rewind.element, this.sound.button,
-					button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
+				h("div.time", {}, this.speed.element, this.rewind.element, this.sound.button, this.fullscreen),
 				this.panel.element)));
 	}
 
@@ -144,6 +162,27 @@ class PlayView {
 	#choose(agent) {
 		this.scene.chosen = agent;
 		this.draw();
+	}
+
+	/** Called when the user drags an agent. A game that stands still shows at once who touches whom. */
+	#drag(agent, isDone) {
+		const { world } = this;
+		this.#forgetDragNote();
+		this.programs.lessons.begin();
+		this.#beside?.moveLike(agent);
+		if (!this.isRunning && world.frame > 0) this.#attempt(() => {
+			world.history.goOn();
+			world.collide();
+			this.#beside?.compare();
+			if (isDone) world.history.amend([...world.agents]);
+		});
+		if (!this.isRunning) this.draw();
+		if (isDone) this.#playOn();
+	}
+
+	#forgetDragNote() {
+		this.isDragKnown = true;
+		this.dragNote.hidden = true;
 	}
 
 	/** Shows the beginning of a program's game before its blocks are loaded. */
@@ -163,6 +202,8 @@ class PlayView {
 	/** Points the camera at a new program's game. */
 	lookAt(program) {
 		this.camera.value = this.scene.lookAt(program);
+		// it matters where a few agents are looked at closely
+		this.dragNote.hidden = this.isDragKnown || this.scene.camera !== "all" || this.world.agents.length > FEW || !this.stage.renderer;
 		this.draw();
 	}
 
@@ -187,6 +228,11 @@ class PlayView {
 			this.#beside?.compare();
 			this.#take();
 		});
+		// the lesson is about the system: its game shows at once what the system does
+		if (!this.isRunning && this.programs.lessons.isOfSystem) {
+			this.reset();
+			this.run();
+		}
 		this.draw();
 		this.#playOn();
 	}
@@ -256,6 +302,8 @@ class PlayView {
 		this.panel.forget();
 		this.scene.begin();
 		this.programs.lessons.begin();
+		this.scene.best = "";
+		this.scene.record = this.programs.record;
 		this.draw();
 	}
 
@@ -266,13 +314,18 @@ class PlayView {
 		this.#isQuiet = false;
 	}
 
+	#anew() {
+		this.reset();
+		this.run();
+	}
+
 	run() {
 		// changes count from the beginning
 		if (this.isBroken || this.world.ended || this.isStale) this.reset();
 		if (this.isBroken) return;
 		this.isRunning = true;
 		this.#turnTo("game");
-		this.#showRun(words.stop);
+		this.showRun();
 		this.say(words.running);
 		this.worldHost.focus({ preventScroll: true });
 		this.#last = performance.now();
@@ -296,15 +349,18 @@ class PlayView {
 		this.draw();
 	}
 
-	#showRun(text) {
-		this.runLabel.textContent = text;
+	/** Shows what the button does: run, stop, or start a changed program anew. */
+	showRun() {
+		const isChanged = this.isRunning && this.isStale;
+		this.runLabel.textContent = isChanged ? words.startAnew : this.isRunning ? words.stop : words.run;
 		this.runButton.classList.toggle("running", this.isRunning);
+		this.runButton.classList.toggle("changed", isChanged);
 	}
 
 	#halt() {
 		this.isRunning = false;
 		cancelAnimationFrame(this.#request);
-		this.#showRun(words.run);
+		this.showRun();
 		this.world.releaseAll();
 	}
 
@@ -338,7 +394,8 @@ class PlayView {
 		const { how, text } = this.world.ended;
 		this.#halt();
 		if (how === "won") {
-			this.programs.win();
+			this.scene.best = this.programs.win(this.world.seconds);
+			this.draw();
 			this.#celebrate(text);
 		} else {
 			this.sound.lost();

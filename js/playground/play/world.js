@@ -33,6 +33,8 @@ export class World {
 	isWatched = false;
 	/** Whether blocks may not change the collision system. */
 	isSystemFixed = false;
+	/** The sounds of this frame's blocks: names and notes. */
+	sounds = [];
 	#pressed = new Set();
 	#clicked = null;
 	#scripts = [];
@@ -54,8 +56,8 @@ export class World {
 
 	#forget() {
 		/** The data of a frame that History keeps, in addition to the agents. */
-		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
-		this.agents.length = 0;
+		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
+		this.agents.length = this.sounds.length = 0;
 		this.collisions.collision.terrain = null;
 		this.#pressed.clear();
 		this.#clicked = null;
@@ -126,6 +128,8 @@ export class World {
 		const start = performance.now();
 		this.history.goOn();
 		this.state.frame++;
+		// the sounds of the start are heard with the first frame
+		if (this.frame > 1) this.sounds.length = 0;
 		this.rounds.begin();
 		this.#areSensesOld = true;
 		for (const agent of this.agents) {
@@ -144,6 +148,7 @@ export class World {
 		this.#clicked = null;
 		const listed = [...this.agents];
 		this.collide();
+		if (this.limit && this.frame >= this.limit.until) this.ended ??= { how: "lost", text: this.limit.text };
 		this.history.add(listed);
 		this.scriptMs = performance.now() - start - this.collisionMs;
 	}
@@ -352,6 +357,11 @@ export class World {
 		return this.frame + Math.max(1, Math.round(seconds * FRAMES_A_SECOND));
 	}
 
+	/** The seconds that are left, or null if the game has no limit of time. */
+	get secondsLeft() {
+		return this.limit ? Math.max(0, this.limit.until - this.frame) / FRAMES_A_SECOND : null;
+	}
+
 	get seconds() {
 		return this.frame / FRAMES_A_SECOND;
 	}
@@ -363,7 +373,7 @@ export class World {
 	}
 }
 
-for (const name of ["frame", "variables", "threads", "score", "goal", "ground", "ended", "totals", "events"]) {
+for (const name of ["frame", "variables", "threads", "score", "goal", "limit", "ground", "ended", "totals", "events"]) {
 	Object.defineProperty(World.prototype, name, {
 		get() {
 			return this.state[name];

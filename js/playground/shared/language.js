@@ -1,12 +1,18 @@
 /** The page's words in its language. The page's first script fills them in before a view is loaded. */
 export const texts = {};
 
-/** Sets the words of a language: the export of a file of languages/. */
+/** Adds the words of a file of languages/. */
 export function speak(words) {
-	Object.assign(texts, words);
+	for (const [key, value] of Object.entries(words)) {
+		if (typeof texts[key] === "object") Object.assign(texts[key], value);
+		else texts[key] = value;
+	}
 }
 
-/** Load the words that only some views need: "class" for the teacher's pages and handing in, "lab" for the others. The first script fills it in. */
+/**
+ * Load the words that only some views need: "class" for the teacher's pages and handing in, "game" for
+ * blocks, lessons and games, "lab" for the others. The first script fills it in.
+ */
 export const further = {};
 
 /** Waits until these words are there. */

@@ -57,11 +57,17 @@ const [place, along, factors] = [new Vector3(), new Vector3(), new Vector3()];
 const turn = new Quaternion();
 const UP = new Vector3(0, 0, 1);
 
+/** Thin glass with lines in its colour, so that the colour stays the same over grass, and agents keep theirs behind it. */
+function hatch(shader) {
+	shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.a *= mod(gl_FragCoord.x + gl_FragCoord.y, 10.0) < 2.0 ? 5.0 : 1.0;");
+}
+
 export class Marks {
 	constructor(scene) {
 		this.group = new Group();
 		scene.add(this.group);
-		const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.3, depthWrite: false });
+		const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.14, depthWrite: false });
+		glass.onBeforeCompile = hatch;
 		const ink = new MeshBasicMaterial({ depthTest: false, transparent: true });
 		this.rings = new Crowd(this.group, new RingGeometry(0.72, 1, 28), ink);
 		this.dots = new Crowd(this.group, new SphereGeometry(1, 10, 8), ink);

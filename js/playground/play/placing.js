@@ -1,0 +1,120 @@
+/**
+ * Keeps scripts where the user has put them, and in sight.
+ *
+ * Blockly pushes blocks apart that are close together without being connected. A block that comes out of the drawer lies over scripts, so
+ * Blockly would push these away. Here no block is pushed.
+ */
+import * as Blockly from "blockly/core";
+
+/** The distance between scripts, and between the drawer and a script. */
+const GAP = 24;
+/** The distance within which a block joins another one, in the blocks' units. */
+const SNAP = 36;
+
+Blockly.BlockSvg.prototype.bumpNeighbours = () => {};
+Blockly.config.snapRadius = Blockly.config.connectingSnapRadius = SNAP;
+
+export class Placing {
+	/** The pixels by which the scripts have given way to the drawer, and where they are since then. */
+	#given = 0;
+	#at = 0;
+	#wanted = null;
+
+	/** @param {Blockly.WorkspaceSvg} workspace */
+	constructor(workspace) {
+		this.workspace = workspace;
+		// further to the right than Blockly lets scripts go
+		const metrics = workspace.getMetricsManager();
+		const padded = metrics.getPaddedContent_;
+		metrics.getPaddedContent_ = (view, content) => {
+			const bounds = padded.call(metrics, view, content);
+			return { ...bounds, left: Math.min(bounds.left, content.left - view.width) };
+		};
+	}
+
+	/** Hears every event of the workspace. */
+	hear(event) {
+		const { workspace } = this;
+		if (event.type === Blockly.Events.TOOLBOX_ITEM_SELECT) this.#makeRoom();
+		if (event.type === Blockly.Events.BLOCK_DRAG && !event.isStart) this.#stepAside(event);
+		const isOpen = workspace.getFlyout().isVisible();
+		workspace.getInjectionDiv().classList.toggle("drawer-open", isOpen);
+		if (!isOpen && !workspace.isDragging()) this.#takeRoom();
+		if (!event.isUiEvent && event.recordUndo) this.#spreadLater(event);
+	}
+
+	/** Moves the scripts to the right of an open drawer. */
+	#makeRoom() {
+		const { workspace } = this;
+		const flyout = workspace.getFlyout();
+		if (!flyout.isVisible() || workspace.horizontalLayout) return;
+		const pane = workspace.getInjectionDiv().getBoundingClientRect();
+		const drawer = pane.left + workspace.getToolbox().getWidth() + flyout.getWidth();
+		const shown = workspace.getTopBlocks(false).map((block) => block.getSvgRoot().getBoundingClientRect()).filter(({ top, bottom, right }) => bottom > pane.top && top < pane.bottom && right > pane.left);
+		const by = drawer + GAP / 2 - Math.min(...shown.map(({ left }) => left));
+		if (!(by > 0 && by < pane.width)) return;
+		workspace.scroll(workspace.scrollX + by, workspace.scrollY);
+		this.#given += by;
+		this.#at = workspace.scrollX;
+	}
+
+	/** Moves them back, unless the user has moved them meanwhile. */
+	#takeRoom() {
+		const { workspace } = this;
+		const by = this.#given;
+		this.#given = 0;
+		if (by > 0 && Math.abs(workspace.scrollX - this.#at) < 1) workspace.scroll(workspace.scrollX - by, workspace.scrollY);
+	}
+
+	/** Moves a dropped value away from an input that it does not fit, so that it does not seem to be in it. */
+	#stepAside({ blockId, group }) {
+		const block = this.workspace.getBlockById(blockId);
+		const { outputConnection: output } = block ?? {};
+		if (!output || output.isConnected() || output.neighbours(GAP).length === 0) return;
+		within(group, () => block.moveBy(GAP, GAP));
+	}
+
+	/** Gives each script its own place, when the blocks have their sizes. The one that was moved gives way, or else the lower one. */
+	#spreadLater({ type, blockId, group }) {
+		const isMove = type === Blockly.Events.BLOCK_MOVE || type === Blockly.Events.BLOCK_CREATE;
+		const isFirst = this.#wanted === null;
+		this.#wanted = { group, moved: isMove ? blockId : this.#wanted?.moved };
+		if (isFirst) Blockly.renderManagement.finishQueuedRenders().then(() => {
+			const { moved, group: last } = this.#wanted;
+			this.#wanted = null;
+			if (!this.workspace.isDragging() && this.workspace.rendered) within(last, () => this.#spread(moved));
+		});
+	}
+
+	#spread(moved) {
+		const { workspace } = this;
+		const scripts = workspace.getTopBlocks(false).filter(({ outputConnection, previousConnection }) => !outputConnection && !previousConnection);
+		const placeOf = (block) => [block.id === moved ? 1 : 0, block.getRelativeToSurfaceXY().y];
+		scripts.sort((a, b) => placeOf(a)[0] - placeOf(b)[0] || placeOf(a)[1] - placeOf(b)[1]);
+		const taken = [];
+		for (const block of scripts) {
+			const place = block.getBoundingRectangle();
+			const { top } = place;
+			for (let other = null; (other = taken.find((each) => each.intersects(place))); ) {
+				const by = other.bottom + GAP - place.top;
+				place.top += by;
+				place.bottom += by;
+			}
+			taken.push(place);
+			if (place.top === top) continue;
+			block.moveBy(0, place.top - top);
+			if (block.id === moved) workspace.scrollBoundsIntoView(place);
+		}
+	}
+}
+
+/** Changes blocks as a part of an earlier change, so that they are undone together. */
+function within(group, action) {
+	const before = Blockly.Events.getGroup();
+	Blockly.Events.setGroup(group);
+	try {
+		action();
+	} finally {
+		Blockly.Events.setGroup(before);
+	}
+}

@@ -1,0 +1,386 @@
+/** Play as a child meets it on a small laptop: room for blocks, blocks that snap, lessons that answer, agents to drag, sounds and times. */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { begin, focused, open, press, ready, titled } from './browser.mjs';
+
+let site;
+before(async () => {
+	site = await begin();
+});
+after(() => site.close());
+
+const SMALL = { viewport: { width: 1366, height: 625 }, isDrawn: false };
+const LESSONS = ['blocks', 'helmet', 'wing', 'main', 'fast', 'starts', 'room', 'near', 'see', 'hunt'];
+/** Opens one of the page's or of the user's programs. */
+async function choose(page, name) {
+	await page.evaluate((wanted) => globalThis.playground.programs.choose(wanted), name);
+	await page.waitForTimeout(100);
+}
+const boxOf = (page, selector) => page.evaluate((each) => {
+	const { top, left, right, bottom, width, height } = document.querySelector(each).getBoundingClientRect();
+	return { top, left, right, bottom, width, height };
+}, selector);
+const number = (value) => ({ shadow: { type: 'math_number', fields: { NUM: value } } });
+const inside = (block) => ({ DO: { block } });
+const program = (...scripts) => JSON.stringify({ blocks: { languageVersion: 0, blocks: scripts } });
+const create = (breed, shape, inner) => ({ type: 'starlogo_create', fields: { BREED: breed, SHAPE: shape }, inputs: { COUNT: number(1), ...(inner && inside(inner)) } });
+const go = (x, y, z) => ({ type: 'starlogo_go', inputs: { X: number(x), Y: number(y), Z: number(z) } });
+
+async function openProgram(page, name, text) {
+	await page.setInputFiles('.program input[type=file]', { name: `${name}.json`, mimeType: 'application/json', buffer: Buffer.from(text) });
+	await titled(page, name);
+}
+
+/** Opens a category of the drawer with the mouse. */
+async function openDrawer(page, name) {
+	const box = await page.locator('.blocklyToolboxCategory', { hasText: name }).boundingBox();
+	await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+	await page.waitForFunction(() => globalThis.playground.editor.workspace.getFlyout().isVisible());
+	await page.waitForTimeout(100);
+}
+
+/** The edges of what is called so in the editor: each script, and the drawer. */
+const scripts = (page) => page.evaluate(() => {
+	const { workspace } = globalThis.playground.editor;
+	const pane = document.querySelector('.blocks').getBoundingClientRect();
+	const drawer = workspace.getFlyout().isVisible() ? pane.left + workspace.getToolbox().getWidth() + workspace.getFlyout().getWidth() : 0;
+	return { pane: { left: pane.left, right: pane.right }, drawer, tops: workspace.getTopBlocks(true).map((block) => {
+		const { left, top, bottom, right } = block.getSvgRoot().getBoundingClientRect();
+		const { x, y } = block.getRelativeToSurfaceXY();
+		return { type: block.type, left, top, bottom, right, x, y };
+	}) };
+});
+
+for (const [code, hint] of [['en', 'A hint'], ['de', 'Ein Tipp']]) {
+	test(`on a small laptop four fifths of the height are for blocks, and nothing lies over anything else (${code})`, async () => {
+		const { page, said, leave } = await open(site, 'play/lesson-blocks', { ...SMALL, locale: code });
+		for (const [width, height, least] of [[1366, 625, 480], [1366, 768, 620], [1024, 700, 500]]) {
+			await page.setViewportSize({ width, height });
+			for (const name of LESSONS) {
+				await choose(page, `lesson-${name}`);
+				const before = await boxOf(page, '.screens');
+				await press(page, hint);
+				const [blocks, bin, screen, time] = [await boxOf(page, '.blocks'), await boxOf(page, '.tool-bin'), await boxOf(page, '.screens'), await boxOf(page, '.time')];
+				const where = `${name} at ${width} x ${height}`;
+				assert.ok(blocks.height >= least && blocks.bottom <= height, `${where}: ${blocks.height} pixels for blocks`);
+				assert.ok(bin.bottom < blocks.bottom && bin.right < blocks.right, `${where}: the trash can is in the window`);
+				assert.ok(screen.height > 140 && time.bottom <= height, `${where}: the world is ${screen.height} high`);
+				assert.deepEqual(screen, before, `${where}: the hint moves nothing`);
+				const categories = await page.evaluate(() => [...document.querySelectorAll('.blocklyToolboxCategory')].map((each) => each.getBoundingClientRect()).map(({ right, bottom }) => ({ right, bottom })));
+				assert.equal(categories.length, 10);
+				assert.ok(categories.every(({ right, bottom }) => bottom <= blocks.bottom && right <= bin.left), `${where}: categories in the window, and not below the trash can`);
+			}
+			assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth && document.documentElement.scrollHeight <= innerHeight), 'nothing to scroll');
+			assert.ok((await boxOf(page, '.time input')).width > 40, 'Speed is a slider, and not a dot');
+			// in one row
+			const tops = await page.evaluate(() => [...document.querySelectorAll('.naming > :is(button, input), .edit > button')].map((each) => Math.round(each.getBoundingClientRect().top)));
+			assert.ok(tops.length >= 7 && Math.max(...tops) - Math.min(...tops) < 3, `${tops}`);
+		}
+		assert.deepEqual(said, []);
+		await leave();
+	});
+}
+
+test('a block from the drawer pushes no script away, and joins one even if it is dropped 12 pixels too high', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);
+	let taken = 0;
+	for (const category of ['Movement', 'Looks', 'Collisions']) {
+		for (let i = 0; i < 5; i++) {
+			await page.evaluate(() => globalThis.playground.programs.choose('lesson-blocks', false, true));
+			await page.waitForTimeout(50);
+			const before = await scripts(page);
+			await openDrawer(page, category);
+			const open_ = await scripts(page);
+			assert.ok(open_.tops.every(({ left }) => left >= open_.drawer), `${category}: the drawer ends at ${open_.drawer}, scripts begin at ${open_.tops.map(({ left }) => left)}`);
+			assert.ok(open_.pane.right - open_.drawer > 200, `${open_.pane.right - open_.drawer} pixels for scripts`);
+			const from = await page.evaluate((wanted) => {
+				const blocks = globalThis.playground.editor.workspace.getFlyout().getWorkspace().getTopBlocks(true).filter(({ previousConnection }) => previousConnection);
+				const block = blocks[wanted];
+				const box = block?.getSvgRoot().querySelector(':scope > .blocklyPath').getBoundingClientRect();
+				return box && box.top + 20 < innerHeight - 20 ? { x: box.left, y: box.top, type: block.type } : null;
+			}, i);
+			if (from === null) continue;
+			await page.mouse.move(from.x + 8, from.y + 10);
+			await page.mouse.down();
+			await page.mouse.move(from.x + 20, from.y + 14, { steps: 4 });
+			await page.waitForTimeout(300);
+			const to = await page.evaluate(() => {
+				const { left, bottom } = globalThis.playground.editor.workspace.getBlocksByType('starlogo_each')[0].getInputTargetBlock('DO').getSvgRoot().querySelector(':scope > .blocklyPath').getBoundingClientRect();
+				return { x: left, y: bottom - 7 };
+			});
+			await page.mouse.move(to.x + 8, to.y + 10 - 12, { steps: 6 });
+			await page.mouse.up();
+			await page.waitForTimeout(300);
+			const after_ = await scripts(page);
+			for (const { type, x, y } of before.tops) {
+				const same = after_.tops.find((each) => each.type === type);
+				assert.deepEqual([same.x, type === 'starlogo_start' ? y : same.y], [x, y], `${from.type}: ${type} stays`);
+			}
+			const chain = await page.evaluate(() => {
+				const all = [];
+				for (let block = globalThis.playground.editor.workspace.getBlocksByType('starlogo_each')[0].getInputTargetBlock('DO'); block; block = block.getNextBlock()) all.push(block.type);
+				return all;
+			});
+			assert.deepEqual(chain, ['starlogo_turn', from.type]);
+			// the drawer is closed: the scripts are where they were
+			assert.deepEqual(after_.tops[0].left, before.tops[0].left);
+			taken++;
+		}
+	}
+	assert.ok(taken >= 11, `${taken} blocks`);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('a second script has its own place, wherever it is dropped, and however the first one grows', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);
+	const overlaps = async () => {
+		const { tops } = await scripts(page);
+		return tops.flatMap((a, i) => tops.slice(i + 1).filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom).map((b) => `${a.type} ${b.type}`));
+	};
+	await openDrawer(page, 'Events');
+	const from = await page.evaluate(() => {
+		const { left, top } = globalThis.playground.editor.workspace.getFlyout().getWorkspace().getTopBlocks(true)[1].getSvgRoot().getBoundingClientRect();
+		return { x: left + 12, y: top + 40 };
+	});
+	await page.mouse.move(from.x, from.y);
+	await page.mouse.down();
+	await page.mouse.move(from.x + 20, from.y, { steps: 4 });
+	const { tops: [{ left, top }] } = await scripts(page);
+	await page.mouse.move(left + 60, top + 60, { steps: 6 });
+	await page.mouse.up();
+	await page.waitForFunction(() => globalThis.playground.editor.workspace.getTopBlocks().length === 3);
+	await page.waitForTimeout(300);
+	assert.deepEqual(await overlaps(), []);
+	// the first one becomes longer
+	await page.evaluate(() => {
+		const { workspace } = globalThis.playground.editor;
+		const turn = workspace.getBlocksByType('starlogo_turn')[0];
+		for (let i = 0; i < 5; i++) {
+			const block = workspace.newBlock('starlogo_scatter');
+			block.initSvg();
+			block.render();
+			turn.nextConnection.connect(block.previousConnection);
+		}
+	});
+	await page.waitForTimeout(400);
+	assert.deepEqual(await overlaps(), []);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('a program that is changed while it runs has a button that says so', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);
+	const look = () => page.evaluate(() => {
+		const button = document.querySelector('.run');
+		return [button.textContent, getComputedStyle(button).backgroundColor, Math.round(button.getBoundingClientRect().width)];
+	});
+	await press(page, 'Run');
+	const before = await look();
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].getInputTargetBlock('COUNT').setFieldValue(7, 'NUM'));
+	await page.waitForFunction(() => document.querySelector('.run').textContent === 'Start anew');
+	const changed = await look();
+	assert.notEqual(changed[1], before[1], 'in another colour');
+	assert.equal(changed[2], before[2], 'of the same width');
+	await press(page, 'Start anew');
+	await page.waitForFunction(() => globalThis.playground.world.agents.length === 7);
+	assert.deepEqual(await look(), before);
+	// while it stands still a change counts at once
+	await press(page, 'Stop');
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].getInputTargetBlock('COUNT').setFieldValue(3, 'NUM'));
+	await page.waitForFunction(() => globalThis.playground.world.agents.length === 3);
+	assert.equal((await look())[0], 'Run');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('lessons: to choose the system is enough, a wrong one is told why, and one\'s own version comes back', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-wing', SMALL);
+	const shown = () => page.evaluate(() => {
+		const { shows } = document.querySelector('.lesson').dataset;
+		return document.querySelector(`.lesson .${shows}`).textContent;
+	});
+	const places = () => page.evaluate(() => [...document.querySelectorAll('.controls button, .screens, .lesson .challenge, .lesson .steps')].map((each) => each.getBoundingClientRect()).map(({ x, y, width, height }) => [x, y, width, height].map(Math.round).join()).join(' '));
+	await press(page, 'Run');
+	const first = await places();
+	await page.waitForFunction(() => /^Not yet:/.test(document.querySelector('.why').textContent));
+	assert.match(await shown(), /^Not yet: The dragon turns red/);
+	assert.equal(await places(), first, 'what is said moves nothing');
+	await press(page, 'Reset');
+	assert.match(await shown(), /^The ball rolls under the wing/);
+	await page.getByLabel('Collision system').selectOption('hierarchies');
+	await page.waitForFunction(() => /^Done!/.test(document.querySelector('.why').textContent));
+	const settled = (await places()).split(' ').slice(0, 3).join(' ');
+	assert.equal(settled, first.split(' ').slice(0, 3).join(' '), 'nor does success');
+	await press(page, 'Stop');
+	// one's own version: by the card, and by Back; and beside it the lesson's
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_forward')[0].getInputTargetBlock('STEPS').setFieldValue(0.09, 'NUM'));
+	await titled(page, 'A wing is not a box (mine)');
+	const speed = () => page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_forward')[0].getInputTargetBlock('STEPS').getFieldValue('NUM'));
+	assert.ok(await page.getByRole('button', { name: 'Begin again', exact: true }).isVisible());
+	await press(page, 'Next');
+	await page.waitForFunction(() => /^Lesson 4/.test(document.querySelector('.lesson').textContent));
+	assert.ok(!(await page.getByRole('button', { name: 'Begin again', exact: true }).isVisible()));
+	await press(page, 'Back');
+	await titled(page, 'A wing is not a box (mine)');
+	assert.equal(await speed(), 0.09);
+	await press(page, 'Lessons and games');
+	await page.locator('.gallery .open').nth(2).click();
+	await page.waitForSelector('.gallery', { state: 'detached' });
+	await titled(page, 'A wing is not a box (mine)');
+	await press(page, 'Begin again');
+	await titled(page, 'A wing is not a box');
+	assert.equal(await speed(), 0.06);
+	// the program is named once on the first screen
+	await press(page, 'Lessons and games');
+	const names = await page.evaluate(() => {
+		const card = [...document.querySelectorAll('.gallery li')].find((each) => each.querySelector('.own input'));
+		return [card.innerText.trim(), card.querySelector('input').value, card.querySelector('.open').getAttribute('aria-label')];
+	});
+	assert.deepEqual(names, ['✕', 'A wing is not a box (mine)', 'A wing is not a box (mine)']);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('agents are dragged in the world, and who touches whom is shown at once; elsewhere the picture turns', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);
+	await openProgram(page, 'two', program(
+		{ type: 'starlogo_start', inputs: inside({ ...create('bears', 'bear', go(-3, 0, 0)), next: { block: create('balls', 'sphere', go(3, 0, 0)) } }) },
+		{ type: 'starlogo_touch_start', fields: { BREED: 'balls', OTHER: 'bears' }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(1) } }) },
+	));
+	assert.ok(await page.getByText('Drag the picture to look around').isVisible());
+	await press(page, 'Step');
+	const at = (breed) => page.evaluate((wanted) => {
+		const { world, stage } = globalThis.playground;
+		const { x, y, z, size } = world.agents.find(({ breed: each }) => each === wanted);
+		const pixel = stage.pixelOf(x, y, z + 0.4 * size);
+		const box = stage.canvas.getBoundingClientRect();
+		return { x: box.left + pixel.x, y: box.top + pixel.y, place: [x, y, z] };
+	}, breed);
+	const camera = () => page.evaluate(() => globalThis.playground.stage.camera.position.toArray());
+	const eye = await camera();
+	const [ball, bear] = [await at('balls'), await at('bears')];
+	await page.mouse.move(ball.x, ball.y);
+	await page.waitForFunction(() => document.querySelector('.world canvas').classList.contains('grab'));
+	await page.mouse.down();
+	await page.mouse.move(bear.x, bear.y, { steps: 8 });
+	await page.waitForFunction(() => globalThis.playground.world.score === 1);
+	await page.mouse.up();
+	const moved = await at('balls');
+	assert.ok(Math.abs(moved.place[0] + 3) < 0.8 && moved.place[2] === 0, `${moved.place}`);
+	assert.deepEqual(await camera(), eye, 'the picture does not turn');
+	assert.ok(!(await page.getByText('Drag the picture to look around').isVisible()), 'said until it is known');
+	// the frame is kept as it is now
+	await press(page, 'Step');
+	await page.getByLabel('Rewind').fill('-1');
+	assert.deepEqual((await at('balls')).place, moved.place);
+	// beside the agents the picture turns
+	const canvas = await boxOf(page, '.world canvas');
+	await page.mouse.move(canvas.left + 30, canvas.bottom - 60);
+	await page.mouse.down();
+	await page.mouse.move(canvas.left + 130, canvas.bottom - 60, { steps: 4 });
+	await page.mouse.up();
+	assert.notDeepEqual(await camera(), eye);
+	assert.deepEqual((await at('balls')).place, moved.place);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('a game with a limit of time shows a clock and the best time, blocks make sounds, and the drawer names who is there', async () => {
+	const { page, said, leave } = await open(site, 'play/hills', SMALL);
+	assert.equal(await page.textContent('.clock'), '40 s left');
+	const won = (seconds) => program(
+		{ type: 'starlogo_start', inputs: inside({ type: 'starlogo_limit', fields: { TEXT: 'Too late.' }, inputs: { SECONDS: number(5) }, next: { block: create('dragons', 'dragon', { type: 'starlogo_sound', fields: { SOUND: 'ding' } }) } }) },
+		{ type: 'starlogo_timer', fields: { BREED: 'dragons' }, inputs: { SECONDS: number(seconds), ...inside({ type: 'starlogo_note', inputs: { NOTE: number(69) }, next: { block: { type: 'starlogo_end', fields: { HOW: 'won', TEXT: 'Yes!' } } } }) } },
+	);
+	await openProgram(page, 'short', won(0.5));
+	await page.evaluate(() => {
+		globalThis.tones = [];
+		globalThis.AudioContext = class extends globalThis.AudioContext {
+			createOscillator() {
+				const made = super.createOscillator();
+				globalThis.tones.push(made);
+				return made;
+			}
+		};
+	});
+	await press(page, 'Run');
+	await page.waitForSelector('.end');
+	assert.match(await page.textContent('.end'), /You have won!Yes! It took 0\.5 seconds\.Play again/);
+	assert.deepEqual(await page.evaluate(() => globalThis.tones.slice(0, 3).map(({ frequency }) => Math.round(frequency.value))), [1319, 1319, 440]);
+	// slower: the best time stays
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_timer')[0].getInputTargetBlock('SECONDS').setFieldValue(1, 'NUM'));
+	await page.waitForFunction(() => globalThis.playground.world.frame === 0);
+	assert.equal(await page.textContent('.clock'), '5 s left · best 0.5 s');
+	await press(page, 'Run');
+	await page.waitForFunction(() => /It took 1\.0 seconds\.Your best: 0\.5 seconds\./.test(document.querySelector('.end').textContent));
+	// and faster
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_timer')[0].getInputTargetBlock('SECONDS').setFieldValue(0.3, 'NUM'));
+	await page.waitForFunction(() => globalThis.playground.world.frame === 0);
+	await press(page, 'Run');
+	await page.waitForFunction(() => /It took 0\.3 seconds\.Your best so far!/.test(document.querySelector('.end').textContent));
+	// nobody wins in time
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_timer')[0].getInputTargetBlock('SECONDS').setFieldValue(60, 'NUM'));
+	await page.waitForFunction(() => globalThis.playground.world.frame === 0);
+	await page.getByLabel('Speed').fill('5');
+	await press(page, 'Run');
+	await page.waitForFunction(() => /The game is over\.Too late\. It took 5\.0 seconds/.test(document.querySelector('.end').textContent));
+	// the drawer
+	const named = (type, field) => page.evaluate(([wanted, name]) => globalThis.playground.editor.workspace.getFlyout().getWorkspace().getBlocksByType(wanted)[0].getFieldValue(name), [type, field]);
+	await openDrawer(page, 'Agents');
+	assert.deepEqual([await named('starlogo_create', 'BREED'), await named('starlogo_create', 'SHAPE')], ['dragons', 'dragon']);
+	await page.evaluate(() => globalThis.playground.programs.choose('lesson-near'));
+	await titled(page, 'Who is near?');
+	await openDrawer(page, 'Senses');
+	assert.equal(await named('starlogo_count', 'BREED'), 'turtles');
+	await openDrawer(page, 'Events');
+	assert.equal(await named('starlogo_each', 'BREED'), 'bears');
+	await openDrawer(page, 'Movement');
+	const steps = await page.evaluate(() => globalThis.playground.editor.workspace.getFlyout().getWorkspace().getBlocksByType('starlogo_forward')[0].getInputTargetBlock('STEPS').getFieldValue('NUM'));
+	assert.ok(60 * steps <= 6, `${60 * steps} squares a second`);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('the space bar throws after a tick, Speed keeps the keyboard, and an error moves nothing', async () => {
+	const { page, said, leave } = await open(site, 'play/paintball', SMALL);
+	const places = () => page.evaluate(() => [...document.querySelectorAll('.controls button, .screens, .blocks')].map((each) => each.getBoundingClientRect()).map(({ x, y, width, height }) => [x, y, width, height].map(Math.round).join()).join(' '));
+	const first = await places();
+	await press(page, 'Run');
+	await page.getByLabel('What the engine sees').check();
+	await page.keyboard.press('Space');
+	await page.waitForFunction(() => globalThis.playground.world.agents.some(({ breed }) => breed === 'paintballs') || globalThis.playground.world.state.made > 22);
+	assert.ok(await page.getByLabel('What the engine sees').isChecked());
+	await page.getByLabel('What the engine sees').uncheck();
+	await page.getByLabel('Speed').focus();
+	for (const _ of [1, 2]) {
+		await page.keyboard.press('ArrowLeft');
+		assert.equal(await focused(page), 'Speed');
+	}
+	assert.equal(await page.getByLabel('Speed').inputValue(), '1');
+	await press(page, 'Stop');
+	assert.equal(await places(), first);
+	await openProgram(page, 'endless', program({ type: 'starlogo_start', inputs: inside({ type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } }) }));
+	await page.waitForSelector('.status.problem');
+	const buttons = (all) => all.split(' ').slice(0, 3).join(' ');
+	assert.equal(buttons(await places()), buttons(first));
+	const [problem, blocks] = [await boxOf(page, '.status.problem'), await boxOf(page, '.blocks')];
+	assert.ok(problem.height > 30 && problem.left > blocks.right, 'all of it is read, beside the blocks');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('Compare has its panel on the same side for two agents and for a game', async () => {
+	const { page, said, leave } = await open(site, 'compare', SMALL);
+	const sides = async () => {
+		const { side, screen } = await page.evaluate(() => Object.fromEntries(['side', 'screen'].map((name) => [name, [...document.querySelectorAll(`.compare .${name}`)].map((each) => each.getBoundingClientRect()).find(({ width }) => width > 0).left])));
+		return side > screen;
+	};
+	const pair = await sides();
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
+	await page.waitForFunction(() => [...document.querySelectorAll('.scattered .side')].some((each) => each.getBoundingClientRect().width > 0));
+	assert.equal(await sides(), pair);
+	await ready(page, 'compare');
+	assert.deepEqual(said, []);
+	await leave();
+});

@@ -233,6 +233,7 @@ test('lessons: to choose the system is enough, a wrong one is told why, and one\
 	assert.equal(await speed(), 0.06);
 	// the program is named once on the first screen
 	await press(page, 'Lessons and games');
+	await page.waitForSelector('.gallery .own input');
 	const names = await page.evaluate(() => {
 		const card = [...document.querySelectorAll('.gallery li')].find((each) => each.querySelector('.own input'));
 		return [card.innerText.trim(), card.querySelector('input').value, card.querySelector('.open').getAttribute('aria-label')];
@@ -335,6 +336,10 @@ test('a game with a limit of time shows a clock and the best time, blocks make s
 	assert.equal(await named('starlogo_count', 'BREED'), 'turtles');
 	await openDrawer(page, 'Events');
 	assert.equal(await named('starlogo_each', 'BREED'), 'bears');
+	await page.evaluate(() => globalThis.playground.programs.choose('lesson-see'));
+	await titled(page, 'What do I see?');
+	await openDrawer(page, 'Senses');
+	assert.equal(await named('starlogo_nearest', 'BREED'), 'turtles', 'the wall does nothing');
 	await openDrawer(page, 'Movement');
 	const steps = await page.evaluate(() => globalThis.playground.editor.workspace.getFlyout().getWorkspace().getBlocksByType('starlogo_forward')[0].getInputTargetBlock('STEPS').getFieldValue('NUM'));
 	assert.ok(60 * steps <= 6, `${60 * steps} squares a second`);

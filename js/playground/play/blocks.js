@@ -200,14 +200,16 @@ function castOf(program) {
 }
 
 /**
- * The blocks of a drawer for a program: they name its breeds. A block about others names the second breed.
+ * The blocks of a drawer for a program: they name its breeds. A block about others names the second breed, or the second one with scripts.
  *
  * @param {object[]} items the drawer's blocks, which do not change
  * @param {object} program in Blockly's notation
  */
 export function drawerFor(items, program) {
 	const cast = castOf(program);
-	const [first, second = first] = [...cast.keys()];
+	const [first, ...others] = cast.keys();
+	const acting = new Set(program.blocks?.blocks?.map(({ fields }) => fields?.BREED));
+	const second = others.find((breed) => acting.has(breed)) ?? others[0] ?? first;
 	if (first === undefined) return items;
 	return items.map((item) => JSON.parse(JSON.stringify(item), (key, value) => {
 		const names = DEFINITIONS.find(({ type }) => type === value?.type)?.args0.map(({ name }) => name);

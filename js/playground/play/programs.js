@@ -468,7 +468,7 @@ export class Programs {
 	}
 
 	async #showJavascript() {
-		const [{ showJavascript }] = await Promise.all([import("./developer.js"), learn("lab")]);
+		const { showJavascript } = await import("./developer.js");
 		showJavascript(this.program, this.#title, fileName(this.#title), this.view.models);
 	}
 

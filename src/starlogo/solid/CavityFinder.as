@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.steps.StepSequence;
 
     /**
@@ -24,7 +25,7 @@ package starlogo.solid
         private var _solid:Solid;
         private var _balances:Vector.<int>;
 
-        // For each piece, six numbers for its box, a corner, six times the volume around that corner, and 1 or -1 for its orientation.
+        // For each piece, six numbers for its box, a corner, six times the volume, and 1 or -1 for its orientation.
         private var _boxes:Vector.<Number>;
         private var _corners:Vector.<int>;
         private var _volumes:Vector.<Number>;
@@ -33,6 +34,7 @@ package starlogo.solid
         // For each piece, the larger pieces that are around all of its points tested so far. Null before the first point.
         private var _around:Vector.<Vector.<int>>;
 
+        private var _face:ContactPoint = new ContactPoint();
         private var _looks:int = 0;
         private var _mostLooks:int;
 
@@ -97,27 +99,15 @@ package starlogo.solid
                     _boxes[at] = isFirst ? extents[6 * i + axis] : Math.min(_boxes[at], extents[6 * i + axis]);
                     _boxes[at + 3] = isFirst ? extents[6 * i + axis + 3] : Math.max(_boxes[at + 3], extents[6 * i + axis + 3]);
                 }
-                var volume:Number = volumeAround(corners, _corners[piece] - 1, 9 * i);
-                _volumes[piece] += _solid.sides[i] > 0 ? volume : -volume;
+                _face.setAcross(corners, 9 * i);
+                if (_face.length > 0)
+                {
+                    var from:int = _corners[piece] - 1;
+                    var volume:Number = _face.length * (_face.normalX * (corners[9 * i] - corners[from])
+                            + _face.normalY * (corners[9 * i + 1] - corners[from + 1]) + _face.normalZ * (corners[9 * i + 2] - corners[from + 2]));
+                    _volumes[piece] += _solid.sides[i] > 0 ? volume : -volume;
+                }
             }
-        }
-
-        // Six times the volume between a corner and a triangle.
-        private static function volumeAround(corners:Vector.<Number>, from:int, at:int):Number
-        {
-            var x:Number = corners[from];
-            var y:Number = corners[from + 1];
-            var z:Number = corners[from + 2];
-            var px:Number = corners[at] - x;
-            var py:Number = corners[at + 1] - y;
-            var pz:Number = corners[at + 2] - z;
-            var qx:Number = corners[at + 3] - x;
-            var qy:Number = corners[at + 4] - y;
-            var qz:Number = corners[at + 5] - z;
-            var rx:Number = corners[at + 6] - x;
-            var ry:Number = corners[at + 7] - y;
-            var rz:Number = corners[at + 8] - z;
-            return px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
         }
 
         // A piece has the orientation of most of its triangles. If both are equally frequent, its triangles face outwards.

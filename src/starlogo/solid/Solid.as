@@ -64,15 +64,18 @@ package starlogo.solid
         private var _root:HierarchyNode;
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
 
-        // The current ray: its axis, 0 for x, and the next two axes; its origin along these three; and whether it runs towards the smaller
-        // coordinates.
+        // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
         private var _axisB:int;
         private var _axisC:int;
+
+        // The current ray: its origin along these axes; and how far a box may be off, towards the larger and the smaller coordinates.
         private var _a:Number;
         private var _b:Number;
         private var _c:Number;
         private var _isBackward:Boolean;
+        private var _above:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _below:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * @param root the node around all triangles
@@ -81,6 +84,9 @@ package starlogo.solid
         public function Solid(root:HierarchyNode, count:int)
         {
             _root = root;
+            _axis = root.halfX <= root.halfY && root.halfX <= root.halfZ ? 0 : (root.halfY <= root.halfZ ? 1 : 2);
+            _axisB = (_axis + 1) % 3;
+            _axisC = (_axis + 2) % 3;
             corners = new Vector.<Number>(9 * count, true);
             places = corners;
             extents = new Vector.<Number>(6 * count, true);
@@ -120,7 +126,7 @@ package starlogo.solid
         }
 
         /**
-         * Counts how often each piece winds around a point. A ray along an axis, towards the nearest side of the box around all triangles,
+         * Counts how often each piece winds around a point. A ray along an axis, towards the nearer side of the box around all triangles,
          * counts the triangles that it crosses.
          *
          * <p>Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same
@@ -129,25 +135,14 @@ package starlogo.solid
         public function wind(x:Number, y:Number, z:Number):void
         {
             var root:HierarchyNode = _root;
-            var x0:Number = x - root.x;
-            var y0:Number = y - root.y;
-            var z0:Number = z - root.z;
-            var wayX:Number = root.halfX - (x0 < 0 ? -x0 : x0);
-            var wayY:Number = root.halfY - (y0 < 0 ? -y0 : y0);
-            var wayZ:Number = root.halfZ - (z0 < 0 ? -z0 : z0);
-            if (wayX <= wayY && wayX <= wayZ)
-            {
-                setRay(0, x, y, z, x0 < 0);
-            }
-            else if (wayY <= wayZ)
-            {
-                setRay(1, y, z, x, y0 < 0);
-            }
-            else
-            {
-                setRay(2, z, x, y, z0 < 0);
-            }
-            var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
+            _a = _axis == 0 ? x : (_axis == 1 ? y : z);
+            _b = _axis == 0 ? y : (_axis == 1 ? z : x);
+            _c = _axis == 0 ? z : (_axis == 1 ? x : y);
+            _isBackward = _a < (_axis == 0 ? root.x : (_axis == 1 ? root.y : root.z));
+            _above[0] = _above[1] = _above[2] = _below[0] = _below[1] = _below[2] = widestSeam
+                + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
+            var unbounded:Vector.<Number> = _isBackward ? _below : _above;
+            unbounded[_axis] = Infinity;
             var stack:Vector.<HierarchyNode> = _stack;
             stack[0] = root;
             var top:int = 1;
@@ -155,7 +150,7 @@ package starlogo.solid
             {
                 top--;
                 var node:HierarchyNode = stack[top];
-                if (!meetsBox(node, margin))
+                if (!meetsBox(node, node.x - x, node.y - y, node.z - z))
                 {
                     continue;
                 }
@@ -184,49 +179,10 @@ package starlogo.solid
             woundCount = 0;
         }
 
-        private function setRay(axis:int, a:Number, b:Number, c:Number, isBackward:Boolean):void
+        private function meetsBox(node:HierarchyNode, x:Number, y:Number, z:Number):Boolean
         {
-            _axis = axis;
-            _axisB = axis == 2 ? 0 : axis + 1;
-            _axisC = axis == 0 ? 2 : axis - 1;
-            _a = a;
-            _b = b;
-            _c = c;
-            _isBackward = isBackward;
-        }
-
-        private function meetsBox(node:HierarchyNode, margin:Number):Boolean
-        {
-            var a:Number = node.x;
-            var b:Number = node.y;
-            var c:Number = node.z;
-            var halfA:Number = node.halfX;
-            var halfB:Number = node.halfY;
-            var halfC:Number = node.halfZ;
-            if (_axis == 1)
-            {
-                a = node.y;
-                b = node.z;
-                c = node.x;
-                halfA = node.halfY;
-                halfB = node.halfZ;
-                halfC = node.halfX;
-            }
-            else if (_axis == 2)
-            {
-                a = node.z;
-                b = node.x;
-                c = node.y;
-                halfA = node.halfZ;
-                halfB = node.halfX;
-                halfC = node.halfY;
-            }
-            a -= _a;
-            b -= _b;
-            c -= _c;
-            halfB += margin;
-            halfC += margin;
-            return b <= halfB && b >= -halfB && c <= halfC && c >= -halfC && (_isBackward ? -a : a) + halfA + margin >= 0;
+            return x <= node.halfX + _above[0] && -x <= node.halfX + _below[0] && y <= node.halfY + _above[1] && -y <= node.halfY + _below[1]
+                && z <= node.halfZ + _above[2] && -z <= node.halfZ + _below[2];
         }
 
         // Adds a triangle to its piece's winding number if the ray crosses it.

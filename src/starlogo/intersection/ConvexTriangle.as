@@ -88,6 +88,7 @@ package starlogo.intersection
         private var _otherFeature:Polygon = new Polygon();
         private var _corner:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
+        private var _deepest:DeepestPoint = new DeepestPoint();
 
         /** Creates a test without a shape. */
         public function ConvexTriangle()
@@ -141,10 +142,10 @@ package starlogo.intersection
             beginMotion(motion);
         }
 
-        /** Writes the structure's extents at the beginning: least x, greatest x, least y, ... */
-        public function extentsInto(out:Vector.<Number>):void
+        /** The structure at the beginning. */
+        public function get structure():BoundingStructure
         {
-            _structure.extentsInto(out);
+            return _structure;
         }
 
         /** Sets the other triangle: nine numbers of a list, from an index on. The list is kept. */
@@ -226,10 +227,37 @@ package starlogo.intersection
             }
             // Where a moving shape first touches a sharp edge, the normal may point behind one of the edge's faces.
             var isFirstTouch:Boolean = time > 0 && speedAlong(out) < 0;
-            if (isOneSided && !isFirstTouch && out.normalX * _face.normalX + out.normalY * _face.normalY + out.normalZ * _face.normalZ < 0)
+            if (isOneSided && !isFirstTouch && out.normalX * _face.normalX + out.normalY * _face.normalY + out.normalZ * _face.normalZ < -Tolerances.DIRECTION)
             {
                 out.setNormal(_face.normalX, _face.normalY, _face.normalZ);
             }
+        }
+
+        /**
+         * Finds how far the shape reaches behind the triangle's plane at the beginning.
+         *
+         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point
+         * @return whether this point is behind the triangle itself
+         */
+        public function findBehind(out:ContactPoint):Boolean
+        {
+            prepare();
+            out.setNormal(_face.normalX, _face.normalY, _face.normalZ);
+            if (_kind == BoundingStructure.BOX)
+            {
+                _deepest.findOfBox(_box.box, out);
+            }
+            else
+            {
+                _deepest.findOfCorners(_corners, _kind == TRIANGLE ? 9 : 6, out);
+            }
+            var deepest:Vector3D = _deepest.point;
+            out.push(deepest, -_radius);
+            out.depth = out.normalX * _triangle[_at] + out.normalY * _triangle[int(_at + 1)] + out.normalZ * _triangle[int(_at + 2)] - out.along(deepest);
+            out.x = deepest.x + out.depth / 2 * out.normalX;
+            out.y = deepest.y + out.depth / 2 * out.normalY;
+            out.z = deepest.z + out.depth / 2 * out.normalZ;
+            return isOverTriangle(deepest, _triangle, _at, _face);
         }
 
         /** Measures the distance of the two. Updates <code>distance</code> if this triangle is the nearest one since the beginning. */
@@ -365,31 +393,9 @@ package starlogo.intersection
                     _point.x = _corners[i] + impact * _motion.x - back * x;
                     _point.y = _corners[int(i + 1)] + impact * _motion.y - back * y;
                     _point.z = _corners[int(i + 2)] + impact * _motion.z - back * z;
-                    time = isOverFace(_point) ? impact : time;
+                    time = isOverTriangle(_point, _triangle, _at, _face) ? impact : time;
                 }
             }
-        }
-
-        // Whether a point is over the triangle's face.
-        private function isOverFace(point:Vector3D):Boolean
-        {
-            var p:Vector.<Number> = _triangle;
-            var from:int = _at + 6;
-            for (var to:int = _at; to < _at + 9; to += 3)
-            {
-                var ux:Number = p[to] - p[from];
-                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
-                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
-                var vx:Number = point.x - p[from];
-                var vy:Number = point.y - p[int(from + 1)];
-                var vz:Number = point.z - p[int(from + 2)];
-                if (_face.normalX * (uy * vz - uz * vy) + _face.normalY * (uz * vx - ux * vz) + _face.normalZ * (ux * vy - uy * vx) < 0)
-                {
-                    return false;
-                }
-                from = to;
-            }
-            return true;
         }
 
         private function findContactOfStructure(out:ContactPoint):void

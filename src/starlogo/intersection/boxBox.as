@@ -186,8 +186,9 @@ package starlogo.intersection
                 return true;
             }
             // The sweep's axes do not cancel.
-            findBoxImpact(a, b, RelativeMotion.NONE);
-            return RelativeMotion.NONE.time == 0;
+            var standing:RelativeMotion = RelativeMotion.turned(RelativeMotion.NONE);
+            findBoxImpact(a, b, standing);
+            return standing.time == 0;
         }
         along = tZ * cosYX - tY * cosZX;
         reach = halfAY * absZX + halfAZ * absYX + halfBY * absXZ + halfBZ * absXY;

@@ -165,7 +165,6 @@ package starlogo.queries
         {
             measure(other);
             _moving.put(at, 0);
-            RelativeMotion.NONE.time = 0;
             _pairs.testsOf(_table, _row, other).findContact(_table, _row, other, RelativeMotion.NONE, out);
             if (isDeep || out.depth > SHALLOW * extent)
             {

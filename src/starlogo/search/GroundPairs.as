@@ -69,7 +69,9 @@ package starlogo.search
         /** @inheritDoc */
         override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            pairOf(table, a, b).findContact(motion, out);
+            var pair:TerrainPair = pairOf(table, a, b);
+            pair.findContact(motion, out);
+            needed = pair.needed;
         }
 
         /** @inheritDoc */
@@ -82,6 +84,12 @@ package starlogo.search
         override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
             pairOf(table, a, b).findOuterContact(out);
+        }
+
+        /** @inheritDoc */
+        override public function findWay(table:AgentTable, a:int, b:int, isFirst:Boolean, most:Number, out:ContactPoint):Boolean
+        {
+            return pairOf(table, a, b).findWay(isFirst, most, out);
         }
 
         /** @inheritDoc */

@@ -15,6 +15,9 @@ package starlogo.search
      */
     public class PairTests
     {
+        /** The length that any way out of the last contact has at least; 0 if it is not known. */
+        public var needed:Number = 0;
+
         /** Has only methods. */
         public function PairTests()
         {
@@ -91,8 +94,20 @@ package starlogo.search
          */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            RelativeMotion.NONE.time = 0;
             findContact(table, a, b, RelativeMotion.NONE, out);
+        }
+
+        /**
+         * Finds another contact with which a way out may begin.
+         *
+         * @param isFirst whether it is the first such contact. Each other one has a new direction
+         * @param most the depth must be less
+         * @param out receives the contact
+         * @return whether there is one
+         */
+        public function findWay(table:AgentTable, a:int, b:int, isFirst:Boolean, most:Number, out:ContactPoint):Boolean
+        {
+            return false;
         }
 
         /**

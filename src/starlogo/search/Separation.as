@@ -13,13 +13,15 @@ package starlogo.search
      * Finds a normal and a depth for a contact that separate its two rows. If the first row moves along the normal by the depth, no part of it
      * touches the second row any more.
      *
-     * <p>For a given direction, it tries places farther and farther away until the two rows are apart. Then it sweeps back to the place where
-     * they part. The surfaces have a normal at that place. Along this normal the way out is usually shorter. For convex bodies it always is,
-     * because it is at most the depth times the cosine of the angle between the two directions. So it tries that normal next. It improves a
-     * direction twice at most.</p>
+     * <p>It begins with a push along the given normal. If the two still touch after a push, their contact there is added, and the next push is
+     * the shortest one out of all contacts so far (LeastPush). So a box in a corner of floor and wall goes out of both at once. No way out
+     * is shorter than the overlap of two of their parts. If the push is about as short as that, it is taken. Otherwise other ways begin with
+     * other contacts (<code>PairTests.findWay()</code>), and the shortest is taken.</p>
      *
-     * <p>If a contact is shallow, it keeps its normal. For other contacts the first directions are the given normal and the shortest way out of
-     * the structures around both rows. So their depth is never more than the overlap of these structures.</p>
+     * <p>If no push is found, it tries places farther and farther away along the shortest way out of the structures around both rows. Then it
+     * sweeps back to the place where the two part. The surfaces have a normal at that place. Along this normal the way out is usually shorter.
+     * For convex bodies it always is, because it is at most the depth times the cosine of the angle between the two directions. So it tries
+     * that normal next. It improves a direction twice at most.</p>
      *
      * @private
      */
@@ -33,8 +35,24 @@ package starlogo.search
         private static const IMPROVEMENTS:int = 2;
         private static const GAIN:Number = 0.95;
 
-        // If the sum of two normals is shorter than this, they are nearly opposite, and no direction is between them.
-        private static const NEARLY_OPPOSITE:Number = 0.1;
+        // How many contacts a push may lead out of, how many other ways are tried, and the part of a push that must be known to be needed, so
+        // that no other way is tried.
+        private static const MOST_CONTACTS:int = 4;
+        private static const MOST_WAYS:int = 8;
+        private static const NEEDED:Number = 0.8;
+
+        // How far a push leads into a corner of an agent at most, as a fraction of the larger extent. The cosines of the angles that the contact with
+        // another side of the corner has to the push.
+        private static const LARGEST_CORNER:Number = 1 / 16;
+        private static const LEAST_COSINE:Number = -0.1;
+        private static const MOST_COSINE:Number = 0.8;
+
+        // How much room there is beyond a push out of several contacts, as a fraction of the larger extent. Less room is a gap between parts of the
+        // second row.
+        private static const ROOM:Number = 100 * Tolerances.SEPARATION;
+
+        // How much farther than needed a push leads out of each contact, as a fraction of SEPARATION.
+        private static const SLACK:Number = 0.1;
 
         // The interval in which the two part is halved until it is shorter than this fraction of the larger extent. Then it is swept.
         private static const NARROW:Number = 1 / 16;
@@ -76,9 +94,9 @@ package starlogo.search
         private var _back:RelativeMotion = new RelativeMotion();
         private var _left:ContactPoint = new ContactPoint();
 
-        // The given contact, and the contact at the end of the best way so far.
-        private var _start:ContactPoint = new ContactPoint();
-        private var _parting:ContactPoint = new ContactPoint();
+        // The contact with which a way begins, and the push on this way.
+        private var _way:ContactPoint = new ContactPoint();
+        private var _push:LeastPush = new LeastPush();
 
         /** @param pairs tests which rows touch, and when */
         public function Separation(pairs:RowPairs)
@@ -159,91 +177,149 @@ package starlogo.search
             return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
         }
 
-        // Finds the shortest way out that it can. If triangles decide, the leaves find a direction first, because their tests are fast.
+        // Finds the shortest way out that it can. If triangles decide and the contact is not shallow, the leaves find a direction first,
+        // because their tests are fast.
         private function findLeast(motion:RelativeMotion, out:ContactPoint):void
         {
-            var isDeep:Boolean = isDeepAlong(out);
-            if (isDeep && isComing(motion))
+            var needed:Number = _tests.needed;
+            var trees:TreePairs = _pairs.trees;
+            _way.copyFrom(out);
+            out.depth = Infinity;
+            tryPush(out);
+            if (isComing(motion) && out.depth > SHALLOW * _extent)
             {
-                _left.pointAgainst(motion);
-                isDeep = isDeepAlong(_left);
+                _way.pointAgainst(motion);
+                _way.depth = 0;
+                tryPush(out);
             }
-            if (isDeep && out.depth < SHALLOW * _extent && findCorner(out))
+            if (NEEDED * out.depth <= needed)
             {
-                isDeep = isDeepAlong(_left);
+                return;
             }
-            if (isDeep)
+            var isExact:Boolean = trees != null && trees.exact && out.depth > SHALLOW * _extent;
+            if (isExact)
             {
-                var trees:TreePairs = _pairs.trees;
-                var isExact:Boolean = trees != null && trees.exact;
-                if (isExact)
+                trees.byLeaves = true;
+            }
+            tryWays(out);
+            if (isExact)
+            {
+                trees.byLeaves = false;
+                goOutAlong(out);
+                refine(out);
+            }
+        }
+
+        // Tries other ways than that of the first contact: straight along the shortest way out of the structures around both rows, and those that
+        // begin with other contacts.
+        private function tryWays(out:ContactPoint):void
+        {
+            _distance = 0;
+            displace();
+            _tests.findOuterContact(_table, _a, _b, _left);
+            if (out.depth == Infinity)
+            {
+                goOutAlong(_left);
+                refine(out);
+            }
+            else
+            {
+                point(_left);
+                _free = out.depth - Tolerances.SEPARATION * _extent;
+                if (!touchesFree())
                 {
-                    trees.byLeaves = true;
+                    _touching = 0;
+                    refine(out);
                 }
-                findDirection(out);
-                if (isExact)
+            }
+            for (var ways:int = 0; ways < MOST_WAYS; ways++)
+            {
+                _distance = 0;
+                displace();
+                if (!_tests.findWay(_table, _a, _b, ways == 0, GAIN * out.depth, _way))
                 {
-                    trees.byLeaves = false;
-                    goOutAlong(out);
+                    return;
+                }
+                tryPush(out);
+            }
+        }
+
+        // Tries a push that begins with the contact of the way. Takes it if it is shorter than the way out so far.
+        private function tryPush(out:ContactPoint):void
+        {
+            var slack:Number = SLACK * Tolerances.SEPARATION * _extent + _rounding;
+            _push.begin();
+            _push.add(_way, slack);
+            for (var count:int = 1; _push.length < GAIN * out.depth; count++)
+            {
+                _alongX = _push.x / _push.length;
+                _alongY = _push.y / _push.length;
+                _alongZ = _push.z / _push.length;
+                _distance = _push.length + ROOM * _extent;
+                _free = _push.length + Tolerances.SEPARATION / 4 * _extent;
+                if ((count == 1 || !touch()) && !touchesFree())
+                {
+                    takePush(out);
+                    return;
+                }
+                if (count == MOST_CONTACTS || !findCorner())
+                {
+                    return;
+                }
+                slack *= 2;
+                _push.add(_left, slack);
+            }
+        }
+
+        // Finds the contact after a push, at another side of a corner. Agents that are deep in each other have many contacts in all directions,
+        // or again in that of the push. Returns whether it may be a corner.
+        private function findCorner():Boolean
+        {
+            var isGround:Boolean = _table.forms[_b] == ModelShape.GROUND;
+            if (!isGround && _push.length > LARGEST_CORNER * _extent)
+            {
+                return false;
+            }
+            _tests.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
+            var cosine:Number = _left.normalX * _alongX + _left.normalY * _alongY + _left.normalZ * _alongZ;
+            return isGround || cosine > LEAST_COSINE && cosine < MOST_COSINE;
+        }
+
+        // The two part at the end of the push, or before it.
+        private function takePush(out:ContactPoint):void
+        {
+            out.copyFrom(_way);
+            out.setNormal(_alongX, _alongY, _alongZ);
+            out.depth = _push.length;
+            _distance = _push.length - Tolerances.SEPARATION / 4 * _extent;
+            if (_distance > 0 && !touch())
+            {
+                _touching = 0;
+                refine(out);
+            }
+        }
+
+        // Sweeps back from the free distance. If the contact is not shallow, improves the direction. Then the point becomes the middle between the
+        // place where the two part and the matching place on the first row.
+        private function refine(out:ContactPoint):void
+        {
+            sweepBack(out);
+            if (out.depth > SHALLOW * _extent)
+            {
+                for (var left:int = IMPROVEMENTS; left > 0 && isShorterAlongLeft(out); left--)
+                {
+                    _touching = 0;
                     sweepBack(out);
-                    improve(out);
                 }
-                // the middle between the place where they part and the matching place on the first row
                 out.x = _left.x - out.depth / 2 * out.normalX;
                 out.y = _left.y - out.depth / 2 * out.normalY;
                 out.z = _left.z - out.depth / 2 * out.normalZ;
             }
-            else
-            {
-                sweepBack(out);
-            }
             makeSure(out);
         }
 
-        // The two may touch both sides of a corner, and neither of them deeply. Then the way out is between the sides. This finds a second
-        // contact a short way along the direction. It writes to _left the normal half way between the two normals. Returns whether there is one.
-        private function findCorner(contact:ContactPoint):Boolean
-        {
-            RelativeMotion.NONE.time = 0;
-            _tests.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
-            _left.setNormal(_left.normalX + contact.normalX, _left.normalY + contact.normalY, _left.normalZ + contact.normalZ);
-            _left.normalise();
-            return _left.length > NEARLY_OPPOSITE;
-        }
-
-        // Whether the two still touch after a short way along a contact's normal.
-        private function isDeepAlong(contact:ContactPoint):Boolean
-        {
-            point(contact);
-            _touching = 0;
-            _free = SHALLOW * _extent;
-            return touchesFree();
-        }
-
-        private function findDirection(out:ContactPoint):void
-        {
-            _start.copyFrom(out);
-            _distance = 0;
-            displace();
-            _tests.findOuterContact(_table, _a, _b, _left);
-            goOutAlong(_left);
-            sweepBack(out);
-            _parting.copyFrom(_left);
-            point(_start);
-            _free = GAIN * out.depth;
-            if (!tryUpToFree(out))
-            {
-                _left.copyFrom(_parting);
-            }
-            var left:int = IMPROVEMENTS;
-            while (left > 0 && improve(out))
-            {
-                left--;
-            }
-        }
-
-        // Tries the normal of the surfaces at the end of the way. Takes it if the way out along it is shorter. Returns whether it is.
-        private function improve(out:ContactPoint):Boolean
+        // Tries the normal of the surfaces at the end of the way. Returns whether the way out along it is shorter.
+        private function isShorterAlongLeft(out:ContactPoint):Boolean
         {
             var cosine:Number = _left.normalX * out.normalX + _left.normalY * out.normalY + _left.normalZ * out.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
@@ -252,19 +328,7 @@ package starlogo.search
             }
             point(_left);
             _free = cosine * out.depth + Tolerances.SEPARATION * _extent;
-            return tryUpToFree(out);
-        }
-
-        // Takes the direction if the two do not touch at the free distance along it. Returns whether it takes it.
-        private function tryUpToFree(out:ContactPoint):Boolean
-        {
-            if (touchesFree())
-            {
-                return false;
-            }
-            _touching = 0;
-            sweepBack(out);
-            return true;
+            return !touchesFree();
         }
 
         // Takes the direction of a contact's normal. Its depth is the first guess of the free distance.
@@ -333,11 +397,11 @@ package starlogo.search
             if (_touching == 0)
             {
                 _distance = out.depth - slack;
-                if (out.depth <= slack || touch())
+                if (_distance <= 0 || touch())
                 {
                     return;
                 }
-                _free = out.depth - slack;
+                _free = _distance;
             }
             for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
             {

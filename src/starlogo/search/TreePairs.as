@@ -114,6 +114,8 @@ package starlogo.search
         {
             setMovingPair(table, a, b, motion, table.forms[a] != ModelShape.TREE);
             _pair.findContact(_motion, out);
+            // two leaves overlap by the depth at least
+            needed = exact && !byLeaves ? 0 : out.depth;
             if (_motion !== motion)
             {
                 out.turn(motion);

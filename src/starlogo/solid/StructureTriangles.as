@@ -44,7 +44,7 @@ package starlogo.solid
             _motion = motion;
             _test.margin = pose.gap + Tolerances.SURFACES * model.root.radius;
             _test.begin(structure, pose.placement, motion);
-            _test.extentsInto(_extents);
+            _test.structure.extentsInto(_extents);
             _extents[0] += Math.min(motion.x, 0);
             _extents[1] += Math.max(motion.x, 0);
             _extents[2] += Math.min(motion.y, 0);

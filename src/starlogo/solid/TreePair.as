@@ -324,7 +324,6 @@ package starlogo.solid
         {
             _placementA = placementA;
             _placementB = placementB;
-            RelativeMotion.NONE.time = 0;
             begin(RelativeMotion.NONE);
             findContactOf(a, b, RelativeMotion.NONE, out);
         }

@@ -1,9 +1,11 @@
 package starlogo.terrain
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.GapToBox;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -23,6 +25,9 @@ package starlogo.terrain
     {
         // The search begins with squares of which the box is at most this many long, because most boxes are small.
         private static const FIRST_SQUARES:int = 3;
+
+        // How much farther than rounding errors and insets a structure is from squares that are left out.
+        private static const FARTHER:Number = 4;
 
         // Where the neighbour on each side of a cell is, counter-clockwise from the side with the least y on.
         private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
@@ -55,6 +60,9 @@ package starlogo.terrain
         /** How far triangles are moved into the ground. */
         public var inset:Number = 0;
 
+        /** The structure that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
+        public var structure:BoundingStructure = null;
+
         /** The height down to which walls reach at the terrain's borders; -Infinity: below the box. */
         public var floor:Number = -Infinity;
 
@@ -81,6 +89,13 @@ package starlogo.terrain
         private var _width:Number = 1;
         private var _low:Number = 0;
         private var _high:Number = 0;
+
+        // The gap between the structure and the current square, and the gap that rounding errors may hide.
+        private var _gap:GapToBox = new GapToBox();
+        private var _slack:Number = 0;
+
+        // How much higher than the bottom of the box triangles must be.
+        private var _above:Number = 0;
 
         // The current cell: its next triangle, the number of its triangles, and the heights of its corners, counter-clockwise.
         private var _face:int = 0;
@@ -110,6 +125,7 @@ package starlogo.terrain
             _y = grid.y - origin.y - border;
             _z = -origin.z;
             _face = _faceCount = _top = 0;
+            _above = 0;
             var wayX:Number = limit * Math.abs(way.x);
             var wayY:Number = limit * Math.abs(way.y);
             var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_x) + Math.abs(middle.y) + Math.abs(_y) + Math.abs(middle.z)
@@ -123,6 +139,7 @@ package starlogo.terrain
             {
                 level++;
             }
+            _slack = FARTHER * (rounding - inset);
             addSquares(level, 0, 0, int.MAX_VALUE);
         }
 
@@ -141,6 +158,12 @@ package starlogo.terrain
                 }
             }
             return false;
+        }
+
+        /** From now on, only triangles count that are clearly higher than this above the bottom of the box. */
+        public function raise(above:Number):void
+        {
+            _above = above + 2 * _slack;
         }
 
         // Puts some squares of a level on the stack: those that the box passes over. The nearest comes last.
@@ -190,7 +213,9 @@ package starlogo.terrain
                 return;
             }
             var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
-            if (_low <= _grid.bounds[int(bounds + 1)] + _z && (hasWalls || _high >= _grid.bounds[bounds] + _z))
+            var least:Number = _grid.bounds[bounds] + _z;
+            var greatest:Number = _grid.bounds[int(bounds + 1)] + _z;
+            if (_low <= greatest && (hasWalls || _high >= least) && !isBeyond(hasWalls, least, greatest, _grid.bounds[int(bounds + 2)]))
             {
                 addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);
             }
@@ -211,9 +236,28 @@ package starlogo.terrain
                 var y:Number = gapOf(middle.y - _y, half.y, _row);
                 up = Math.sqrt(Math.max(0, reach * reach - x * x - y * y));
             }
-            _low = Math.min(start, end) - half.z - up;
+            _low = Math.min(start, end) - half.z - up + _above;
             _high = Math.max(start, end) + half.z + up;
             return _from <= _to;
+        }
+
+        // Whether the structure on its way stays farther away from the current square than a triangle may be. The square is between two heights.
+        // Its slopes are moved in, and so lie lower, but a little to the side.
+        private function isBeyond(hasWalls:Boolean, least:Number, greatest:Number, step:Number):Boolean
+        {
+            if (structure == null)
+            {
+                return false;
+            }
+            var slope:Number = hasWalls || _grid.isBlocky && step > 0 ? Infinity : step / _grid.cellWidth;
+            var level:Number = 1 / Math.sqrt(1 + 2 * slope * slope);
+            var x:Number = _x + _column * _width;
+            var y:Number = _y + _row * _width;
+            _gap.low.setTo(x, y, Math.min(hasWalls ? _low : least, greatest) - inset);
+            _gap.high.setTo(x + _width, y + _width, greatest - level * inset);
+            _gap.find(structure);
+            var come:Number = limit * (_gap.along.x * way.x + _gap.along.y * way.y + _gap.along.z * way.z);
+            return _gap.gap + Math.min(0, come) > reach + _slack + (1 - level) * inset;
         }
 
         // How far the box is from the current square along one axis.
@@ -232,8 +276,9 @@ package starlogo.terrain
             _tops[1] = _grid.isBlocky ? z : heights[int(at + 1)] + _z;
             _tops[2] = _grid.isBlocky ? z : heights[int(at + _grid.columns + 1)] + _z;
             _tops[3] = _grid.isBlocky ? z : heights[int(at + _grid.columns)] + _z;
-            if (_low <= Math.max(Math.max(z, _tops[1]), Math.max(_tops[2], _tops[3]))
-                    && (hasWalls || _high >= Math.min(Math.min(z, _tops[1]), Math.min(_tops[2], _tops[3]))))
+            var greatest:Number = Math.max(Math.max(z, _tops[1]), Math.max(_tops[2], _tops[3]));
+            var least:Number = Math.min(Math.min(z, _tops[1]), Math.min(_tops[2], _tops[3]));
+            if (_low <= greatest && (hasWalls || _high >= least))
             {
                 _face = 0;
                 _faceCount = hasWalls ? 10 : 2;

@@ -11,6 +11,9 @@ package starlogo.terrain
         /** How many squares of a level a square of the next level is wide, as a shift. */
         public static const SHIFT:int = 3;
 
+        // A range is not read height by height if it is longer than this, along x or along y.
+        private static const MOST_SQUARES:int = 16;
+
         // The list of the first member, and the list of the first row.
         private static const FIRST:Vector.<int> = new <int>[0];
 
@@ -138,6 +141,27 @@ package starlogo.terrain
             _placeY[0] = placeY;
             findHeights(_placeX, _placeY, FIRST, FIRST, 1, _found);
             height = _found[0];
+        }
+
+        /**
+         * Whether the ground is higher than the place at a height. With an inset the ground is narrower: it must be higher at the four places that
+         * are the inset beside it along x and y.
+         */
+        public function isOver(z:Number, inset:Number):Boolean
+        {
+            var atX:Number = placeX;
+            var atY:Number = placeY;
+            for (var side:int = inset > 0 ? 0 : 3; side < 4; side++)
+            {
+                placeX = (side & 1) == 0 ? atX - inset : atX + inset;
+                placeY = (side & 2) == 0 ? atY - inset : atY + inset;
+                findHeight();
+                if (!(height - inset >= z))
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         /** Finds the fall of sloping ground at the place. <code>findHeight()</code> comes before. */
@@ -272,6 +296,34 @@ package starlogo.terrain
             greatest = high;
             stepX = alongX;
             stepY = alongY;
+        }
+
+        /**
+         * Finds bounds of the heights of a range and of how much neighbours differ. A large range is extended to whole squares. Heights beyond the
+         * border do not count.
+         */
+        public function findAround(first:int, firstRow:int, last:int, lastRow:int):void
+        {
+            first = Math.max(0, first);
+            firstRow = Math.max(0, firstRow);
+            last = Math.min(columns - 1, last);
+            lastRow = Math.min(rows - 1, lastRow);
+            var level:int = 0;
+            while (level < levels && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
+            {
+                first >>= SHIFT;
+                firstRow >>= SHIFT;
+                last >>= SHIFT;
+                lastRow >>= SHIFT;
+                level++;
+            }
+            if (level == 0)
+            {
+                findRange(first, firstRow, last, lastRow);
+                return;
+            }
+            joinBounds(begins[level], countSquares(columns, level), first, firstRow, last, lastRow);
+            stepY = stepX;
         }
 
         // Computes the bounds of a square from the squares of the level before, or from the heights. Some rows and columns around count too.

@@ -15,9 +15,6 @@ package starlogo.terrain
      */
     public final class QuickLook
     {
-        // An agent is not decided about if it is over more cells than this, along x or along y.
-        private static const MOST_CELLS:int = 16;
-
         /** By place in the list of near members: whether the member is known to touch the ground. */
         public var isTouching:Vector.<Boolean> = new Vector.<Boolean>();
 
@@ -95,16 +92,9 @@ package starlogo.terrain
             var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
             var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
             var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
-            var first:int = Math.max(0, (x - halfX) / width);
-            var firstRow:int = Math.max(0, (y - halfY) / width);
             // A column extends half a cell beyond the place of its height.
-            var last:int = Math.min(grid.columns - 1, (x + halfX) / width + 1);
-            var lastRow:int = Math.min(grid.rows - 1, (y + halfY) / width + 1);
-            if (last - first > MOST_CELLS || lastRow - firstRow > MOST_CELLS)
-            {
-                return false;
-            }
-            grid.findRange(first, firstRow, last, lastRow);
+            grid.findAround(Math.max(0, (x - halfX) / width), Math.max(0, (y - halfY) / width), Math.min(grid.columns, (x + halfX) / width + 1),
+                    Math.min(grid.rows, (y + halfY) / width + 1));
             if (extents.z[row] - halfZ > grid.greatest)
             {
                 return true;

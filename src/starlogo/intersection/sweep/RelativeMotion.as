@@ -14,8 +14,8 @@ package starlogo.intersection.sweep
         /** The time of impact of structures that do not touch. */
         public static const NEVER:Number = Infinity;
 
-        /** The motion of a structure that stands still. */
-        public static const NONE:RelativeMotion = new RelativeMotion();
+        /** The motion of a structure that stands still, at time 0. Nothing writes to it. */
+        public static const NONE:RelativeMotion = new RelativeMotion(0);
 
         private static const TURNED:RelativeMotion = new RelativeMotion();
 
@@ -41,14 +41,15 @@ package starlogo.intersection.sweep
          * The time of impact: when the structures first touch, from 0 to 1, or NEVER. For contacts it is an input: the time at which they
          * touch.
          */
-        public var time:Number = NEVER;
+        public var time:Number;
 
         /** The extra gap across which moving structures still touch, because of rounding. Set by <code>findRounding()</code>. */
         public var rounding:Number = 0;
 
         /** Creates a motion of length 0. */
-        public function RelativeMotion()
+        public function RelativeMotion(time:Number = NEVER)
         {
+            this.time = time;
         }
 
         /** Makes this the motion that has brought the structure to its stored place, where it is at time 1. */

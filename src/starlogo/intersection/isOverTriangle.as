@@ -1,0 +1,32 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.intersection.contact.ContactPoint;
+
+    /**
+     * Whether a point is over a triangle or behind it: its foot on the triangle's plane is in the triangle.
+     *
+     * @param p has the triangle: nine numbers, from an index on
+     * @param face has the triangle's normal
+     * @private
+     */
+    public function isOverTriangle(point:Vector3D, p:Vector.<Number>, at:int, face:ContactPoint):Boolean
+    {
+        var from:int = at + 6;
+        for (var to:int = at; to < at + 9; to += 3)
+        {
+            var ux:Number = p[to] - p[from];
+            var uy:Number = p[int(to + 1)] - p[int(from + 1)];
+            var uz:Number = p[int(to + 2)] - p[int(from + 2)];
+            var vx:Number = point.x - p[from];
+            var vy:Number = point.y - p[int(from + 1)];
+            var vz:Number = point.z - p[int(from + 2)];
+            if (face.normalX * (uy * vz - uz * vy) + face.normalY * (uz * vx - ux * vz) + face.normalZ * (ux * vy - uy * vx) < 0)
+            {
+                return false;
+            }
+            from = to;
+        }
+        return true;
+    }
+}

@@ -1,0 +1,301 @@
+package starlogo.terrain
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.agentAt;
+
+    /** Contacts with the ground, and with the corner of a model, lead out by about the shortest way: nobody is thrown over a wall. */
+    public class GroundContactsTest
+    {
+        // What a way may be longer than the shortest that many directions find.
+        private static const MOST:Number = 1.5;
+        private static const HAIR:Number = 1e-9;
+        private static const SHAPES:Array = ["sphere", "cylinder", "cube", "ell"];
+
+        private var _land:GreatLand;
+        private var _random:SeededRandom;
+        private var _wrong:Complaints;
+        private var _directions:Vector.<Vector3D> = new Vector.<Vector3D>();
+
+        [Before]
+        public function makeLand():void
+        {
+            _random = new SeededRandom(48);
+            _wrong = new Complaints();
+            _land = new GreatLand();
+            _land.prepareExact = true;
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cylinder(), BuiltInModel.cube(), modelOf("ell", [[0, 0, 0, 1, 0.3, 0.3],
+                                [0, 0, 0, 0.3, 1, 0.3], [0, 0, 0, 0.3, 0.3, 1]]), modelOf("corner", [[0, 0, 0, 10, 1, 5], [0, 0, 0, 1, 10, 5]])])
+            {
+                _land.addModel(model);
+            }
+            for (var i:int = 0; i < 150; i++)
+            {
+                // a spiral from pole to pole
+                var z:Number = 1 - (2 * i + 1) / 150;
+                var across:Number = Math.sqrt(1 - z * z);
+                _directions.push(new Vector3D(across * Math.cos(2.399963 * i), across * Math.sin(2.399963 * i), z));
+            }
+            for (i = 0; i < 27; i++)
+            {
+                var way:Vector3D = new Vector3D(i % 3 - 1, int(i / 3) % 3 - 1, int(i / 9) - 1);
+                if (way.normalize() > 0)
+                {
+                    _directions.push(way);
+                }
+            }
+        }
+
+        [Test]
+        public function aWallThatIsOnlyTouchedThrowsNobody():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for each (var shape:String in name == "hierarchies" || name == "triangles" ? ["cube"] : ["cube", "sphere"])
+                {
+                    var terrain:Terrain = columns(9, 9, function(column:int, row:int):Number
+                        {
+                            return column > 4 ? 5 : 0;
+                        });
+                    var collider:Collider = EachCollider.make(name, _land);
+                    for each (var into:Number in [0, 1e-9, 0.001, 0.02])
+                    {
+                        for each (var down:Number in [0.001, 0.02, 0.3])
+                        {
+                            var contact:Contact = collider.contactOf(agentAt(shape, into, 0.1, -down), terrain.agent);
+                            var least:Number = Math.sqrt(into * into + down * down);
+                            assertTrue(name + " " + shape + " " + into + " " + down + ": " + contact.depth + " along " + contact.normal, contact.depth < MOST * least);
+                        }
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public function cornersOfTwoAndThreeFacesAreLeftBetweenThem():void
+        {
+            var terrain:Terrain = columns(9, 9, function(column:int, row:int):Number
+                {
+                    return column > 4 || row > 4 ? 5 : 0;
+                });
+            for each (var name:String in ["tightest fits", "triangles"])
+            {
+                var contact:Contact = EachCollider.make(name, _land).contactOf(agentAt("cube", 0.1, 0.2, -0.2), terrain.agent);
+                var off:Number = Math.abs(contact.depth - 0.3) + Vector3D.distance(contact.normal, new Vector3D(-1 / 3, -2 / 3, 2 / 3));
+                assertTrue(name + ": " + contact.depth + " along " + contact.normal, off < 1e-6);
+            }
+        }
+
+        [Test]
+        public function theCornerOfTwoWallsOfAModelIsLeftBetweenThem():void
+        {
+            var corner:Agent = new Agent("corner");
+            corner.size = 10;
+            for each (var name:String in ["hierarchies", "triangles"])
+            {
+                // the inner sides of the walls are at -4, because the model stands about its middle
+                for each (var into:Number in [0.001, 0.02, 0.1])
+                {
+                    var cube:Agent = agentAt("cube", -3.5 - into, -3.5 - into, 1);
+                    var contact:Contact = EachCollider.make(name, _land).contactOf(cube, corner);
+                    assertTrue(name + ", " + into + ": " + contact.depth + " along " + contact.normal, contact.depth < MOST * into * Math.SQRT2);
+                }
+            }
+        }
+
+        [Test]
+        public function waysAreAboutTheShortest():void
+        {
+            var touches:int = 0;
+            var count:int = Effort.choose(60, 4000, 10);
+            for (var i:int = 0; touches < count; i++)
+            {
+                var terrain:Terrain = sceneOf(i);
+                var name:String = _random.pick(EachCollider.NAMES);
+                var collider:Collider = EachCollider.make(name, _land);
+                var agent:Agent = new Agent(_random.pick(SHAPES));
+                agent.size = terrain.cellWidth * _random.pick([0.3, 0.7, 1, 1.7, 2.5]);
+                agent.hierarchical = _random.chance();
+                if (_random.chance())
+                {
+                    agent.heading = _random.between(0, 360);
+                }
+                if (placeInCorner(collider, agent, terrain))
+                {
+                    touches++;
+                    check(name + ", scene " + i, collider, agent, terrain);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        // The handler of docs/terrain.md, with gravity and walls.
+        [Test]
+        public function aGameThrowsNobody():void
+        {
+            for each (var shape:String in ["cube", "sphere"])
+            {
+                var terrain:Terrain = columns(21, 21, function(column:int, row:int):Number
+                    {
+                        return _random.chance(0.2) ? _random.pick([0.5, 2, 5]) : 0;
+                    });
+                var collision:Collision = new Collision(EachCollider.make("tightest fits", _land));
+                var agent:Agent = agentAt(shape, 0, 0, 6);
+                var farthest:Number = 0;
+                agent.size = 0.8;
+                collision.terrain = terrain;
+                collision.onCollision("turtles", Collision.TERRAIN, function(bear:Agent, ground:Agent, contact:Contact):void
+                    {
+                        var out:Vector3D = contact.normal;
+                        farthest = Math.max(farthest, contact.depth);
+                        bear.moveTo(bear.x + contact.depth * out.x, bear.y + contact.depth * out.y, bear.z + contact.depth * out.z);
+                    });
+                var frames:int = Effort.choose(600, 3600);
+                for (var frame:int = 0; frame < frames; frame++)
+                {
+                    var turn:Number = frame / 40;
+                    agent.moveTo(agent.x + 0.1 * Math.cos(turn * 1.7), agent.y + 0.1 * Math.sin(turn), agent.z - 0.1);
+                    if (Math.abs(agent.x) > 8 || Math.abs(agent.y) > 8)
+                    {
+                        agent.moveTo(0, 0, 6);
+                    }
+                    collision.update(new <Agent>[agent]);
+                }
+                assertTrue(shape + ": " + farthest, farthest > 0.05 && farthest < 0.3);
+            }
+        }
+
+        private function check(where:String, collider:Collider, agent:Agent, terrain:Terrain):void
+        {
+            var contact:Contact = collider.contactOf(agent, terrain.agent);
+            var depth:Number = contact.depth;
+            var hair:Number = HAIR * Math.max(2 * agent.size, terrain.cellWidth);
+            if (touches(collider, agent, terrain, contact.normal, depth + hair) || depth > hair && !touches(collider, agent, terrain, contact.normal, depth - hair))
+            {
+                _wrong.add(collider + " does not separate", where + ", " + agent + ": " + depth + " along " + contact.normal);
+            }
+            // free places that are nearer than two thirds of the way
+            for each (var way:Vector3D in _directions)
+            {
+                for (var part:Number = 1 / 8; part <= 1 && depth > 100 * hair; part += 1 / 8)
+                {
+                    if (!touches(collider, agent, terrain, way, part * depth / MOST))
+                    {
+                        _wrong.add("a way is too long", where + ", " + agent.shape + " of " + agent.size + ": " + depth + " along " + contact.normal + ", not "
+                                + part * depth / MOST + " along " + way);
+                        return;
+                    }
+                }
+            }
+        }
+
+        private static function touches(collider:Collider, agent:Agent, terrain:Terrain, way:Vector3D, by:Number):Boolean
+        {
+            var x:Number = agent.x;
+            var y:Number = agent.y;
+            var z:Number = agent.z;
+            agent.moveTo(x + by * way.x, y + by * way.y, z + by * way.z);
+            var areTouching:Boolean = collider.areColliding(agent, terrain.agent);
+            agent.moveTo(x, y, z);
+            return areTouching;
+        }
+
+        // Lets an agent down onto the ground, and moves it to the walls beside it, as deep as is random. Returns whether it touches.
+        private function placeInCorner(collider:Collider, agent:Agent, terrain:Terrain):Boolean
+        {
+            var width:Number = terrain.cellWidth;
+            agent.moveTo(_random.between(-2, 2) * width, _random.between(-2, 2) * width, 30 * width);
+            go(collider, agent, terrain, new Vector3D(0, 0, -1), 60 * width);
+            go(collider, agent, terrain, new Vector3D(_random.pick([-1, 1]), 0, 0), width);
+            go(collider, agent, terrain, new Vector3D(0, _random.pick([-1, 1]), 0), width);
+            agent.z -= _random.pick([0, 0.001, 0.02, 0.1, 0.3]) * agent.size;
+            return collider.areColliding(agent, terrain.agent);
+        }
+
+        private function go(collider:Collider, agent:Agent, terrain:Terrain, way:Vector3D, far:Number):void
+        {
+            var low:Number = 0;
+            var high:Number = far;
+            for (var i:int = 0; i < 40; i++)
+            {
+                var middle:Number = (low + high) / 2;
+                if (touches(collider, agent, terrain, way, middle))
+                {
+                    high = middle;
+                }
+                else
+                {
+                    low = middle;
+                }
+            }
+            low += way.z == 0 && high < far ? _random.pick([0, 0.001, 0.02, 0.1]) * agent.size : 0;
+            agent.moveTo(agent.x + low * way.x, agent.y + low * way.y, agent.z + low * way.z);
+        }
+
+        private function sceneOf(i:int):Terrain
+        {
+            var high:Number = _random.pick([0.02, 0.3, 1, 5]);
+            var middles:Array = [function(column:int, row:int):Number
+                {
+                    return column > 4 ? high : 0;
+                }, function(column:int, row:int):Number
+                {
+                    return column > 4 || row > 4 ? high : 0;
+                }, function(column:int, row:int):Number
+                {
+                    return column > 4 ? high : row > 4 ? 0.6 * high : 0;
+                }, function(column:int, row:int):Number
+                {
+                    return _random.between(0, high);
+                }, function(column:int, row:int):Number
+                {
+                    return -Math.abs(column - 4) * high;
+                }
+            ];
+            var terrain:Terrain = columns(9, 9, middles[i % middles.length], _random.pick([0.1, 1, 1000]));
+            terrain.isBlocky = i % 3 > 0;
+            return terrain;
+        }
+
+        private static function columns(columns:int, rows:int, heightOf:Function, width:Number = 1):Terrain
+        {
+            var terrain:Terrain = new Terrain(columns, rows, width, -(columns >> 1) * width, -(rows >> 1) * width);
+            terrain.isBlocky = true;
+            for (var at:int = 0; at < columns * rows; at++)
+            {
+                terrain.setHeight(at % columns, int(at / columns), width * heightOf(at % columns, int(at / columns)));
+            }
+            return terrain;
+        }
+
+        private static function modelOf(name:String, boxes:Array):Model
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for each (var box:Array in boxes)
+            {
+                var first:uint = vertices.length / 3;
+                for (var i:int = 0; i < 8; i++)
+                {
+                    vertices.push(box[i & 1 ? 3 : 0], box[i & 2 ? 4 : 1], box[i & 4 ? 5 : 2]);
+                }
+                for each (var face:Array in [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+                {
+                    triangles.push(first + face[0], first + face[1], first + face[2], first + face[0], first + face[2], first + face[3]);
+                }
+            }
+            return new Model(name, vertices, triangles);
+        }
+    }
+}

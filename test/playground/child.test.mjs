@@ -1,7 +1,8 @@
 /** Play as a child meets it on a small laptop: room for blocks, blocks that snap, lessons that answer, agents to drag, sounds and times. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { begin, focused, open, press, ready, titled } from './browser.mjs';
+import { isChromium } from '../headless/browsers.mjs';
+import { SIZES, begin, finger, focused, open, press, ready, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -283,6 +284,28 @@ test('agents are dragged in the world, and who touches whom is shown at once; el
 	await page.mouse.up();
 	assert.notDeepEqual(await camera(), eye);
 	assert.deepEqual((await at('balls')).place, moved.place);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('a finger on an agent moves it, and does not scroll the page', { skip: isChromium ? false : 'fingers that move are Chromium\'s' }, async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-wing', { ...SIZES.phone, isDrawn: false });
+	const ball = () => page.evaluate(() => {
+		const { world, stage } = globalThis.playground;
+		const { x, y, z, size } = world.agents.find(({ breed }) => breed === 'paintballs');
+		const pixel = stage.pixelOf(x, y, z + size / 2);
+		const box = stage.canvas.getBoundingClientRect();
+		return { x: box.left + pixel.x, y: box.top + pixel.y, place: [x, y] };
+	});
+	const from = await ball();
+	const scrolled = await page.evaluate(() => scrollY);
+	const touch = await finger(page);
+	await touch('touchStart', { x: from.x, y: from.y });
+	for (let i = 1; i <= 6; i++) await touch('touchMove', { x: from.x + 6 * i, y: from.y - 10 * i });
+	await touch('touchEnd');
+	await page.waitForFunction((before) => globalThis.playground.world.agents.find(({ breed }) => breed === 'paintballs').y > before + 0.5, from.place[1]);
+	assert.equal(await page.evaluate(() => scrollY), scrolled);
+	assert.ok((await ball()).place[0] > from.place[0]);
 	assert.deepEqual(said, []);
 	await leave();
 });

@@ -101,7 +101,7 @@ export const texts = {
 		keyName: (does) => does.charAt(0).toUpperCase() + does.slice(1),
 		keyWays: { up: "hoch", down: "runter", left: "nach links", right: "nach rechts" },
 		keysOf: { up: "↑", down: "↓", left: "←", right: "→", space: "Leertaste" },
-		figures: "Zahlen und Begegnungen",
+		figures: "Zahlen",
 		panel: { fps: "Bilder je Sekunde", ms: "ms der Engine", scripts: "ms der Skripte und Listen", agents: "Agenten", pairs: "nahe Paare", tests: "Tests", collisions: "berühren sich", meetings: "Treffen bisher" },
 		inspector: "Der angeklickte Agent",
 		inspected: { shape: (shape) => `Form: ${shape}`, as: (system) => `gesehen von: ${system}`, touching: (names) => `berührt ${names}`, alone: "berührt niemanden", close: "Schließen",

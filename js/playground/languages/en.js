@@ -106,7 +106,7 @@ export const texts = {
 		keyName: (does) => does.charAt(0).toUpperCase() + does.slice(1),
 		keyWays: { up: "up", down: "down", left: "left", right: "right" },
 		keysOf: { up: "↑", down: "↓", left: "←", right: "→", space: "space" },
-		figures: "Numbers and meetings",
+		figures: "Numbers",
 		panel: { fps: "frames a second", ms: "ms of the engine", scripts: "ms of scripts and lists", agents: "agents", pairs: "pairs near", tests: "tests", collisions: "touching", meetings: "meetings so far" },
 		inspector: "The agent that was clicked",
 		inspected: { shape: (shape) => `a ${lower(shape)}`, as: (system) => `seen by ${lower(system)}`, touching: (names) => `touches ${names}`, alone: "touches nobody", close: "Close",

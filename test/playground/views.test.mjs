@@ -670,11 +670,15 @@ test('Compare: the scene is in the address: it survives a reload, and a link bri
 });
 
 test('Compare: milliseconds stand beside precision, for the other system too', async () => {
-	const { page, said, leave } = await open(site, 'compare/game~tightest-fits~exact~3');
+	const { page, said, leave } = await open(site, 'compare/game~tightest-fits~exact~3', { ...SIZES.desktop, locale: 'de-DE' });
 	await page.waitForFunction(() => [...document.querySelectorAll('.scattered tr:is([data-system], [data-reference])')].every(({ lastChild }) => /^\d/.test(lastChild.textContent)));
-	const rows = await page.locator('.scattered tr:is([data-system], [data-reference])').evaluateAll((all) => all.map((row) => [row.dataset.system ?? row.dataset.reference, Number(row.lastChild.textContent)]));
+	const rows = await page.locator('.scattered tr:is([data-system], [data-reference])').evaluateAll((all) => all.map((row) => [row.dataset.system ?? row.dataset.reference, Number(row.lastChild.textContent.replace(',', '.'))]));
 	assert.deepEqual(rows.map(([name]) => name), ['unit spheres', 'tightest fits', 'hierarchies', 'combination', 'exact']);
 	assert.ok(rows.every(([, ms]) => ms > 0 && ms < 1000), JSON.stringify(rows));
+	for (const width of [1366, 1920]) {
+		await page.setViewportSize({ width, height: 768 });
+		assert.equal(await page.evaluate(() => document.querySelector('.scattered .table').scrollWidth - document.querySelector('.scattered .table').clientWidth), 0, `no figure is cut off at ${width}`);
+	}
 	assert.deepEqual(said, []);
 	await leave();
 });

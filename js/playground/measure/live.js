@@ -88,7 +88,10 @@ export class Live {
 		this.collision = blocks.collision;
 		this.parts.clear();
 		this.crowd?.prepare(count);
+		this.#near = NaN;
 		this.#step();
+		// the browser has not compiled anything yet
+		this.parts.clear();
 		if (!this.#request) this.#show();
 	}
 
@@ -134,7 +137,7 @@ export class Live {
 	#show() {
 		const { middles } = this.parts;
 		this.parts.draw((ms) => short(ms));
-		const values = { ...Object.fromEntries(Object.entries(middles).map(([name, ms]) => [name, short(ms)])), pairs: this.#pairs.toLocaleString(texts.code), near: this.#isBeside ? this.#near.toLocaleString(texts.code) : "–" };
+		const values = { ...Object.fromEntries(Object.entries(middles).map(([name, ms]) => [name, short(ms)])), pairs: this.#pairs.toLocaleString(texts.code), near: this.#isBeside && this.#near >= 0 ? this.#near.toLocaleString(texts.code) : "–" };
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
 	}
 

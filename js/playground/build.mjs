@@ -182,15 +182,17 @@ writeDocs(path.join(here, "../.."), path.join(out, "docs"));
 cpSync(api, path.join(out, "docs/api"), { recursive: true });
 await writeSingle(out, "starlogo-nova.html", settings(true));
 
-for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {
-	const first = neededFor(`js/playground/${entry}`);
+/** The views' folders of words. */
+const WORDS = { play: ["game"], inspect: ["lab"], compare: ["lab"], measure: ["lab"], teach: ["class", "game"] };
+for (const [view, folders] of Object.entries(WORDS)) {
+	const first = neededFor(`js/playground/${view}/view.js`, ...folders.map((folder) => `js/playground/languages/${folder}/en.js`));
 	const editor = view === "play" ? neededFor("js/playground/play/editor.js").filter((file) => !first.includes(file)) : [];
 	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);
 }
 console.log(`written: ${path.relative(process.cwd(), out)}`);
 
-/** The script files that a part needs before it runs, including the page's first one and its words. */
-function neededFor(entry) {
+/** The script files that some parts need before they run, including the page's first one and its words. */
+function neededFor(...entries) {
 	const { outputs } = result.metafile;
 	const files = new Set();
 	const add = (file) => {
@@ -198,7 +200,7 @@ function neededFor(entry) {
 		files.add(file);
 		for (const { path: other, kind } of outputs[file].imports) if (kind === "import-statement") add(other);
 	};
-	for (const [file, { entryPoint }] of Object.entries(outputs)) if ([entry, "js/playground/main.js", "js/playground/languages/en.js"].some((each) => entryPoint?.endsWith(each))) add(file);
+	for (const [file, { entryPoint }] of Object.entries(outputs)) if ([...entries, "js/playground/main.js", "js/playground/languages/en.js"].some((each) => entryPoint?.endsWith(each))) add(file);
 	return [...files];
 }
 

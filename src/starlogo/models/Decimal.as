@@ -53,7 +53,8 @@ package starlogo.models
             // Some players read "1e", "0x10", "0b11" or white space before a number.
             var last:int = word.charCodeAt(length - 1);
             var first:int = word.charCodeAt(0);
-            if (length <= SHORT && last < 0x3A && last > 0x2D && first < 0x3A && first > 0x2A && !(word.charCodeAt(1) > 0x39 || word.charCodeAt(2) > 0x39))
+            if (length <= SHORT && last < 0x3A && last > 0x2D && (first > 0x30 && first < 0x3A ||
+                        first > 0x2A && first < 0x31 && !(word.charCodeAt(1) > 0x39 || word.charCodeAt(2) > 0x39)))
             {
                 var number:Number = Number(word);
                 var size:Number = number < 0 ? -number : number;
@@ -63,6 +64,13 @@ package starlogo.models
                 }
             }
             return length > LONGEST ? NaN : read(PARTS.exec(word));
+        }
+
+        /** The same for a word that is most likely an index: not negative, without a point. */
+        public static function ofIndex(word:String):Number
+        {
+            var first:int = word.charCodeAt(0);
+            return first > 0x2F && first < 0x3A && !(word.charCodeAt(1) > 0x39) ? Number(word) : of(word);
         }
 
         private static function read(parts:Array):Number

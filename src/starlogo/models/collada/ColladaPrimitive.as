@@ -148,7 +148,7 @@ package starlogo.models.collada
         {
             for (var i:int = first; i < end; i++)
             {
-                var size:Number = Decimal.of(_sizes[i]);
+                var size:Number = Decimal.ofIndex(_sizes[i]);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
                     throw new ModelError(_document.modelName, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
@@ -248,7 +248,7 @@ package starlogo.models.collada
         /** The point of a corner. The corner's indices begin at the given word. */
         private function cornerAt(word:int):uint
         {
-            var value:Number = Decimal.of(_words[int(word + _offset)]);
+            var value:Number = Decimal.ofIndex(_words[int(word + _offset)]);
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {

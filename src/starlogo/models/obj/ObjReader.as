@@ -149,7 +149,7 @@ package starlogo.models.obj
         private function cornerOf(word:String):int
         {
             var slash:int = word.indexOf("/");
-            var value:Number = Decimal.of(slash < 0 ? word : word.substr(0, slash));
+            var value:Number = Decimal.ofIndex(slash < 0 ? word : word.substr(0, slash));
             var index:int = int(value);
             if (index != value || index == 0)
             {

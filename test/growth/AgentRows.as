@@ -67,7 +67,7 @@ package growth
             {
                 agents.push(agentAt((i & 1) == 0 ? "ball" : "dot", "turtles", 1.5 * (i % side), 1.5 * int(i / side)));
             }
-            return beginFrame(new BinCollider(greatLand), agents);
+            return beginFrame(new TightestFitCollider(greatLand), agents);
         }
 
         // Sizes from 1e-6 to 1e4, each far from the others.

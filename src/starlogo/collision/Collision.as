@@ -74,10 +74,8 @@ package starlogo.collision
         private var _collisionSystem:CollisionSystem;
         private var _system:BaseCollider;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
-        private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+        private var _handlers:HandlerList = new HandlerList();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _table:HandlerTable = new HandlerTable();
-        private var _tableIsStale:Boolean = true;
         private var _touchesAreStale:Boolean = false;
         private var _contacts:FrameContacts = new FrameContacts();
         private var _calls:HandlerCalls = new HandlerCalls(_contacts);
@@ -174,7 +172,7 @@ package starlogo.collision
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
-            addHandler(CollisionHandler.COLLISION, breed, otherBreed, handler);
+            _handlers.add(CollisionHandler.COLLISION, breed, otherBreed, handler);
         }
 
         /**
@@ -190,7 +188,7 @@ package starlogo.collision
          */
         public function onCollisionStart(breed:String, otherBreed:String, handler:Function):void
         {
-            addHandler(CollisionHandler.START, breed, otherBreed, handler);
+            _handlers.add(CollisionHandler.START, breed, otherBreed, handler);
         }
 
         /**
@@ -208,7 +206,7 @@ package starlogo.collision
          */
         public function onCollisionEnd(breed:String, otherBreed:String, handler:Function):void
         {
-            addHandler(CollisionHandler.END, breed, otherBreed, handler);
+            _handlers.add(CollisionHandler.END, breed, otherBreed, handler);
         }
 
         /**
@@ -224,24 +222,7 @@ package starlogo.collision
          */
         public function removeHandler(breed:String, otherBreed:String, handler:Function, kind:String = null):Boolean
         {
-            requireHandler(breed, otherBreed, handler);
-            var wanted:int = CollisionHandler.KINDS.indexOf(kind);
-            if (kind != null && wanted < 0)
-            {
-                throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
-            }
-            for (var i:int = 0; i < _handlers.length; i++)
-            {
-                var added:CollisionHandler = _handlers[i];
-                if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler && (kind == null || added.kind == wanted))
-                {
-                    added.isRemoved = true;
-                    _handlers.splice(i, 1);
-                    _table = null;
-                    return true;
-                }
-            }
-            return false;
+            return _handlers.remove(breed, otherBreed, handler, kind);
         }
 
         /**
@@ -250,12 +231,7 @@ package starlogo.collision
          */
         public function reset():void
         {
-            for (var i:int = 0; i < _handlers.length; i++)
-            {
-                _handlers[i].isRemoved = true;
-            }
-            _handlers.length = 0;
-            _table = null;
+            _handlers.clear();
             _touchesAreStale = true;
             _isRefused = false;
             _searched = null;
@@ -288,10 +264,10 @@ package starlogo.collision
             }
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            readHandlers();
+            forgetStaleTouches();
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
-            var table:HandlerTable = _table;
+            var table:HandlerTable = _handlers.table;
             var asked:AgentPredicate = filter;
             _inUse = _owned;
             _isUpdating = true;
@@ -337,7 +313,7 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
             }
-            readHandlers();
+            forgetStaleTouches();
             var searched:Collider = _searched || _system.collider;
             return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain, bounds);
         }
@@ -371,18 +347,13 @@ package starlogo.collision
             _isRefused = _touchesAreStale = false;
         }
 
-        private function readHandlers():void
+        // After reset(), which a handler may call.
+        private function forgetStaleTouches():void
         {
             if (_touchesAreStale)
             {
                 _calls.tracker.clear();
                 _touchesAreStale = false;
-            }
-            if (_table == null || _tableIsStale)
-            {
-                _table ||= new HandlerTable();
-                _table.read(_handlers);
-                _tableIsStale = false;
             }
         }
 
@@ -447,21 +418,6 @@ package starlogo.collision
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.count;
             _statistics.findMs = getTimer() - start;
-        }
-
-        private function addHandler(kind:int, breed:String, otherBreed:String, handler:Function):void
-        {
-            requireHandler(breed, otherBreed, handler);
-            _handlers.push(new CollisionHandler(kind, breed, otherBreed, handler));
-            _tableIsStale = true;
-        }
-
-        private static function requireHandler(breed:String, otherBreed:String, handler:Function):void
-        {
-            if (!breed || !otherBreed || handler == null)
-            {
-                throw new ArgumentError("two breeds and a handler are needed, not \"" + breed + "\", \"" + otherBreed + "\" and " + textOf(handler));
-            }
         }
     }
 }

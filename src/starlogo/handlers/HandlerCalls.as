@@ -158,19 +158,16 @@ package starlogo.handlers
                     // a local, so that the handler is not called as a method of its CollisionHandler
                     var toCall:Function = handler.handler;
                     var isBack:Boolean = _call > forwardCount;
+                    var collider:Agent = isBack ? second : first;
+                    var collidee:Agent = isBack ? first : second;
                     if (handler.takesContact)
                     {
                         // an ended touch has no contact
-                        var contact:Object = _turn < 0 ? null : _contacts.contactFor(_turn, first, second, isBack);
-                        toCall(isBack ? second : first, isBack ? first : second, contact);
-                    }
-                    else if (isBack)
-                    {
-                        toCall(second, first);
+                        toCall(collider, collidee, _turn < 0 ? null : _contacts.contactFor(_turn, first, second, isBack));
                     }
                     else
                     {
-                        toCall(first, second);
+                        toCall(collider, collidee);
                     }
                 }
                 if (_starting != null && (_call > forwardCount || _call == _callCount))

@@ -91,9 +91,9 @@ package starlogo.handlers
         {
             var forward:Vector.<CollisionHandler> = between(breed, otherBreed);
             var back:Vector.<CollisionHandler> = between(otherBreed, breed);
-            var result:PairHandlers = ofKinds(CollisionHandler.COLLISION, CollisionHandler.COLLISION, forward, back);
-            var ofStart:PairHandlers = ofKinds(CollisionHandler.START, CollisionHandler.COLLISION, forward, back);
-            var ofEnd:PairHandlers = ofKinds(CollisionHandler.END, CollisionHandler.END, forward, back);
+            var result:PairHandlers = new PairHandlers(forward, back, CollisionHandler.COLLISION, CollisionHandler.COLLISION);
+            var ofStart:PairHandlers = new PairHandlers(forward, back, CollisionHandler.START, CollisionHandler.COLLISION);
+            var ofEnd:PairHandlers = new PairHandlers(forward, back, CollisionHandler.END, CollisionHandler.END);
             if (ofStart.handlers.length > result.handlers.length || ofEnd.handlers.length > 0)
             {
                 result.ofStart = ofStart;
@@ -103,45 +103,27 @@ package starlogo.handlers
             return result;
         }
 
-        private static function ofKinds(first:int, last:int, forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>):PairHandlers
-        {
-            return new PairHandlers(forward.filter(isOfKind), back.filter(isOfKind));
-
-            function isOfKind(handler:CollisionHandler, ...ignored):Boolean
-            {
-                return handler.kind >= first && handler.kind <= last;
-            }
-        }
-
         // The handlers whose collider is of the first breed and whose collidee is of the second, in the order of their calls.
         private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
         {
             var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             var others:int = interests.numberOf(BreedInterests.ANY_BREED);
-            var any:int = interests.isOfAgents(breed) ? others : -1;
             var otherAny:int = interests.isOfAgents(otherBreed) ? others : -1;
-            addFrom(breed, otherBreed, otherAny, found);
-            if (any != breed)
+            for each (var number:int in interests.isOfAgents(breed) && others >= 0 && others != breed ? [breed, others] : [breed])
             {
-                addFrom(any, otherBreed, otherAny, found);
+                for (var i:int = 0; number >= 0 && i < _handlers[number].length; i++)
+                {
+                    var handler:CollisionHandler = _handlers[number][i];
+                    if (handler.otherNumber == otherBreed || handler.otherNumber == otherAny)
+                    {
+                        found.push(handler);
+                    }
+                }
             }
             return found.sort(function(a:CollisionHandler, b:CollisionHandler):Number
                 {
                     return a.order - b.order;
                 });
-        }
-
-        // Adds the handlers of a collider's breed for either of two collidees' breeds.
-        private function addFrom(breed:int, otherBreed:int, otherAny:int, found:Vector.<CollisionHandler>):void
-        {
-            for (var i:int = 0; breed >= 0 && i < _handlers[breed].length; i++)
-            {
-                var handler:CollisionHandler = _handlers[breed][i];
-                if (handler.otherNumber == otherBreed || handler.otherNumber == otherAny)
-                {
-                    found.push(handler);
-                }
-            }
         }
     }
 }

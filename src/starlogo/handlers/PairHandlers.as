@@ -9,10 +9,10 @@ package starlogo.handlers
     public final class PairHandlers
     {
         /** The handlers that are called in a frame in which the two touch. */
-        public var handlers:Vector.<CollisionHandler>;
+        public var handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
         /** The number of handlers whose collider is the first agent. */
-        public var forwardCount:int;
+        public var forwardCount:int = 0;
 
         /** Whether any handler takes a contact, in the first frame of a touch or later. */
         public var takesContacts:Boolean = false;
@@ -26,14 +26,21 @@ package starlogo.handlers
         /**
          * @param forward the handlers whose collider is the first agent
          * @param back the handlers whose collider is the second agent
+         * @param first handlers of kinds from this one on count
+         * @param last the last kind that counts
          */
-        public function PairHandlers(forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>)
+        public function PairHandlers(forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>, first:int, last:int)
         {
-            handlers = forward.concat(back);
-            forwardCount = forward.length;
-            for each (var handler:CollisionHandler in handlers)
+            var count:int = 0;
+            for each (var handler:CollisionHandler in forward.concat(back))
             {
-                takesContacts = takesContacts || handler.takesContact;
+                if (handler.kind >= first && handler.kind <= last)
+                {
+                    handlers.push(handler);
+                    takesContacts ||= handler.takesContact;
+                    forwardCount += count < forward.length ? 1 : 0;
+                }
+                count++;
             }
         }
     }

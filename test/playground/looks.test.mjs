@@ -434,7 +434,7 @@ test('a program is shown as JavaScript, with the way to documentation and exampl
 test('every page and program names an install that works', async () => {
 	const { page } = await shared('play');
 	await use(page, 'lesson-blocks');
-	await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+	await press(page, 'This program as JavaScript');
 	const program = await page.locator('dialog pre').textContent();
 	await page.keyboard.press('Escape');
 	const [, command] = /^\/\/ Install first: (npm install .*?) - PROJECT/m.exec(program);

@@ -79,6 +79,7 @@ test("levels and depths are whole numbers", () => {
 		assert.equal(object[name], 7);
 	}
 	refused(() => (agent.traversalDepth = -1), "traversalDepth", "-1");
+	refused(() => (agent.traversalDepth = 2 ** 31), "traversalDepth must be a whole number in the range of 32 bits", "2147483648");
 });
 
 test("what is true or false is a Boolean", () => {

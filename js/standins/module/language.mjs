@@ -68,7 +68,10 @@ function isOfOtherCopy(value, wanted) {
  */
 export function $refuse(target, name, value, kind) {
 	const given = target === null ? name : `${target}: ${name}`;
-	if (typeof value === "number" && kind.endsWith(" number")) throw new RangeError(`${given} must be ${kind === "a number" ? "a finite number" : kind}, not ${value}`);
+	if (typeof value === "number" && kind.endsWith(" number")) {
+		const range = Number.isInteger(value) ? " in the range of 32 bits" : "";
+		throw new RangeError(`${given} must be ${kind === "a number" ? "a finite number" : kind + range}, not ${value}`);
+	}
 	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}`);
 }
 

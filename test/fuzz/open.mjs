@@ -1,5 +1,4 @@
 /** Checks whose faults are known and not cured yet: they are left out, so that they do not hide others. A check is named at its `expect`. */
 export const OPEN = new Set([
-	"cast names the first", "ground contact least",
-	"walk in the air", "walk aside", "walk rests", "walk deep", "walk touches", "goes as far as it says",
+	"cast names the first", "walk in the air", "walk aside", "walk rests", "walk deep", "walk touches", "goes as far as it says",
 ]);

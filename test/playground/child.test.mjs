@@ -217,6 +217,7 @@ test('lessons: to choose the system is enough, a wrong one is told why, and one\
 	// one's own version: by the card, and by Back; and beside it the lesson's
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_forward')[0].getInputTargetBlock('STEPS').setFieldValue(0.09, 'NUM'));
 	await titled(page, 'A wing is not a box (mine)');
+	assert.equal((await places()).split(' ').slice(0, 3).join(' '), settled, 'nor does the first change');
 	const speed = () => page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_forward')[0].getInputTargetBlock('STEPS').getFieldValue('NUM'));
 	assert.ok(await page.getByRole('button', { name: 'Begin again', exact: true }).isVisible());
 	await press(page, 'Next');

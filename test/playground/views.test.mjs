@@ -118,7 +118,7 @@ for (const view of VIEWS) {
 		if (view === 'play') {
 			await page.getByRole('button', { name: 'Blöcke', exact: true }).click();
 			assert.equal(await page.evaluate(() => innerWidth), SIZES.phone.viewport.width, 'beside the blocks the page is no wider');
-			await page.getByRole('button', { name: 'Dieses Programm als JavaScript' }).click();
+			await press(page, 'Dieses Programm als JavaScript');
 			await page.waitForSelector('dialog pre');
 			const { left, right } = await page.evaluate(() => document.querySelector('dialog').getBoundingClientRect());
 			assert.ok(left >= 0 && right <= SIZES.phone.viewport.width, `the dialog is from ${left} to ${right}`);

@@ -109,16 +109,17 @@ export class LessonCard {
 		this.heading = h("h2", { tabindex: "-1" }, title);
 		this.hintButton = button(words.hint, () => this.#turnTo(this.card.dataset.shows === "hint" ? "text" : "hint"), { class: "hint-button" });
 		this.foldButton = button("", () => this.#fold(!this.card.classList.contains("folded")), { class: "fold" });
-		this.againButton = button(words.again, () => this.onOpen(name, true), { hidden: !isOwn });
+		this.againButton = button(words.again, () => this.onOpen(name, true), { class: "again" });
+		this.isOwn = isOwn;
 		// all of what it may say takes its place from the beginning, so that nothing below it moves
 		const kept = (each) => h("p.kept-free", { "aria-hidden": "true" }, each);
 		const said = h("div.said", {}, h("p.text", {}, text), h("p.hint", {}, hint), this.sign, ...[`${words.done} ${why}`, ...Object.values(texts.mistakes[name])].map(kept));
 		this.card = h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
-			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, this.foldButton,
+			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, this.againButton, this.foldButton,
 				button("✕", () => this.onOpen(null), { class: "leave", "aria-label": words.leave, title: words.leave })),
 			said,
 			h("div.turn", {}, h("p.challenge", {}, h("strong", {}, `${words.challenge} `), challenge),
-				h("div.steps", {}, this.hintButton, this.againButton, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next)));
+				h("div.steps", {}, this.hintButton, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next)));
 		this.begin();
 		this.#fold(false);
 		this.element.append(this.card);
@@ -128,7 +129,8 @@ export class LessonCard {
 
 	/** Shows or hides the button that goes back to the lesson's own program. */
 	set isOwn(isOwn) {
-		if (this.againButton) this.againButton.hidden = !isOwn;
+		// it keeps its place, so that nothing moves when it comes
+		this.againButton?.classList.toggle("away", !isOwn);
 	}
 
 	/** Moves the focus to the card. */

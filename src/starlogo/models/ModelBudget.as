@@ -42,7 +42,7 @@ package starlogo.models
         private static const VERTICES_PER_BYTE:Number = 16;
         private static const FREE_VERTICES:Number = 100000;
         private static const NUMBERS_PER_BYTE:Number = 16;
-        private static const FREE_NUMBERS:Number = 500000;
+        private static const FREE_NUMBERS:Number = 100000;
         private static const MOST_NUMBERS:Number = 40000000;
         private static const THINGS_PER_BYTE:Number = 1;
         private static const FREE_THINGS:Number = 50000;

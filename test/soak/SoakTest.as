@@ -28,7 +28,7 @@ package soak
         [Test(async, timeout="120000")]
         public function aMixedGame():void
         {
-            var run:SoakRun = new SoakRun(Effort.choose(440, 1200), CHECK_EVERY);
+            var run:SoakRun = new SoakRun(Effort.choose(560, 1200), CHECK_EVERY);
             Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals("", run.problem);

@@ -38,22 +38,15 @@ package starlogo.solid
         private var _looks:int = 0;
         private var _mostLooks:int;
 
-        // For each piece, its part. Pieces of different parts do not touch.
-        private var _partFinder:PartFinder;
-        private var _parts:Vector.<int>;
-
         /**
          * @param solid has the pieces; receives the cavities
          * @param balances for each piece, the number of its triangles that are not turned, minus the number of those that are
-         * @param partFinder has found the parts
          */
-        public function CavityFinder(solid:Solid, balances:Vector.<int>, partFinder:PartFinder)
+        public function CavityFinder(solid:Solid, balances:Vector.<int>)
         {
             var pieces:int = balances.length;
             _solid = solid;
-            _partFinder = partFinder;
             _mostLooks = LOOKS_PER_TRIANGLE * solid.sides.length;
-            _parts = new Vector.<int>(pieces, true);
             _balances = balances;
             if (pieces > 1)
             {
@@ -91,7 +84,6 @@ package starlogo.solid
                 if (isFirst)
                 {
                     _corners[piece] = 9 * i + 1;
-                    _parts[piece] = _partFinder.partOf(i);
                 }
                 for (var axis:int = 0; axis < 3; axis++)
                 {
@@ -126,30 +118,19 @@ package starlogo.solid
             }
         }
 
-        // Tests four points of each triangle: its middle, and points near its corners. If a piece touches none that may be around it, one
-        // point decides.
+        // Tests four points of each triangle: its middle, and points near its corners.
         private function testSome(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
                 var piece:int = pieceOf(i);
-                for (var corner:int = 3; corner >= 0 && isSolid(piece) && isUndecided(piece); corner--)
+                for (var corner:int = 3; corner >= 0 && isSolid(piece) && (_around[piece] == null || _around[piece].length > 0 && _looks < _mostLooks); corner--)
                 {
                     windAround(piece, i, corner);
                     _around[piece] = stillAround(piece, _around[piece]);
                     _solid.unwind();
                 }
             }
-        }
-
-        private function isUndecided(piece:int):Boolean
-        {
-            var mayTouch:Boolean = _around[piece] == null;
-            for each (var other:int in _around[piece])
-            {
-                mayTouch ||= _looks < _mostLooks && (!_partFinder.isComplete || _parts[other] == _parts[piece]);
-            }
-            return mayTouch;
         }
 
         // Counts the windings around a point that is a little inside of its piece.

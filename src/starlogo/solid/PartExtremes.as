@@ -5,8 +5,8 @@ package starlogo.solid
     {
         private var _solid:Solid;
 
-        // For each part, the index of its points, or -1 if it has none yet.
-        private var _pointsAt:Vector.<int>;
+        /** For each part, the index of its points, or -1 if it has none yet. */
+        public var pointsAt:Vector.<int>;
 
         /**
          * @param solid has the corners and extents of the triangles; receives the points
@@ -15,25 +15,26 @@ package starlogo.solid
         public function PartExtremes(solid:Solid, count:int)
         {
             _solid = solid;
-            _pointsAt = new Vector.<int>(count, true);
+            solid.partPoints.length = 0;
+            pointsAt = new Vector.<int>(count, true);
             for (var i:int = 0; i < count; i++)
             {
-                _pointsAt[i] = -1;
+                pointsAt[i] = -1;
             }
         }
 
         /** Adds a triangle to a part. */
         public function add(part:int, triangle:int):void
         {
-            if (_pointsAt[part] < 0)
+            if (pointsAt[part] < 0)
             {
                 beginPart(part, 9 * triangle);
             }
-            if (reachesOut(_pointsAt[part], 6 * triangle))
+            if (reachesOut(pointsAt[part], 6 * triangle))
             {
                 for (var corner:int = 9 * triangle; corner < 9 * triangle + 9; corner += 3)
                 {
-                    extendPart(_pointsAt[part], corner);
+                    extendPart(pointsAt[part], corner);
                 }
             }
         }
@@ -52,7 +53,7 @@ package starlogo.solid
         private function beginPart(part:int, corner:int):void
         {
             var points:Vector.<Number> = _solid.partPoints;
-            _pointsAt[part] = points.length;
+            pointsAt[part] = points.length;
             for (var i:int = 0; i < Solid.POINTS_PER_PART; i++)
             {
                 points.push(_solid.corners[corner], _solid.corners[corner + 1], _solid.corners[corner + 2]);

@@ -41,8 +41,8 @@ package starlogo.solid
         public var isClosed:Boolean = false;
 
         /**
-         * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected, or its pieces touch
-         * each other. So a part that does not touch another surface is inside or outside of it as a whole.
+         * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected, or overlaps itself. So a
+         * part that does not touch another surface is inside or outside of it as a whole, or that surface is inside of the part.
          */
         public var partPoints:Vector.<Number> = new Vector.<Number>();
 
@@ -107,26 +107,23 @@ package starlogo.solid
                 return false;
             }
             wind(point.x, point.y, point.z);
+            var isFound:Boolean = false;
             for (var i:int = 0; i < woundCount; i++)
             {
-                var piece:int = wound[i];
-                if (shells[piece] >= 0 && windings[piece] != 0)
-                {
-                    windings[shells[piece]] = 0;
-                }
-            }
-            var isFound:Boolean = false;
-            for (i = 0; i < woundCount; i++)
-            {
-                piece = wound[i];
-                isFound ||= shells[piece] == Surface.SOLID ? windings[piece] != 0 : shells[piece] == Surface.ONE_SIDED && (windings[piece] & 1) != 0;
+                isFound ||= isAround(wound[i]);
             }
             unwind();
             return isFound;
         }
 
+        /** Whether the point of the last <code>wind()</code> is inside of a piece, and not in a cavity of it. */
+        public function isAround(piece:int):Boolean
+        {
+            return shells[piece] == Surface.SOLID ? windings[piece] != 0 : shells[piece] == Surface.ONE_SIDED && (windings[piece] & 1) != 0;
+        }
+
         /**
-         * Counts how often each piece winds around a point. A ray along an axis, towards the nearer side of the box around all triangles,
+         * Counts how often each piece winds around a point; not at all if the point is in a cavity of it. A ray along an axis, towards the nearer side of the box around all triangles,
          * counts the triangles that it crosses.
          *
          * <p>Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same
@@ -165,6 +162,14 @@ package starlogo.solid
                 for (var i:int = node.first; i < end; i++)
                 {
                     cross(i);
+                }
+            }
+            for (i = 0; i < woundCount; i++)
+            {
+                var piece:int = wound[i];
+                if (shells[piece] >= 0 && windings[piece] != 0)
+                {
+                    windings[shells[piece]] = 0;
                 }
             }
         }

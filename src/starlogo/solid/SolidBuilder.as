@@ -16,6 +16,10 @@ package starlogo.solid
     internal final class SolidBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
+        private static const PARTS_PER_STEP:int = 50;
+
+        // After so many looks at pieces for each triangle, the parts that are left stay as they are. The answers are the same.
+        private static const LOOKS_PER_TRIANGLE:int = 20;
 
         private var _hierarchy:SolidHierarchy;
         private var _order:Vector.<int>;
@@ -25,7 +29,11 @@ package starlogo.solid
 
         // Null if the surface is known already. Null if no seam has a gap.
         private var _builder:SurfaceBuilder = null;
-        private var _partFinder:PartFinder = null;
+
+        // For each piece, its part; and the parts that are one because they overlap.
+        private var _partOf:Vector.<int>;
+        private var _sets:DisjointSets;
+        private var _looks:int = 0;
         private var _welding:Welding = null;
 
         // The normal of the current triangle.
@@ -44,7 +52,7 @@ package starlogo.solid
             sliced(place);
             if (_surface == null)
             {
-                begin(newSurface).begin(newParts);
+                begin(newSurface);
             }
             call(useSurface);
         }
@@ -71,12 +79,6 @@ package starlogo.solid
             return _builder;
         }
 
-        private function newParts():Steps
-        {
-            _partFinder = new PartFinder(_hierarchy.root, _solid, _surface, _order);
-            return _partFinder;
-        }
-
         private function useSurface():void
         {
             _solid.isClosed = _surface.isClosed;
@@ -90,19 +92,64 @@ package starlogo.solid
                 add(_welding);
             }
             sliced(useSides);
+            _extremes = new PartExtremes(_solid, _surface.partCount);
             if (_builder != null)
             {
+                _partOf = new Vector.<int>(_surface.shells.length, true);
+                _sets = new DisjointSets(_surface.partCount);
                 begin(newCavities);
+                sliced(measure).slices(_solid.isClosed && _surface.partCount > 1 ? _surface.partCount : 0, PARTS_PER_STEP, joinParts).call(beginAgain);
+                sliced(numberParts);
             }
-            _extremes = new PartExtremes(_solid, _surface.partCount);
             sliced(measure).call(conclude);
+        }
+
+        // A figure often consists of pieces that overlap. They are inside of another model together or not at all, unless that one is inside
+        // of them. So fewer parts mean fewer points to test for each pair of agents.
+        private function joinParts(first:int, end:int):void
+        {
+            for (var part:int = first; part < end && _looks < LOOKS_PER_TRIANGLE * _order.length; part++)
+            {
+                var at:int = _extremes.pointsAt[part];
+                for (var i:int = at; i < at + 3 * Solid.POINTS_PER_PART; i += 3)
+                {
+                    _solid.wind(_solid.partPoints[i], _solid.partPoints[i + 1], _solid.partPoints[i + 2]);
+                    _looks += _solid.woundCount;
+                    for (var k:int = 0; k < _solid.woundCount; k++)
+                    {
+                        if (_solid.isAround(_solid.wound[k]))
+                        {
+                            _sets.join(_partOf[_solid.wound[k]], part);
+                        }
+                    }
+                    _solid.unwind();
+                }
+            }
+        }
+
+        private function beginAgain():void
+        {
+            _extremes = new PartExtremes(_solid, _surface.partCount);
+        }
+
+        private function numberParts(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                _surface.parts[i] = _sets.rootOf(_surface.parts[i]);
+            }
         }
 
         private function useSides(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                _solid.sides[i] = _surface.sides[_order[i]];
+                var side:int = _surface.sides[_order[i]];
+                _solid.sides[i] = side;
+                if (_builder != null && side != 0)
+                {
+                    _partOf[int(Math.abs(side) - 1)] = _surface.parts[_order[i]];
+                }
                 if (_welding != null)
                 {
                     placeCorners(i, 3 * _order[i], _welding.welded, _solid.places);
@@ -112,7 +159,7 @@ package starlogo.solid
 
         private function newCavities():Steps
         {
-            return new CavityFinder(_solid, _builder.balances, _partFinder);
+            return new CavityFinder(_solid, _builder.balances);
         }
 
         // Writes a triangle's corners, or the places to which they are welded.

@@ -3,8 +3,8 @@ package starlogo.solid
     import flash.utils.ByteArray;
 
     /**
-     * The properties of a model's surface as a whole: its parts, its pieces, and which of these are closed. A SurfaceBuilder, a PartFinder
-     * and a CavityFinder compute them, and a cooked file stores them.
+     * The properties of a model's surface as a whole: its parts, its pieces, and which of these are closed. A SurfaceBuilder, a
+     * CavityFinder and a SolidBuilder compute them, and a cooked file stores them.
      *
      * @private
      */
@@ -26,8 +26,8 @@ package starlogo.solid
         public var partCount:int = 0;
 
         /**
-         * For each triangle, the number of its part. At first, a part is what is connected by vertices. The PartFinder joins parts that
-         * touch.
+         * For each triangle, the number of its part. At first, a part is what is connected by vertices. The SolidBuilder joins parts that
+         * overlap.
          */
         public var parts:Vector.<int>;
 

@@ -4,7 +4,7 @@ package starlogo.solid
 
     /**
      * Computes a model's Surface, in steps: which vertices are at the same place, to within Tolerances.WELDING, which pieces the triangles
-     * form, and which pieces are connected. A PartFinder and a CavityFinder complete the surface.
+     * form, and which pieces are connected. A CavityFinder and a SolidBuilder complete the surface.
      */
     internal final class SurfaceBuilder extends StepSequence
     {

@@ -43,7 +43,7 @@ package starlogo.away3d
          */
         public function SourceReader(name:String, source:Object)
         {
-            super(name || "");
+            super(name || "", null);
             _source = source;
             call(collect).repeat(readSome);
         }

@@ -573,8 +573,8 @@ package starlogo.queries
          *
          * <p>An agent that stands can climb, and it stays on the ground. An agent that does not stand goes straight on and falls, as far as
          * the options say. If something too steep stops its fall, it slides down there. On the ground plane a walk is never longer than
-         * <code>dx</code> and <code>dy</code>, except for a slide after a fall. Such a slide goes at most half as far sideways as the agent
-         * may fall. The agent ends a hair above the ground, as with <code>slide()</code>.</p>
+         * <code>dx</code> and <code>dy</code>, except for a slide after a fall. Such a slide goes only down, where the way is steeper than
+         * <code>slopeDegrees</code>, and at most half as far sideways as the agent may fall. The agent ends a hair above the ground, as with <code>slide()</code>.</p>
          *
          * <p>A walk that is longer than the agent goes in pieces of the agent's size, 64 at most.</p>
          *

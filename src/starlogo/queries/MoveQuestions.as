@@ -56,12 +56,12 @@ package starlogo.queries
             // an agent that slides may go anywhere within the length of its way
             var reach:Number = ending == Mover.SLIDE ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 0;
             var row:int = begin(agent, null, dx, dy, dz, filter, reach);
-            mover.move(_seen.table, row, agents, way, ending);
+            moveAmong(row, agents, ending);
+            _seen.table.endGuests();
             if (contact != null)
             {
                 writeContact(contact);
             }
-            _seen.table.endGuests();
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 put(agent);
@@ -69,13 +69,24 @@ package starlogo.queries
             return mover.part;
         }
 
-        /** Puts an agent where the mover has come to. */
+        /** Puts an agent where the mover has come to. If its model is gone meanwhile, it stays where it was. */
         public function put(agent:Agent):void
         {
+            var x:Number = agent.x;
+            var y:Number = agent.y;
+            var z:Number = agent.z;
             agent.moveTo(mover.at.x, mover.at.y, mover.at.z);
             if (_seen.table.rowOf(agent) >= 0)
             {
-                _seen.moved(agent);
+                try
+                {
+                    _seen.moved(agent);
+                }
+                catch (error:Error)
+                {
+                    agent.moveTo(x, y, z);
+                    throw error;
+                }
             }
         }
 
@@ -88,7 +99,7 @@ package starlogo.queries
         public function cast(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             var row:int = begin(agent, structure, dx, dy, dz, filter);
-            mover.move(_seen.table, row, agents, way, Mover.SHORT);
+            moveAmong(row, agents, Mover.SHORT);
             _seen.table.endGuests();
             return mover.hasContact ? write(hit || new ShapeHit()) : null;
         }
@@ -102,7 +113,8 @@ package starlogo.queries
             _found.begin(FoundRows.ALL, Infinity, null, null);
             for (var i:int = 0; i < agents.length; i++)
             {
-                moveAmong(row, agents[i]);
+                _single[0] = agents[i];
+                moveAmong(row, _single, Mover.SHORT);
                 if (mover.hasContact)
                 {
                     _found.add(mover.contactRow, mover.part);
@@ -119,7 +131,8 @@ package starlogo.queries
                 {
                     hits[i] = _spare.pop() || new ShapeHit();
                 }
-                moveAmong(row, agents[i]);
+                _single[0] = agents[i];
+                moveAmong(row, _single, Mover.SHORT);
                 write(hits[i]);
             }
             _seen.table.endGuests();
@@ -175,10 +188,23 @@ package starlogo.queries
             }
         }
 
-        private function moveAmong(row:int, other:Agent):void
+        // Computes where the row ends. If that fails, the table is as it was before.
+        private function moveAmong(row:int, others:Vector.<Agent>, ending:int):void
         {
-            _single[0] = other;
-            mover.move(_seen.table, row, _single, way, Mover.SHORT);
+            var isDone:Boolean = false;
+            try
+            {
+                mover.move(_seen.table, row, others, way, ending);
+                isDone = true;
+            }
+            finally
+            {
+                if (!isDone)
+                {
+                    mover.end();
+                    _seen.table.endGuests();
+                }
+            }
         }
 
         // Writes how the last row that moved touches the agent that stopped it.

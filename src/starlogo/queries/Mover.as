@@ -42,6 +42,11 @@ package starlogo.queries
         // Between two walls the row may be lifted to and fro. After this many rounds it stays where it is.
         private static const LIFTING_ROUNDS:int = 6;
 
+        private static const LEAVING_ROUNDS:int = 30;
+
+        // Two normals are opposite if the cosine of the angle between them is less than this.
+        private static const OPPOSITE:Number = -0.999;
+
         // A motion ends after this many turns.
         private static const MOST_TURNS:int = 8;
 
@@ -69,6 +74,12 @@ package starlogo.queries
         /** The contact with that row. The next motion overwrites it. */
         public var contact:ContactPoint = new ContactPoint();
 
+        /** The most level contact that the last slide has met: the one with the greatest z of its normal. It is -2 if there is none. */
+        public var floor:ContactPoint = new ContactPoint();
+
+        /** The other row of that contact. */
+        public var floorRow:int = -1;
+
         /** The place of the row's agent at the end. */
         public var at:Vector3D = new Vector3D();
 
@@ -90,6 +101,10 @@ package starlogo.queries
 
         private var _standing:ContactPoint = new ContactPoint();
 
+        // The contact that the row has left last, and whether it is between that one and an opposite one.
+        private var _left:ContactPoint = new ContactPoint();
+        private var _isBetween:Boolean = false;
+
         /** @param pairs tests which rows touch */
         public function Mover(pairs:RowPairs)
         {
@@ -108,20 +123,20 @@ package starlogo.queries
          */
         public function move(table:AgentTable, row:int, others:Vector.<Agent>, motion:Vector3D, ending:int):void
         {
-            begin(table, row, others, motion);
+            begin(table, row, others);
             go(motion, ending);
             if (ending == SLIDE)
             {
-                leaveTouches();
+                leaveTouches(false);
             }
             end();
         }
 
         /** Takes a row and other agents, as move() does, for several motions. Call <code>end()</code> afterwards. */
-        public function begin(table:AgentTable, row:int, others:Vector.<Agent>, longest:Vector3D):void
+        public function begin(table:AgentTable, row:int, others:Vector.<Agent>):void
         {
             at.setTo(table.x[row], table.y[row], table.z[row]);
-            _sweep.begin(table, row, longest);
+            _sweep.begin(table, row);
             _all = 0;
             for (var i:int = 0; i < others.length; i++)
             {
@@ -145,14 +160,15 @@ package starlogo.queries
          *
          * @param steepest a slide treats a contact as an upright wall if the z of its normal is less than this. With -2 it does so with none
          * @param widest how far a slide may go on the ground plane at most
+         * @param steepness for a slide that is a fall: the least slope on which it goes on, as a tangent
          */
-        public function go(motion:Vector3D, ending:int, steepest:Number = -2, widest:Number = Infinity):void
+        public function go(motion:Vector3D, ending:int, steepest:Number = -2, widest:Number = Infinity, steepness:Number = -1):void
         {
-            _rest.begin(motion, widest);
+            _rest.begin(motion, widest, steepness);
             hasContact = metWall = isDeep = _isCareful = false;
             contact.setNormal(0, 0, 0);
             part = 1;
-            _sweep.beginMotion();
+            _sweep.beginMotion(at, motion);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
                 _rest.advance(at, 1);
@@ -291,6 +307,7 @@ package starlogo.queries
         {
             var whole:Number = _rest.length;
             var gone:Number = 0;
+            floor.setNormal(0, 0, -2);
             for (var turns:int = 0; turns < MOST_TURNS && isLeft(); turns++)
             {
                 if (!findFirst())
@@ -305,6 +322,11 @@ package starlogo.queries
                 }
                 // The row stops half a hair away. With a whole hair it could not enter a place as wide as itself
                 gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, contact) + _sweep.hair / 2 / _along, 0));
+                if (contact.normalZ > floor.normalZ)
+                {
+                    floor.copyFrom(contact);
+                    floorRow = contactRow;
+                }
                 if (contact.normalZ < steepest)
                 {
                     standUp();
@@ -361,14 +383,21 @@ package starlogo.queries
             return _sweep.time * _rest.length < NEXT * _sweep.extent;
         }
 
-        /** Lifts the row half a hair off the rows that it only touches at the end of a motion, if there is room. */
-        public function leaveTouches():void
+        /**
+         * Lifts the row half a hair off the rows that it only touches at the end of a motion, if there is room. In a hollow, a lift off one side
+         * leads a part of the way into another, so this takes several rounds. Between two walls that are opposite there is no room.
+         *
+         * @param all whether it may touch any row, and not only those of the last motion
+         */
+        public function leaveTouches(all:Boolean):void
         {
             _before.copyFrom(at);
-            var isFree:Boolean = leave(_sweep.touched, _sweep.touchedCount);
-            for (var round:int = 1; !isFree && round < LIFTING_ROUNDS; round++)
+            _left.setNormal(0, 0, 0);
+            _isBetween = false;
+            var isFree:Boolean = !all && leave(_sweep.touched, _sweep.touchedCount);
+            for (var round:int = 1; !isFree && !_isBetween && round < LEAVING_ROUNDS; round++)
             {
-                isFree = leave(_others, _count);
+                isFree = leave(_others, _all);
             }
             if (!isFree)
             {
@@ -386,6 +415,14 @@ package starlogo.queries
                 {
                     isFree = false;
                     _sweep.findContact(rows[i], at, _standing);
+                    var cosine:Number = _standing.normalX * _left.normalX + _standing.normalY * _left.normalY + _standing.normalZ * _left.normalZ;
+                    _isBetween = cosine < OPPOSITE;
+                    if (cosine > -OPPOSITE && _standing.depth >= _left.depth)
+                    {
+                        // the contact of two parts leads into another part
+                        _sweep.findContact(rows[i], at, _standing, true);
+                    }
+                    _left.copyFrom(_standing);
                     _standing.push(at, Math.min(_standing.depth, MOST_HAIRS * _sweep.hair) + _sweep.hair / 2);
                 }
             }

@@ -110,18 +110,17 @@ package starlogo.queries
         }
 
         /** Begins with the row that moves. Call <code>end()</code> at the end. */
-        public function begin(table:AgentTable, row:int, motion:Vector3D):void
+        public function begin(table:AgentTable, row:int):void
         {
             _table = table;
             _row = row;
             _moving.take(table, row);
-            _rounding = OF_PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]))
-                + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
 
-        /** Puts the row back to its own place, in its whole size. */
+        /** Puts the row back to its own place, in its whole size, and the other row of a trial too. */
         public function end():void
         {
+            _standing.giveBack();
             _moving.giveBack();
             _table = null;
         }
@@ -188,9 +187,11 @@ package starlogo.queries
             return isFree;
         }
 
-        /** Begins another motion: forgets all rows that it has touched. */
-        public function beginMotion():void
+        /** Begins another motion from a place: forgets all rows that it has touched. */
+        public function beginMotion(at:Vector3D, motion:Vector3D):void
         {
+            _rounding = OF_PLACES * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z))
+                + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _isWide = false;
             touchedCount = _firstCount = 0;
         }

@@ -20,6 +20,9 @@ package starlogo.queries
         private static const STUCK:Number = 1e-10;
         private static const SAME:Number = 1 - 1e-14;
 
+        // A slope may be less steep than a fall needs by this fraction, because its normal has rounding errors.
+        private static const LEVELLER:Number = 1e-6;
+
         /** The rest of the motion. */
         public var motion:Vector3D = new Vector3D();
 
@@ -37,6 +40,9 @@ package starlogo.queries
 
         // How far the rest may go on the ground plane at most.
         private var _widest:Number = Infinity;
+
+        // How far a fall has to go down for each patch on the ground plane; less than 0 for a motion that is no fall.
+        private var _steepness:Number = -1;
 
         private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
@@ -57,10 +63,14 @@ package starlogo.queries
          * Begins a motion, without planes.
          *
          * @param widest how far it may go on the ground plane at most. The planes can turn a motion up or down more level
+         * @param steepness if it is a fall: the least slope on which it goes on, as a tangent; less than 0 if it is none. In each corner a fall
+         *     begins straight down again. So it has no momentum, and never goes up
          */
-        public function begin(whole:Vector3D, widest:Number):void
+        public function begin(whole:Vector3D, widest:Number, steepness:Number):void
         {
             _widest = widest;
+            _steepness = steepness;
+            _whole.copyFrom(whole);
             motion.copyFrom(whole);
             length = Math.sqrt(whole.x * whole.x + whole.y * whole.y + whole.z * whole.z);
             count = 0;
@@ -73,7 +83,10 @@ package starlogo.queries
         public function beginCorner():void
         {
             corner = count;
-            _whole.copyFrom(motion);
+            if (_steepness < 0)
+            {
+                _whole.copyFrom(motion);
+            }
         }
 
         /** Moves a place by a part of the rest, from 0 to 1, and takes this part off the rest. Returns the length of the part. */
@@ -167,8 +180,7 @@ package starlogo.queries
             {
                 tryCreases(i);
             }
-            keepWithinWidest();
-            return length > STUCK * _whole.length;
+            return keepWithinWidest() && length > STUCK * _whole.length;
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean
@@ -176,15 +188,21 @@ package starlogo.queries
             return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
         }
 
-        private function keepWithinWidest():void
+        // Returns whether the motion is steep enough for a fall.
+        private function keepWithinWidest():Boolean
         {
             var wide:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y);
+            if (_steepness >= 0 && -motion.z < _steepness * wide * (1 - LEVELLER))
+            {
+                return false;
+            }
             if (wide > _widest)
             {
                 var share:Number = Math.max(0, _widest / wide);
                 motion.scaleBy(share);
                 length *= share;
             }
+            return true;
         }
 
         // Tries the lines where one plane meets the planes after it.

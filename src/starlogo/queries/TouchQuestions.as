@@ -74,20 +74,23 @@ package starlogo.queries
             var table:AgentTable = _seen.table;
             var row:int = _seen.rowOfEither(agent, structure);
             _found.begin(most, Infinity, agent, filter);
-            if (table.shapes[row] != null)
+            try
             {
-                if (place != null)
+                if (place != null && table.shapes[row] != null)
                 {
                     _moved.take(table, row);
                     _moved.put(place, 0);
                 }
-                collectNear(row);
-                if (place != null)
+                if (table.shapes[row] != null)
                 {
-                    _moved.giveBack();
+                    collectNear(row);
                 }
             }
-            table.endGuests();
+            finally
+            {
+                _moved.giveBack();
+                table.endGuests();
+            }
         }
 
         // Collects the rows that count and touch a row. Each gets its distance from the row's place.

@@ -66,8 +66,8 @@ package starlogo.queries
         }
 
         /**
-         * How far the agent falls in one walk if it does not stand on anything, in patches. With Infinity it lands at once. With 0 it does
-         * not fall, so that a game can have gravity of its own.
+         * How far the agent falls in one walk if it does not stand on anything, in patches. With Infinity it lands at once; if
+         * there is nothing below it, it stays where it is. With 0 it does not fall, so that a game can have gravity of its own.
          *
          * @throws RangeError if it is negative, not a number, or above 1e9 but not Infinity
          */

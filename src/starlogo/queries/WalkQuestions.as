@@ -18,13 +18,17 @@ package starlogo.queries
      */
     public final class WalkQuestions
     {
-        // Both are parts of the extent. CLOSE: the agent stands on ground that is at most this far below it. BEHIND_EDGE: at an edge, the
-        // face this far behind the edge is tested.
+        // Parts of the extent. CLOSE: the agent stands on ground that is at most this far below it. BEHIND_EDGE: at an edge, the face this far
+        // behind the edge is tested. REST: a fall that is less than this is none.
         private static const CLOSE:Number = 1e-6;
         private static const BEHIND_EDGE:Number = 1e-4;
+        private static const REST:Number = 1e-8;
 
         // Ground as steep as the limit is not too steep, although its normal has rounding errors. A fraction of the limit's cosine.
         private static const SLOPE_ROUNDING:Number = 1e-9;
+
+        // In the air every surface is a wall, except level floors.
+        private static const FLOOR:Number = 1 - 1e-12;
 
         // A walk that is longer than the agent goes in pieces of the agent's size, because the ground may be even only so far. Endless walks have
         // no more pieces than this.
@@ -36,25 +40,31 @@ package starlogo.queries
         private var _rays:RowRays = new RowRays();
         private var _defaults:WalkOptions = new WalkOptions();
 
-        // The walk: its options, and the cosine of the steepest slope; the way of a piece, its length, and the place where it begins; how far the
-        // agent slides down after a fall; its size; the depth of ground that is close; and the greatest height of an edge that it can stand on.
+        // The walk: its options, and the cosine and the tangent of the steepest slope; the way of a piece, its length, and the place where it
+        // begins; the part of the way that the agent has come; how far it slides down after a fall; whether it was in the air at the beginning;
+        // its size; the depth of ground that is close; and its lowest point as seen from its place.
         private var _options:WalkOptions;
         private var _cosine:Number = 0;
+        private var _tangent:Number = 0;
         private var _dx:Number = 0;
         private var _dy:Number = 0;
         private var _whole:Number = 0;
         private var _start:Vector3D = new Vector3D();
+        private var _part:Number = 1;
         private var _slide:Number = 0;
+        private var _isInAir:Boolean = false;
         private var _extent:Number = 0;
         private var _close:Number = 0;
-        private var _highest:Number = 0;
+        private var _bottom:Number = 0;
 
-        // The place that is reached without a step, the place before the way down, and a part of the walk.
+        // The place that is reached without a step, the places before and after the way down, and a part of the walk.
         private var _plain:Vector3D = new Vector3D();
         private var _above:Vector3D = new Vector3D();
+        private var _below:Vector3D = new Vector3D();
         private var _way:Vector3D = new Vector3D();
 
-        // The normal of the ground that was found.
+        // The ground that was found: its row and its normal.
+        private var _row:int = -1;
         private var _normal:Vector3D = new Vector3D();
 
         private var _origin:Vector3D = new Vector3D();
@@ -86,34 +96,31 @@ package starlogo.queries
             // the filter may have asked for other walks, which set these fields
             _options = asked;
             _cosine = cosine;
+            _tangent = Math.sqrt(1 - cosine * cosine) / cosine;
             _dx = dx / pieces;
             _dy = dy / pieces;
             _whole = whole / pieces;
             _slide = slide;
+            _isInAir = false;
             _extent = 2 * table.extents.largestHalf(row);
             _close = CLOSE * _extent;
             _mover = _moves.mover;
-            _mover.begin(table, row, _moves.agents, _moves.way);
-            var footing:Footing = out || new Footing();
-            var x:Number = _mover.at.x;
-            var y:Number = _mover.at.y;
-            var bottom:Number = table.extents.z[row] - table.extents.halfZ[row] - _mover.at.z;
-            for (var i:int = 0; i < pieces; i++)
+            var stands:Boolean = false;
+            try
             {
-                _start.copyFrom(_mover.at);
-                _highest = _start.z + bottom + asked.stepHeight + _close;
-                var stands:Boolean = goOnGround();
+                _mover.begin(table, row, _moves.agents);
+                stands = go(row, pieces);
             }
-            x = _mover.at.x - x;
-            y = _mover.at.y - y;
-            footing.part = whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / whole) : 1;
-            stands ||= table.shapes[row] != null && fall();
-            _mover.leaveTouches();
-            _mover.end();
-            table.endGuests();
+            finally
+            {
+                _mover.end();
+                table.endGuests();
+            }
             _moves.put(agent);
+            var footing:Footing = out || new Footing();
+            footing.part = _part;
             footing.stands = stands;
-            footing.on = stands ? table.agents[_mover.contactRow] : null;
+            footing.on = stands ? table.agents[_row] : null;
             if (!stands)
             {
                 _normal.setTo(0, 0, 1);
@@ -122,15 +129,44 @@ package starlogo.queries
             return footing;
         }
 
-        // Goes the way, and down to the ground. Returns whether the agent stands at the end.
-        private function goOnGround():Boolean
+        // Goes all pieces, and falls if the row does not stand. Returns whether it stands at the end.
+        private function go(row:int, pieces:int):Boolean
         {
-            if (!findStart())
+            var table:AgentTable = _seen.table;
+            var at:Vector3D = _mover.at;
+            var x:Number = at.x;
+            var y:Number = at.y;
+            var stands:Boolean = false;
+            _bottom = table.extents.z[row] - table.extents.halfZ[row] - at.z;
+            for (var i:int = 0; i < pieces; i++)
             {
-                slide(0);
+                _start.copyFrom(at);
+                stands = goOnGround(i == 0);
+            }
+            x = at.x - x;
+            y = at.y - y;
+            _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (pieces * _whole)) : 1;
+            stands ||= table.shapes[row] != null && fall();
+            _mover.leaveTouches(true);
+            return stands;
+        }
+
+        // Goes a piece of the way, and down to the ground. A walk that begins in the air stays there. Returns whether the agent stands at the end.
+        private function goOnGround(isFirst:Boolean):Boolean
+        {
+            if (_isInAir && !isFirst || !findStart())
+            {
+                _isInAir ||= isFirst;
+                slide(0, FLOOR);
                 return findGround(_close);
             }
-            slide(-(_normal.x * _dx + _normal.y * _dy) / _normal.z);
+            if (_whole == 0)
+            {
+                // it stays to the bit
+                _mover.at.copyFrom(_start);
+                return true;
+            }
+            slide(-(_normal.x * _dx + _normal.y * _dy) / _normal.z, _cosine);
             if (_mover.metWall)
             {
                 _plain.copyFrom(_mover.at);
@@ -160,10 +196,10 @@ package starlogo.queries
             return stands;
         }
 
-        private function slide(rise:Number):void
+        private function slide(rise:Number, steepest:Number):void
         {
             _way.setTo(_dx, _dy, rise);
-            _mover.go(_way, Mover.SLIDE, _cosine, _whole);
+            _mover.go(_way, Mover.SLIDE, steepest, _whole);
         }
 
         private function goDown(depth:Number):void
@@ -182,7 +218,7 @@ package starlogo.queries
             {
                 return false;
             }
-            slide(0);
+            slide(0, _cosine);
             var farther:Number = (_mover.at.x - _plain.x) * _dx + (_mover.at.y - _plain.y) * _dy;
             return farther > _close * _whole && findGround(height + _options.snap + _close);
         }
@@ -192,12 +228,27 @@ package starlogo.queries
         {
             _above.copyFrom(_mover.at);
             goDown(depth);
-            if (_mover.hasContact && isLevel(_mover.contact))
+            if (_mover.hasContact && (isLevel(_mover.contact, _mover.contactRow) || isOnAnother()))
             {
                 return true;
             }
             _mover.at.copyFrom(_above);
             return false;
+        }
+
+        // Whether the agent, which touches something too steep, touches something else that is not.
+        private function isOnAnother():Boolean
+        {
+            _below.copyFrom(_mover.at);
+            slideDown(_close);
+            _mover.at.copyFrom(_below);
+            return _mover.floor.normalZ > -1 && isLevel(_mover.floor, _mover.floorRow);
+        }
+
+        private function slideDown(depth:Number):void
+        {
+            _way.setTo(0, 0, -depth);
+            _mover.go(_way, Mover.SLIDE, -2, _slide / 2, _tangent);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -217,25 +268,29 @@ package starlogo.queries
                 goDown(Math.min(left, piece));
                 left -= _mover.part * Math.min(left, piece);
             }
-            if (!_mover.hasContact || isLevel(_mover.contact))
+            if (!_mover.hasContact || isLevel(_mover.contact, _mover.contactRow))
             {
                 return _mover.hasContact;
             }
-            _way.setTo(0, 0, -Math.min(left, _slide));
-            _mover.go(_way, Mover.SLIDE, -2, _slide / 2);
+            slideDown(Math.min(left, _slide));
+            if (_above.z - _mover.at.z < REST * _extent)
+            {
+                _mover.at.copyFrom(_above);
+            }
             return findGround(_close);
         }
 
         // Whether the surface that stopped the way down is not too steep. At an edge, for example of a step, the face behind the edge
-        // decides. But the edge must not be more than a step higher than the beginning of the walk.
-        private function isLevel(contact:ContactPoint):Boolean
+        // decides. But the edge must not be more than a step higher than the agent was at the beginning of the walk, or is now.
+        private function isLevel(contact:ContactPoint, row:int):Boolean
         {
+            _row = row;
             _normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
             if (_normal.z >= _cosine)
             {
                 return true;
             }
-            if (contact.z > _highest)
+            if (contact.z > Math.min(_start.z, _mover.at.z) + _bottom + _options.stepHeight + _close)
             {
                 return false;
             }
@@ -248,7 +303,7 @@ package starlogo.queries
             ray.aim(_origin, _down);
             ray.to = 2 * above;
             _rays.begin(_seen.table, _seen.pairs.trees);
-            if (!_rays.meets(_mover.contactRow) || ray.from == 0)
+            if (!_rays.meets(row) || ray.from == 0)
             {
                 return false;
             }

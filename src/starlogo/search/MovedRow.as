@@ -81,12 +81,15 @@ package starlogo.search
             put(_home, share);
         }
 
-        /** Puts the row back to its own place, with its whole size. */
+        /** Puts the row back to its own place, with its whole size. Without a row nothing happens. */
         public function giveBack():void
         {
-            put(_home, 0);
-            _table.revisions[_row] = _revision;
-            _table = null;
+            if (_table != null)
+            {
+                put(_home, 0);
+                _table.revisions[_row] = _revision;
+                _table = null;
+            }
         }
 
         // The size is copied only when it changes for the first time, because most rows keep their size.

@@ -1,0 +1,267 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.agentAt;
+    import support.assertThrows;
+    import support.fillHeights;
+
+    /** Walks that fall, slide down what is too steep, begin in the air, and come to rest. What they may do follows from the slopes alone. */
+    public class WalkFallTest
+    {
+        private static const NEAR:Number = 1e-6;
+
+        private var _greatLand:GreatLand;
+        private var _random:SeededRandom = new SeededRandom(6151);
+        private var _wrong:Complaints = new Complaints();
+        private var _options:WalkOptions = new WalkOptions();
+        private var _footing:Footing = new Footing();
+        private var _terrain:Terrain;
+        private var _queries:AgentQueries;
+        private var _walker:Agent;
+        private var _falls:int = 0;
+
+        [Before]
+        public function makeModels():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(BuiltInModel.cylinder());
+        }
+
+        // No walk ends higher than steps and slopes explain, and none goes farther sideways than it goes down.
+        [Test]
+        public function noWalkGoesWhereNoSlopeLeads():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var world:int = 0; world < Effort.choose(12, 300, 2); world++)
+                {
+                    makeWorld(name, world);
+                    for (var i:int = 0; i < 25; i++)
+                    {
+                        if (Math.abs(_walker.x) > 10 || Math.abs(_walker.y) > 10)
+                        {
+                            land(-0.8 * _walker.x, -0.8 * _walker.y);
+                        }
+                        walkOnce(name + " " + world);
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(String(_falls), _falls > 50);
+        }
+
+        // Where an agent cannot go down any more it stays, to the bit, whether it stands or not.
+        [Test]
+        public function whatCannotFallRests():void
+        {
+            var wedged:int = 0;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for (var world:int = 0; world < Effort.choose(10, 100, 2); world++)
+                {
+                    makeWorld(name, 3);
+                    fillHeights(_terrain, grooveOf(_random.between(1.2, 3), _random.between(1.2, 3), world % 2 == 0 ? 0 : _random.between(-1, 1)));
+                    _terrain.isBlocky = false;
+                    _options.slopeDegrees = 45;
+                    _options.fall = 0.5;
+                    land(_random.between(-3, 3), _random.between(-3, 3));
+                    for (var i:int = 0; i < 60; i++)
+                    {
+                        _queries.walk(_walker, 0, 0, _options, _footing);
+                    }
+                    var at:String = [_walker.x, _walker.y, _walker.z].join();
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    if ([_walker.x, _walker.y, _walker.z].join() != at)
+                    {
+                        _wrong.add(name + ": trembles", at + " to " + [_walker.x, _walker.y, _walker.z]);
+                    }
+                    wedged += _footing.stands ? 0 : 1;
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(String(wedged), wedged > 5);
+        }
+
+        [Test]
+        public function besideTheGroundThereIsNothingToStandOn():void
+        {
+            _options.fall = Infinity;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var shape:String in ["sphere", "cube"])
+                {
+                    for each (var isBlocky:Boolean in [false, true])
+                    {
+                        _terrain = new Terrain(5, 5, 1, -2, -2);
+                        _terrain.isBlocky = isBlocky;
+                        _walker = agentAt(shape, isBlocky ? 3 : 2.5, 0.1, 0.3);
+                        ask(name);
+                        for (var i:int = 0; i < 4; i++)
+                        {
+                            _queries.walk(_walker, 0, 0, _options, _footing);
+                            assertFalse([name, shape, isBlocky, i, _walker.z].join(), _footing.stands);
+                            assertTrue([name, shape, isBlocky, i, _walker.z].join(), Math.abs(_walker.z - 0.3) < NEAR);
+                        }
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public function aWalkThatBeginsInTheAirClimbsNothing():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var shape:String in ["sphere", "cube", "cylinder"])
+                {
+                    _terrain = new Terrain(24, 5, 1, -2, -2);
+                    fillHeights(_terrain, function(column:int, row:int):Number
+                        {
+                            return 0.7 * column;
+                        });
+                    _walker = agentAt(shape, 0, 0.1, 3.5);
+                    ask(name);
+                    for each (var way:Number in [0.8, 12])
+                    {
+                        _walker.moveTo(0, 0.1, 3.5);
+                        _queries.moved(_walker);
+                        _queries.walk(_walker, way, 0, _options, _footing);
+                        assertTrue([name, shape, way, _walker.x, _walker.z].join(), _walker.z <= 3.5 + NEAR && _walker.x > 0.7);
+                    }
+                    assertTrue(name + ": it stands on the ramp", _footing.stands);
+                    var z:Number = _walker.z;
+                    _queries.walk(_walker, 1, 0, _options, _footing);
+                    assertTrue(name + ": and climbs it " + [z, _walker.z], Math.abs(_walker.z - z - 0.7) < 1e-3);
+                }
+            }
+        }
+
+        // The edge of a column carries a sphere up to a step above its lowest point, in the first frame as in the next ones.
+        [Test]
+        public function anEdgeThatIsTooHighCarriesForNoFrame():void
+        {
+            var edges:int = 0;
+            for each (var height:Number in [0.5, 2])
+            {
+                for (var steps:int = 20; steps < 30; steps++)
+                {
+                    _terrain = new Terrain(5, 5, 1, -2, -2);
+                    _terrain.isBlocky = true;
+                    _terrain.setHeight(2, 2, height);
+                    _walker = agentAt("sphere", 0.2, 0.05, height + 0.01);
+                    ask("tightest fits");
+                    for (var i:int = 0; i < steps; i++)
+                    {
+                        _queries.walk(_walker, 0.03, 0, _options, _footing);
+                        var isOnEdge:Boolean = _walker.z > NEAR && _footing.stands && _walker.x > 0.5;
+                        edges += isOnEdge ? 1 : 0;
+                        assertTrue([height, steps, i, _walker.x, _walker.z].join(), !isOnEdge || height - _walker.z <= 0.25 + NEAR);
+                    }
+                    for (i = 0; i < 9; i++)
+                    {
+                        _queries.walk(_walker, 0, 0, _options, _footing);
+                    }
+                    assertTrue([height, steps, _walker.x, _walker.z].join(), _footing.stands && (_walker.z < NEAR || height - _walker.z <= 0.25));
+                }
+            }
+            assertTrue(String(edges), edges > 20);
+        }
+
+        [Test]
+        public function whatIsRefusedHasNotMoved():void
+        {
+            _terrain = null;
+            _walker = agentAt("cube", 0.4, 0, 0);
+            ask("tightest fits");
+            _greatLand.removeModel("cube");
+            assertThrows(ArgumentError, /cube/, _queries.walk, _walker, 0.1, 0);
+            assertThrows(ArgumentError, /cube/, _queries.slide, _walker, 0.1, 0, 0);
+            assertThrows(ArgumentError, /cube/, _queries.moveUntilTouch, _walker, 0.1, 0, 0);
+            assertEquals(0.4, _walker.x);
+            assertEquals(0, _walker.z);
+        }
+
+        private function makeWorld(name:String, world:int):void
+        {
+            _terrain = new Terrain(24, 24, 1, -12, -12);
+            _terrain.isBlocky = world % 4 == 1;
+            var rough:Number = _random.pick([0.3, 0.6, 1, 2]);
+            fillHeights(_terrain, world % 4 == 2 ? grooveOf(_random.between(0.5, 3), _random.between(0.5, 3), _random.between(-1, 1)) : function(column:int, row:int):Number
+                {
+                    return _random.between(-rough, rough);
+                });
+            _options.slopeDegrees = _random.pick([30, 45, 60]);
+            _options.stepHeight = _random.pick([0, 0.1, 0.25, 0.5]);
+            _options.snap = _random.pick([0.1, 0.25, 0.5]);
+            _options.fall = _random.pick([0.1, 0.5, 2]);
+            _walker = agentAt(_random.pick(["sphere", "cube", "cylinder"]), 0, 0, 0);
+            _walker.size = _random.pick([0.2, 0.5, 1.2]);
+            _walker.heading = _random.between(0, 360);
+            ask(name);
+            land(_random.between(-9, 9), _random.between(-9, 9));
+        }
+
+        private function ask(name:String):void
+        {
+            _queries = new AgentQueries(EachCollider.make(name, _greatLand));
+            _queries.terrain = _terrain;
+            _queries.update(new <Agent>[_walker]);
+        }
+
+        // Puts the walker on the ground.
+        private function land(x:Number, y:Number):void
+        {
+            _walker.moveTo(x, y, 200);
+            _queries.moved(_walker);
+            _queries.moveUntilTouch(_walker, 0, 0, -400);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+        }
+
+        private function walkOnce(name:String):void
+        {
+            var way:Number = _random.pick([0, 0.01, 0.05, 0.1, 0.3]);
+            var turn:Number = _random.between(0, 7);
+            var x:Number = _walker.x;
+            var y:Number = _walker.y;
+            var z:Number = _walker.z;
+            var stood:Boolean = _footing.stands;
+            _queries.walk(_walker, way * Math.cos(turn), way * Math.sin(turn), _options, _footing);
+            var rise:Number = _walker.z - z;
+            var gone:Number = Math.sqrt((_walker.x - x) * (_walker.x - x) + (_walker.y - y) * (_walker.y - y));
+            var steepest:Number = Math.tan(_options.slopeDegrees * Math.PI / 180);
+            var climbed:Number = Math.ceil(way / _walker.size) * _options.stepHeight + way * steepest;
+            var message:String = [x, y, z].join() + " of " + way + " to " + [_walker.x, _walker.y, _walker.z] + ", " + stood + ", " + _footing.stands;
+            _falls += _footing.stands ? 0 : 1;
+            if (rise > (stood ? climbed : 0) + NEAR)
+            {
+                _wrong.add(name + ": too high", message);
+            }
+            if (gone > way + Math.max(0, climbed - rise) / steepest + NEAR)
+            {
+                _wrong.add(name + ": too far", message);
+            }
+        }
+
+        // Two slopes that meet in a level groove.
+        private static function grooveOf(left:Number, right:Number, turn:Number):Function
+        {
+            return function(column:int, row:int):Number
+                {
+                    var across:Number = column - 12 + turn * (row - 12);
+                    return across > 0 ? right * across : -left * across;
+                };
+        }
+    }
+}

@@ -71,6 +71,9 @@ package starlogo.queries
         /** The other row. */
         public var contactRow:int = -1;
 
+        /** Whether no contact showed what stops the motion, so that the normal is just the opposite of the motion. */
+        public var isMadeUp:Boolean = false;
+
         /** The contact with that row. The next motion overwrites it. */
         public var contact:ContactPoint = new ContactPoint();
 
@@ -86,6 +89,7 @@ package starlogo.queries
         private var _sweep:NarrowSweep;
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _others:Vector.<int> = new Vector.<int>();
+        private var _ranks:Vector.<int>;
         private var _count:int = 0;
         private var _all:int = 0;
 
@@ -137,6 +141,7 @@ package starlogo.queries
         {
             at.setTo(table.x[row], table.y[row], table.z[row]);
             _sweep.begin(table, row);
+            _ranks = table.ranks;
             _all = 0;
             for (var i:int = 0; i < others.length; i++)
             {
@@ -221,14 +226,18 @@ package starlogo.queries
             {
                 _rest.add(_standing, other);
                 _count--;
-                _others[i] = _others[_count];
+                // the others keep their order, because the first in the list is named if several are met at once
+                for (var next:int = i; next < _count; next++)
+                {
+                    _others[next] = _others[int(next + 1)];
+                }
                 _others[_count] = other;
             }
         }
 
         private function goUntilTouch(ending:int):void
         {
-            var crossed:ContactPoint = _rest.findCrossed();
+            var crossed:ContactPoint = _rest.findCrossed(_ranks);
             if (crossed != null)
             {
                 contact.copyFrom(crossed);
@@ -322,7 +331,7 @@ package starlogo.queries
                 }
                 // The row stops half a hair away. With a whole hair it could not enter a place as wide as itself
                 gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, contact) + _sweep.hair / 2 / _along, 0));
-                if (contact.normalZ > floor.normalZ)
+                if (!isMadeUp && !_isCareful && contact.normalZ > floor.normalZ)
                 {
                     floor.copyFrom(contact);
                     floorRow = contactRow;
@@ -446,6 +455,7 @@ package starlogo.queries
                 return false;
             }
             contact.copyFrom(_sweep.contact);
+            isMadeUp = false;
             _sweep.measure(contactRow);
             _along = contact.along(motion);
             if (isAlong() || _isCareful)
@@ -478,6 +488,7 @@ package starlogo.queries
             }
             if (isAlong())
             {
+                isMadeUp = true;
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();
                 _along = -_rest.length;

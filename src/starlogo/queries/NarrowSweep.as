@@ -312,11 +312,20 @@ package starlogo.queries
             return Math.min(time, _foundWhole > time + earlier / 2 ? _foundWhole : time + earlier);
         }
 
-        /** Finds the larger extent of the row and another, and the width of a hair between them. */
+        /**
+         * Finds the larger extent of the row and another, and the width of a hair between them. The ground's extents are those of a cell. Cells
+         * only add rounding errors, because they are tested with the row's margins.
+         */
         public function measure(other:int):void
         {
-            extent = 2 * Math.max(_table.extents.largestHalf(other), _moving.largestHalf);
+            var largest:Number = _table.extents.largestHalf(other);
+            var isGround:Boolean = _table.forms[other] == ModelShape.GROUND;
+            extent = isGround ? 2 * _moving.largestHalf : 2 * Math.max(largest, _moving.largestHalf);
             hair = HAIR * extent + _rounding;
+            if (isGround)
+            {
+                hair += OF_PLACES * largest;
+            }
         }
 
         // Whether the extents of the row come within a hair of another's, anywhere on a motion that ends at the row's place in the table.

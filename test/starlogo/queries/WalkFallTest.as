@@ -258,10 +258,10 @@ package starlogo.queries
         private static function grooveOf(left:Number, right:Number, turn:Number):Function
         {
             return function(column:int, row:int):Number
-                {
-                    var across:Number = column - 12 + turn * (row - 12);
-                    return across > 0 ? right * across : -left * across;
-                };
+            {
+                var across:Number = column - 12 + turn * (row - 12);
+                return across > 0 ? right * across : -left * across;
+            };
         }
     }
 }

@@ -42,16 +42,8 @@ package starlogo.queries
         // Between two walls the row may be lifted to and fro. After this many rounds it stays where it is.
         private static const LIFTING_ROUNDS:int = 6;
 
-        private static const LEAVING_ROUNDS:int = 30;
-
-        // Two normals are opposite if the cosine of the angle between them is less than this.
-        private static const OPPOSITE:Number = -0.999;
-
         // A motion ends after this many turns.
         private static const MOST_TURNS:int = 8;
-
-        // If a row only touches another, it is never this many hairs deep in it.
-        private static const MOST_HAIRS:Number = 20;
 
         /** Tests which rows touch. */
         public var pairs:RowPairs;
@@ -88,6 +80,7 @@ package starlogo.queries
 
         private var _sweep:NarrowSweep;
         private var _rest:SlidePlanes = new SlidePlanes();
+        private var _lifts:LastLifts = new LastLifts();
         private var _others:Vector.<int> = new Vector.<int>();
         private var _ranks:Vector.<int>;
         private var _count:int = 0;
@@ -104,10 +97,6 @@ package starlogo.queries
         private var _isCareful:Boolean = false;
 
         private var _standing:ContactPoint = new ContactPoint();
-
-        // The contact that the row has left last, and whether it is between that one and an opposite one.
-        private var _left:ContactPoint = new ContactPoint();
-        private var _isBetween:Boolean = false;
 
         /** @param pairs tests which rows touch */
         public function Mover(pairs:RowPairs)
@@ -152,6 +141,7 @@ package starlogo.queries
                     _all++;
                 }
             }
+            _count = _all;
         }
 
         /** Puts the row back. */
@@ -392,50 +382,10 @@ package starlogo.queries
             return _sweep.time * _rest.length < NEXT * _sweep.extent;
         }
 
-        /**
-         * Lifts the row half a hair off the rows that it only touches at the end of a motion, if there is room. In a hollow, a lift off one side
-         * leads a part of the way into another, so this takes several rounds. Between two walls that are opposite there is no room.
-         *
-         * @param all whether it may touch any row, and not only those of the last motion
-         */
+        /** Lifts the row off what it only touches at the end, if there is room: any row, or one that the last motion touched. */
         public function leaveTouches(all:Boolean):void
         {
-            _before.copyFrom(at);
-            _left.setNormal(0, 0, 0);
-            _isBetween = false;
-            var isFree:Boolean = !all && leave(_sweep.touched, _sweep.touchedCount);
-            for (var round:int = 1; !isFree && !_isBetween && round < LEAVING_ROUNDS; round++)
-            {
-                isFree = leave(_others, _all);
-            }
-            if (!isFree)
-            {
-                at.copyFrom(_before);
-            }
-        }
-
-        // Lifts the row off some rows. Returns whether it touched none of them.
-        private function leave(rows:Vector.<int>, count:int):Boolean
-        {
-            var isFree:Boolean = true;
-            for (var i:int = 0; i < count; i++)
-            {
-                if (_sweep.touchesAt(rows[i], at))
-                {
-                    isFree = false;
-                    _sweep.findContact(rows[i], at, _standing);
-                    var cosine:Number = _standing.normalX * _left.normalX + _standing.normalY * _left.normalY + _standing.normalZ * _left.normalZ;
-                    _isBetween = cosine < OPPOSITE;
-                    if (cosine > -OPPOSITE && _standing.depth >= _left.depth)
-                    {
-                        // the contact of two parts leads into another part
-                        _sweep.findContact(rows[i], at, _standing, true);
-                    }
-                    _left.copyFrom(_standing);
-                    _standing.push(at, Math.min(_standing.depth, MOST_HAIRS * _sweep.hair) + _sweep.hair / 2);
-                }
-            }
-            return isFree;
+            _lifts.leave(_sweep, at, _others, _count, all);
         }
 
         // Finds the row that the rest of the motion meets first. Returns whether there is one.

@@ -1,0 +1,83 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.intersection.contact.ContactPoint;
+
+    /**
+     * Lifts a row half a hair off the rows that it only touches at the end of a motion. In a hollow, a lift off one side leads a part of the way
+     * into another, so this takes several rounds.
+     *
+     * @private
+     */
+    public final class LastLifts
+    {
+        private static const ROUNDS:int = 30;
+
+        // If a row only touches another, it is never this many hairs deep in it.
+        private static const MOST_HAIRS:Number = 20;
+
+        // Two normals are the same if the cosine of the angle between them is greater than this, and opposite if it is less than the negative.
+        private static const SAME:Number = 0.999;
+
+        private var _before:Vector3D = new Vector3D();
+        private var _contact:ContactPoint = new ContactPoint();
+
+        // The contact of the last lift, and whether the row is between that one and an opposite one.
+        private var _last:ContactPoint = new ContactPoint();
+        private var _isBetween:Boolean = false;
+
+        /** Begins without a row. */
+        public function LastLifts()
+        {
+        }
+
+        /**
+         * Lifts a row. If that does not free it, for example between two opposite walls, it stays.
+         *
+         * @param sweep has the row, and the rows that it has touched
+         * @param at the row's place, which changes
+         * @param others the rows that it may touch
+         * @param count the number of the others
+         * @param all whether it may touch any of them, and not only those of the last motion
+         */
+        public function leave(sweep:NarrowSweep, at:Vector3D, others:Vector.<int>, count:int, all:Boolean):void
+        {
+            _before.copyFrom(at);
+            _last.setNormal(0, 0, 0);
+            _isBetween = false;
+            var isFree:Boolean = !all && lift(sweep, at, sweep.touched, sweep.touchedCount);
+            for (var round:int = 0; !isFree && !_isBetween && round < ROUNDS; round++)
+            {
+                isFree = lift(sweep, at, others, count);
+            }
+            if (!isFree)
+            {
+                at.copyFrom(_before);
+            }
+        }
+
+        // Lifts the row off some rows. Returns whether it touched none of them.
+        private function lift(sweep:NarrowSweep, at:Vector3D, rows:Vector.<int>, count:int):Boolean
+        {
+            var isFree:Boolean = true;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (sweep.touchesAt(rows[i], at))
+                {
+                    isFree = false;
+                    sweep.findContact(rows[i], at, _contact);
+                    var cosine:Number = _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ;
+                    _isBetween = cosine < -SAME;
+                    if (cosine > SAME && _contact.depth >= _last.depth)
+                    {
+                        // the contact of two parts leads into another part
+                        sweep.findContact(rows[i], at, _contact, true);
+                    }
+                    _last.copyFrom(_contact);
+                    _contact.push(at, Math.min(_contact.depth, MOST_HAIRS * sweep.hair) + sweep.hair / 2);
+                }
+            }
+            return isFree;
+        }
+    }
+}

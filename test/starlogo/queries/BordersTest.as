@@ -88,12 +88,12 @@ package starlogo.queries
                     ball.moveTo(0.3 * width, 0.2 * width, 1);
                     queries.moved(ball);
                     queries.slide(ball, 0.1, 0, -2);
-                    assertTrue([name, width, ball.z].join(), ball.z >= 0 && ball.z < 1e-7);
+                    assertTrue([name, width, ball.z].join(), ball.z >= 0 && ball.z < 1e-6);
                     for (var i:int = 0; i < 20; i++)
                     {
                         assertTrue([name, width, i].join(), queries.walk(ball, 0.01, 0.005).part > 1 - 1e-9);
                     }
-                    assertTrue([name, width, ball.z].join(), ball.z >= 0 && ball.z < 1e-7 && !queries.touchesAny(ball));
+                    assertTrue([name, width, ball.z].join(), ball.z >= 0 && ball.z < 1e-6 && !queries.touchesAny(ball));
                 }
             }
         }

@@ -174,7 +174,11 @@ package starlogo.terrain
                 return;
             }
             var high:Number = grid.height;
-            grid.findAround(Math.floor(column - reach + width), Math.floor(row - reach + width), Math.ceil(column + reach - width), Math.ceil(row + reach - width));
+            var first:int = Math.floor(column - reach + width);
+            var firstRow:int = Math.floor(row - reach + width);
+            var last:int = Math.ceil(column + reach - width);
+            var lastRow:int = Math.ceil(row + reach - width);
+            grid.findAround(first, firstRow, last, lastRow);
             needed = grid.least - z;
             if (!grid.isBlocky)
             {

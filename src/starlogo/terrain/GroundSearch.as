@@ -247,7 +247,9 @@ package starlogo.terrain
             {
                 _grid.placeX = point.x + _origin.x;
                 _grid.placeY = point.y + _origin.y;
-                _isFound = _grid.isOver(point.z + _origin.z, _faces.inset);
+                _grid.placeZ = point.z + _origin.z;
+                _grid.inset = _faces.inset;
+                _isFound = _grid.isOver();
             }
         }
 

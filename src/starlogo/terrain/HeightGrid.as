@@ -69,6 +69,12 @@ package starlogo.terrain
         /** @copy #placeX */
         public var placeY:Number = 0;
 
+        /** The place for <code>isOver()</code> has this height, and the ground is moved in by the inset. */
+        public var placeZ:Number = 0;
+
+        /** @copy #placeZ */
+        public var inset:Number = 0;
+
         /** How high the ground is at the place; NaN outside. */
         public var height:Number = 0;
 
@@ -144,10 +150,10 @@ package starlogo.terrain
         }
 
         /**
-         * Whether the ground is higher than the place at a height. With an inset the ground is narrower: it must be higher at the four places that
-         * are the inset beside it along x and y.
+         * Whether the ground is higher than the place. With an inset the ground is narrower: it must be higher at the four places that are the
+         * inset beside it along x and y.
          */
-        public function isOver(z:Number, inset:Number):Boolean
+        public function isOver():Boolean
         {
             var atX:Number = placeX;
             var atY:Number = placeY;
@@ -156,7 +162,7 @@ package starlogo.terrain
                 placeX = (side & 1) == 0 ? atX - inset : atX + inset;
                 placeY = (side & 2) == 0 ? atY - inset : atY + inset;
                 findHeight();
-                if (!(height - inset >= z))
+                if (!(height - inset >= placeZ))
                 {
                     return false;
                 }

@@ -92,9 +92,12 @@ package starlogo.terrain
             var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
             var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
             var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
+            var first:int = Math.max(0, (x - halfX) / width);
+            var firstRow:int = Math.max(0, (y - halfY) / width);
             // A column extends half a cell beyond the place of its height.
-            grid.findAround(Math.max(0, (x - halfX) / width), Math.max(0, (y - halfY) / width), Math.min(grid.columns, (x + halfX) / width + 1),
-                    Math.min(grid.rows, (y + halfY) / width + 1));
+            var last:int = Math.min(grid.columns - 1, (x + halfX) / width + 1);
+            var lastRow:int = Math.min(grid.rows - 1, (y + halfY) / width + 1);
+            grid.findAround(first, firstRow, last, lastRow);
             if (extents.z[row] - halfZ > grid.greatest)
             {
                 return true;

@@ -45,10 +45,10 @@ function walkOnce(game, agent, dx, dy, options, stood) {
 	const aside = Math.hypot(after[0] - before[0], after[1] - before[1]);
 	const sank = before[2] - after[2];
 	const small = 1e-7 * Math.max(1, agent.size);
-	// it may fall from where it has gone up
-	const slid = Math.min(asked.fall / 2, agent.size / 2, Math.max(0, sank) + whole);
-	game.expect("walk aside", aside <= whole + slid + small, `${text}, ${aside} aside, sank ${sank}`);
 	if (wasFree) {
+		// it may fall from where it has gone up, and slides on what is steeper than it can stand on
+		const slid = Math.min(asked.fall / 2, agent.size / 2, Math.max(0, sank) / Math.tan(asked.slopeDegrees * Math.PI / 180) + whole);
+		game.expect("walk aside", aside <= whole + slid + small, `${text}, ${aside} aside, sank ${sank}`);
 		const pieces = Math.min(64, Math.max(1, Math.ceil(whole / agent.size)));
 		const climbed = isInAir ? 0 : pieces * asked.stepHeight + whole * Math.tan(asked.slopeDegrees * Math.PI / 180);
 		game.expect(isInAir ? "walk in the air" : "walk up", -sank <= climbed + small, `${text}, up ${-sank}`);

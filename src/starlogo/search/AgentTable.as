@@ -273,6 +273,14 @@ package starlogo.search
             _lastRevisions = revisions;
             revisions = _nextRevisions;
             _nextRevisions = spareRevisions;
+            // the ground and the edges of the world were read before the list
+            for (var row:int = 0; row < RowList.GUESTS; row++)
+            {
+                x[row] = lastX[row];
+                y[row] = lastY[row];
+                z[row] = lastZ[row];
+                revisions[row] = _lastRevisions[row];
+            }
         }
 
         // Reads the places of the agents, and lists the rows with changes in more than the place. Returns false if the rows do not belong to the

@@ -70,6 +70,30 @@ package starlogo.collision
             assertDepths(0.1);
         }
 
+        // The place of the ground counts for the rounding of contacts. It was that of some frame before.
+        [Test]
+        public function contactsWithTheGroundAreTheSameInEveryFrame():void
+        {
+            for each (var x:Number in [-5, -5e8])
+            {
+                begin(x);
+                for (var frame:int = 0; frame < 5; frame++)
+                {
+                    _collision.update(_agents);
+                    assertEquals(x + ", frame " + frame, _depths[0], _depths[frame]);
+                }
+            }
+        }
+
+        private function begin(x:Number):void
+        {
+            makeGame();
+            _collision.terrain = _terrain = new Terrain(11, 11, 1, x, -5);
+            _terrain.setHeight(6, 5, 0.3);
+            _ball.moveTo(x + 5.25, 0.125, -0.1);
+            _collision.onCollision("balls", Collision.TERRAIN, note);
+        }
+
         [Test]
         public function aGroundThatIsNoLongerThereHasNoHandlersOfAnyBreed():void
         {

@@ -32,7 +32,7 @@ package starlogo.bounding
             this.radius = checkLength(radius, "the radius of a " + name);
             this.start = checkVector(start, "the start of a " + name).clone();
             this.end = checkVector(end, "the end of a " + name).clone();
-            checkSize(Math.max(radius, Math.abs(end.x - start.x), Math.abs(end.y - start.y), Math.abs(end.z - start.z)), "a " + name);
+            checkSize(Math.max(Math.max(radius, Math.abs(end.x - start.x)), Math.max(Math.abs(end.y - start.y), Math.abs(end.z - start.z))), "a " + name);
         }
 
         /** @inheritDoc */

@@ -215,7 +215,7 @@ package starlogo.bounding
                 throw new ArgumentError(what + " must not be null");
             }
             // The comparison is false for NaN too.
-            if (!(Math.max(Math.abs(vector.x), Math.abs(vector.y), Math.abs(vector.z)) <= LARGEST))
+            if (!(Math.max(Math.max(Math.abs(vector.x), Math.abs(vector.y)), Math.abs(vector.z)) <= LARGEST))
             {
                 throw new RangeError(what + " must be finite, and within " + LARGEST + " of the origin: " + vector);
             }

@@ -70,7 +70,7 @@ package starlogo.bounding
             this.halfY = checkLength(halfY, "a box's halfY");
             this.halfZ = checkLength(halfZ, "a box's halfZ");
             this.center = checkVector(center, "the centre of a box").clone();
-            checkSize(Math.max(halfX, halfY, halfZ), "a box");
+            checkSize(Math.max(Math.max(halfX, halfY), halfZ), "a box");
             this.axisX = axisX.clone();
             this.axisY = axisY.clone();
             this.axisZ = axisZ.clone();

@@ -136,8 +136,12 @@ package starlogo.solid
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < (_axis == 0 ? root.x : (_axis == 1 ? root.y : root.z));
-            _above[0] = _above[1] = _above[2] = _below[0] = _below[1] = _below[2] = widestSeam
-                + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
+            var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                _above[axis] = margin;
+                _below[axis] = margin;
+            }
             var unbounded:Vector.<Number> = _isBackward ? _below : _above;
             unbounded[_axis] = Infinity;
             var stack:Vector.<HierarchyNode> = _stack;
@@ -222,12 +226,13 @@ package starlogo.solid
             var piece:int = side > 0 ? side - 1 : -side - 1;
             if (piece >= 0)
             {
-                if (windings[piece] == 0)
+                var winding:int = windings[piece];
+                if (winding == 0)
                 {
                     wound[woundCount] = piece;
                     woundCount++;
                 }
-                windings[piece] += side > 0 ? crossing : -crossing;
+                windings[piece] = side > 0 ? winding + crossing : winding - crossing;
             }
         }
 

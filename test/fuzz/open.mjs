@@ -1,4 +1,2 @@
 /** Checks whose faults are known and not cured yet: they are left out, so that they do not hide others. A check is named at its `expect`. */
-export const OPEN = new Set([
-	"cast names the first", "walk in the air", "walk aside", "walk rests", "walk deep", "walk touches", "goes as far as it says",
-]);
+export const OPEN = new Set(["cast names the first"]);

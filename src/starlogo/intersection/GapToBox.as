@@ -93,7 +93,7 @@ package starlogo.intersection
         // Measures the gap along the direction.
         private function findGap(structure:BoundingStructure):void
         {
-            gap = -along.x * (along.x > 0 ? high.x : low.x) - along.y * (along.y > 0 ? high.y : low.y) - along.z * (along.z > 0 ? high.z : low.z);
+            gap = -Math.max(along.x * high.x, along.x * low.x) - Math.max(along.y * high.y, along.y * low.y) - Math.max(along.z * high.z, along.z * low.z);
             if (structure.kind == BoundingStructure.BOX)
             {
                 var box:Box = Box(structure);

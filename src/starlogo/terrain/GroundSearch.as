@@ -299,7 +299,8 @@ package starlogo.terrain
             else
             {
                 _contact.copyFrom(_depths.contact);
-                _faces.reach = _goal == WAYS ? found : 0;
+                var reach:Number = _goal == WAYS ? found : 0;
+                _faces.reach = reach;
                 if (_goal == FACES)
                 {
                     _faces.raise(-found);

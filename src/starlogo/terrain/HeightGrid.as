@@ -159,8 +159,10 @@ package starlogo.terrain
             var atY:Number = placeY;
             for (var side:int = inset > 0 ? 0 : 3; side < 4; side++)
             {
-                placeX = (side & 1) == 0 ? atX - inset : atX + inset;
-                placeY = (side & 2) == 0 ? atY - inset : atY + inset;
+                var toX:Number = (side & 1) == 0 ? -inset : inset;
+                var toY:Number = (side & 2) == 0 ? -inset : inset;
+                placeX = atX + toX;
+                placeY = atY + toY;
                 findHeight();
                 if (!(height - inset >= placeZ))
                 {

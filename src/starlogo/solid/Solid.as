@@ -135,7 +135,7 @@ package starlogo.solid
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
-            _isBackward = _a < (_axis == 0 ? root.x : (_axis == 1 ? root.y : root.z));
+            _isBackward = _axis == 0 ? x < root.x : (_axis == 1 ? y < root.y : z < root.z);
             var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
             for (var axis:int = 0; axis < 3; axis++)
             {

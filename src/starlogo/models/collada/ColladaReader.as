@@ -103,8 +103,6 @@ package starlogo.models.collada
             var triangleCount:int = mesh.triangles.length / 3;
             budget.require(ModelBudget.VERTICES, firstVertex + vertexCount, instance.element);
             budget.require(ModelBudget.TRIANGLES, firstCorner / 3 + triangleCount, instance.element);
-            out.length += 3 * vertexCount;
-            triangles.length += 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var areFinite:Boolean = instance.transform.place(mesh.vertices, first, end, out, firstVertex + first);
@@ -124,8 +122,8 @@ package starlogo.models.collada
             for (var i:int = first; i < last; i += 3)
             {
                 to[at] = from[i] + firstVertex;
-                to[int(at + second)] = from[int(i + 1)] + firstVertex;
-                to[int(at + third)] = from[int(i + 2)] + firstVertex;
+                to[int(at + 1)] = from[int(i + second)] + firstVertex;
+                to[int(at + 2)] = from[int(i + third)] + firstVertex;
                 at += 3;
             }
         }

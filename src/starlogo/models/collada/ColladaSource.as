@@ -52,7 +52,6 @@ package starlogo.models.collada
             readAccessor();
             _document.budget.take(ModelBudget.NUMBERS, 3 * count, _accessor);
             first = _points.length / 3;
-            _points.length += 3 * count;
             return new Slices(count, POINTS_PER_STEP, readPoints);
         }
 

@@ -51,7 +51,6 @@ package starlogo.models.gltf
             var cornerCount:int = _indices == null ? _vertexCount : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
             file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
-            triangles.length += 3 * triangleCount;
             slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
         }
 

@@ -60,7 +60,6 @@ package starlogo.models.gltf
             firstVertex = vertices.length / 3;
             count = source.count;
             file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), place);
-            vertices.length += 3 * count;
             addTargets(json, json.listIn(primitive, "targets", place), weights);
             begin(skinning).slices(count, VERTICES_PER_STEP, placeVertices);
         }

@@ -6,14 +6,16 @@
 import assert from "node:assert/strict";
 import { files } from "./kinds/files.mjs";
 import { handlers, MEANT } from "./kinds/handlers.mjs";
-import { ground } from "./kinds/ground.mjs";
+import { gapToGround, ground, heightsOf } from "./kinds/ground.mjs";
 import { limits } from "./kinds/limits.mjs";
 import { models, solid } from "./kinds/models.mjs";
 import { points } from "./kinds/points.mjs";
 import { snapshots } from "./kinds/snapshots.mjs";
 import { walks } from "./kinds/walks.mjs";
 import { watch } from "./kinds/watch.mjs";
+import { prismsOf } from "./geometry.mjs";
 import { OPEN } from "./open.mjs";
+import { bodiesOf } from "./shapes.mjs";
 import { engine, HAIR } from "./tools.mjs";
 
 const { Agent, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, ObjModel, TightestFitCollider } = engine;
@@ -268,7 +270,9 @@ class Game {
 			if (Math.hypot(x, y, z) > 0) {
 				const hit = queries.cast(...ray, 20);
 				const all = queries.castAll(...ray, 20);
-				assert.equal(hit?.agent ?? null, all[0]?.agent ?? null, "cast and the first of castAll");
+				// of two that are equally far away but for rounding, either may be the first
+				const first = all.filter(({ distance }) => distance <= all[0].distance * (1 + 1e-14)).map((each) => each.agent);
+				assert.ok(hit === null ? all.length === 0 : first.includes(hit.agent), `cast and the first of castAll: ${hit?.agent}, not ${first}`);
 				for (const each of all) assert.ok(each.distance >= all[0].distance && each.distance <= 20, "castAll's distances");
 			}
 			assert.equal(queries.canSee(agent, target), queries.canSee(target, agent), "canSee is not symmetric");
@@ -294,6 +298,10 @@ class Game {
 	 */
 	depthOf(system, agent, other) {
 		const size = Math.max(agent.size, other.size);
+		const { terrain } = this.collision;
+		const bodies = other === terrain?.agent ? bodiesOf(this, agent) : null;
+		// a corridor exactly as wide as the agent has no way out but up
+		if (bodies) return Math.max(0, -gapToGround(bodies, prismsOf(terrain, heightsOf(terrain))).least) / size;
 		const [x, y, z] = [agent.x, agent.y, agent.z];
 		const { depth } = system.contactOf(agent, other);
 		for (let i = 0; i < 27 && depth > 5 * HAIR * size; i++) {

@@ -48,6 +48,7 @@ export const ALLOWED = {
 	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
 	'starlogo.collision.Snapshots.read': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
+	'starlogo.collision.Snapshots.Snapshots': { count: 1, why: 'made with a Collision' },
 	'starlogo.queries.FoundRows.keepAccepted': { count: 1, why: 'what a finally throws again' },
 	'starlogo.handlers.HandlerCalls.takeTurnsBefore': { count: 2, why: 'what a handler threw' },
 };

@@ -97,7 +97,8 @@ package starlogo.collision
         /** @private The engine's collider that this one is or contains, or null. It belongs to one Collision at most. */
         engine function get innermost():Collider
         {
-            return _collisionSystem is BaseCollider ? BaseCollider(_collisionSystem).innermost : null;
+            var inside:BaseCollider = _collisionSystem as BaseCollider;
+            return inside == null ? null : inside.innermost;
         }
 
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */

@@ -163,7 +163,8 @@ package starlogo.handlers
                     if (handler.takesContact)
                     {
                         // an ended touch has no contact
-                        toCall(collider, collidee, _turn < 0 ? null : _contacts.contactFor(_turn, first, second, isBack));
+                        var contact:Object = _turn < 0 ? null : _contacts.contactFor(_turn, first, second, isBack);
+                        toCall(collider, collidee, contact);
                     }
                     else
                     {

@@ -77,7 +77,8 @@ package starlogo.intersection
             }
             else
             {
-                _core.copyFrom(Sphere(structure).center);
+                var sphere:Sphere = Sphere(structure);
+                _core.copyFrom(sphere.center);
             }
         }
 
@@ -107,7 +108,8 @@ package starlogo.intersection
             }
             else
             {
-                gap += lengthAlong(Sphere(structure).center) - Sphere(structure).radius;
+                var sphere:Sphere = Sphere(structure);
+                gap += lengthAlong(sphere.center) - sphere.radius;
             }
         }
 

@@ -10,7 +10,7 @@ package starlogo.models
     {
         private static const LONGEST:int = 2000;
         private static const FOLDER:RegExp = /^([a-z][a-z0-9+.\-]*:)?(\/\/[^\/?#]*)?([^?#]*\/)?/i;
-        private static const OUTSIDE:RegExp = /^\s|[\x00-\x1F\x7F\\]|^[^\/?#]*:|^\/|(^|\/)\s*\.\./;
+        private static const OUTSIDE:RegExp = /[\x00-\x1F\x7F\\]|^[^\/?#]*:|^\s*\/|(^|\/)\s*\.\./;
 
         /** Has only static members. */
         public function ModelAddress()

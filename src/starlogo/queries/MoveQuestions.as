@@ -56,7 +56,7 @@ package starlogo.queries
             // an agent that slides may go anywhere within the length of its way
             var reach:Number = ending == Mover.SLIDE ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 0;
             var row:int = begin(agent, null, dx, dy, dz, filter, reach);
-            moveAmong(row, agents, ending);
+            mover.move(_seen.table, row, agents, way, ending);
             _seen.table.endGuests();
             if (contact != null)
             {
@@ -69,24 +69,13 @@ package starlogo.queries
             return mover.part;
         }
 
-        /** Puts an agent where the mover has come to. If its model is gone meanwhile, it stays where it was. */
+        /** Puts an agent where the mover has come to. */
         public function put(agent:Agent):void
         {
-            var x:Number = agent.x;
-            var y:Number = agent.y;
-            var z:Number = agent.z;
             agent.moveTo(mover.at.x, mover.at.y, mover.at.z);
             if (_seen.table.rowOf(agent) >= 0)
             {
-                try
-                {
-                    _seen.moved(agent);
-                }
-                catch (error:Error)
-                {
-                    agent.moveTo(x, y, z);
-                    throw error;
-                }
+                _seen.moved(agent);
             }
         }
 
@@ -99,7 +88,7 @@ package starlogo.queries
         public function cast(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             var row:int = begin(agent, structure, dx, dy, dz, filter);
-            moveAmong(row, agents, Mover.SHORT);
+            mover.move(_seen.table, row, agents, way, Mover.SHORT);
             _seen.table.endGuests();
             return mover.hasContact ? write(hit || new ShapeHit()) : null;
         }
@@ -114,7 +103,7 @@ package starlogo.queries
             for (var i:int = 0; i < agents.length; i++)
             {
                 _single[0] = agents[i];
-                moveAmong(row, _single, Mover.SHORT);
+                mover.move(_seen.table, row, _single, way, Mover.SHORT);
                 if (mover.hasContact)
                 {
                     _found.add(mover.contactRow, mover.part);
@@ -132,7 +121,7 @@ package starlogo.queries
                     hits[i] = _spare.pop() || new ShapeHit();
                 }
                 _single[0] = agents[i];
-                moveAmong(row, _single, Mover.SHORT);
+                mover.move(_seen.table, row, _single, way, Mover.SHORT);
                 write(hits[i]);
             }
             _seen.table.endGuests();
@@ -184,25 +173,6 @@ package starlogo.queries
                 if (_found.wants(other))
                 {
                     _found.add(other, 0);
-                }
-            }
-        }
-
-        // Computes where the row ends. If that fails, the table is as it was before.
-        private function moveAmong(row:int, others:Vector.<Agent>, ending:int):void
-        {
-            var isDone:Boolean = false;
-            try
-            {
-                mover.move(_seen.table, row, others, way, ending);
-                isDone = true;
-            }
-            finally
-            {
-                if (!isDone)
-                {
-                    mover.end();
-                    _seen.table.endGuests();
                 }
             }
         }

@@ -74,23 +74,17 @@ package starlogo.queries
             var table:AgentTable = _seen.table;
             var row:int = _seen.rowOfEither(agent, structure);
             _found.begin(most, Infinity, agent, filter);
-            try
+            if (table.shapes[row] != null)
             {
-                if (place != null && table.shapes[row] != null)
+                if (place != null)
                 {
                     _moved.take(table, row);
                     _moved.put(place, 0);
                 }
-                if (table.shapes[row] != null)
-                {
-                    collectNear(row);
-                }
-            }
-            finally
-            {
+                collectNear(row);
                 _moved.giveBack();
-                table.endGuests();
             }
+            table.endGuests();
         }
 
         // Collects the rows that count and touch a row. Each gets its distance from the row's place.

@@ -105,17 +105,10 @@ package starlogo.queries
             _extent = 2 * table.extents.largestHalf(row);
             _close = CLOSE * _extent;
             _mover = _moves.mover;
-            var stands:Boolean = false;
-            try
-            {
-                _mover.begin(table, row, _moves.agents);
-                stands = go(row, pieces);
-            }
-            finally
-            {
-                _mover.end();
-                table.endGuests();
-            }
+            _mover.begin(table, row, _moves.agents);
+            var stands:Boolean = go(row, pieces);
+            _mover.end();
+            table.endGuests();
             _moves.put(agent);
             var footing:Footing = out || new Footing();
             footing.part = _part;

@@ -172,7 +172,8 @@ package starlogo.search
             if (edge != _nearest || by == 0)
             {
                 // the extents of a tree are larger than its shape
-                by += Tolerances.SEPARATION / 5 * (_largest > 0 ? _largest : 1);
+                var extent:Number = _largest > 0 ? _largest : 1;
+                by += Tolerances.SEPARATION / 5 * extent;
             }
             out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);
             var place:Number = _places[edge] + _beyond[edge] / 2 - along(edge, out.x, out.y, out.z);

@@ -183,11 +183,13 @@ package starlogo.search
         {
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                return along(Sphere(structure).center) + Sphere(structure).radius;
+                var sphere:Sphere = Sphere(structure);
+                return along(sphere.center) + sphere.radius;
             }
             if (structure.kind == BoundingStructure.CAPSULE)
             {
-                return Math.max(along(Capsule(structure).start), along(Capsule(structure).end)) + Capsule(structure).radius;
+                var capsule:Capsule = Capsule(structure);
+                return Math.max(along(capsule.start), along(capsule.end)) + capsule.radius;
             }
             var box:Box = Box(structure);
             return along(box.center) + box.halfX * Math.abs(along(box.axisX)) + box.halfY * Math.abs(along(box.axisY)) + box.halfZ * Math.abs(along(box.axisZ));
@@ -209,8 +211,9 @@ package starlogo.search
             var radius:Number = 0;
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                _added.copyFrom(Sphere(structure).center);
-                radius = Sphere(structure).radius;
+                var sphere:Sphere = Sphere(structure);
+                _added.copyFrom(sphere.center);
+                radius = sphere.radius;
             }
             else
             {

@@ -38,9 +38,13 @@ package starlogo.search
         {
         }
 
-        /** Begins with a row. Call <code>giveBack()</code> at the end. */
+        /**
+         * Begins with a row. Call <code>giveBack()</code> at the end. If an error left the last row displaced, it is put back first. A
+         * <code>finally</code> would do so at once, but Adobe's VM makes an object for each call of a method that has a <code>try</code>.
+         */
         public function take(table:AgentTable, row:int):void
         {
+            giveBack();
             _table = table;
             _row = row;
             _revision = table.revisions[row];

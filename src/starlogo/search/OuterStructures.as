@@ -50,8 +50,13 @@ package starlogo.search
         // Around the box's longest axis, through all corners.
         private static function aroundBox(box:Box):Capsule
         {
-            var longest:Number = Math.max(box.halfX, box.halfY, box.halfZ);
-            var along:Vector3D = (longest == box.halfX ? box.axisX : longest == box.halfY ? box.axisY : box.axisZ).clone();
+            var longest:Number = Math.max(Math.max(box.halfX, box.halfY), box.halfZ);
+            var axis:Vector3D = longest == box.halfY ? box.axisY : box.axisZ;
+            if (longest == box.halfX)
+            {
+                axis = box.axisX;
+            }
+            var along:Vector3D = axis.clone();
             along.scaleBy(longest);
             var across:Number = box.halfX * box.halfX + box.halfY * box.halfY + box.halfZ * box.halfZ - longest * longest;
             return new Capsule(box.center.subtract(along), box.center.add(along), Math.sqrt(Math.max(0, across)));

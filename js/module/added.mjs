@@ -14,7 +14,7 @@ export const ADDED = {
      * rejects the promise; listeners for "error" hear it too.
      *
      * @param name what agents call the shape
-     * @param url where the file is: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked
+     * @param url where the file is: OBJ, glTF, STL, COLLADA or cooked
      * @param options upAxis and scaling as in load(); signal: an AbortSignal that cancels this load alone
      * @returns the model, which the receiver has by then
      * @throws ModelError, in the promise, if it can't be loaded; the signal's reason if that is aborted; an AbortError if cancel() is called

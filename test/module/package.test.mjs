@@ -52,7 +52,7 @@ function check(result) {
 	assert.equal(result.calls, 4);
 	assert.deepEqual(result.pairs, [true, true, true, true, true, true, true]);
 	assert.ok(result.volumes.every((volume) => volume > 1 && volume < 50), String(result.volumes));
-	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "cube", "dragon", "zipped"]);
+	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "cube", "dragon", "person"]);
 	assert.match(result.loaded.find((name) => name.startsWith("model ")), /^model "nothing": its file can't be fetched: .*nothing\.obj/);
 	assert.deepEqual(result.kept, ["11272", "true", "null"]);
 	assert.match(result.errors[0], /^ArgumentError: a new agent: shape must be a name, not ""/);
@@ -67,28 +67,7 @@ function check(result) {
 	assert.equal(result.errors.filter((text) => text.startsWith("unknown")).length, 0);
 }
 
-/** The whole of a zip archive with one file, stored. */
-function zipped(name, content) {
-	const local = Buffer.alloc(30);
-	local.writeUInt32LE(0x04034b50, 0);
-	local.writeUInt32LE(content.length, 18);
-	local.writeUInt32LE(content.length, 22);
-	local.writeUInt16LE(name.length, 26);
-	const central = Buffer.alloc(46);
-	central.writeUInt32LE(0x02014b50, 0);
-	central.writeUInt32LE(content.length, 20);
-	central.writeUInt32LE(content.length, 24);
-	central.writeUInt16LE(name.length, 28);
-	const end = Buffer.alloc(22);
-	end.writeUInt32LE(0x06054b50, 0);
-	end.writeUInt16LE(1, 8);
-	end.writeUInt16LE(1, 10);
-	end.writeUInt32LE(central.length + name.length, 12);
-	end.writeUInt32LE(local.length + name.length + content.length, 16);
-	return Buffer.concat([local, Buffer.from(name), content, central, Buffer.from(name), end]);
-}
-
-const archive = zipped("person.dae", readFileSync(path.join(root, "assets/person.dae")));
+const bytes = readFileSync(path.join(root, "assets/person.dae"));
 
 /** A server of the assets, the package and the sample, under a policy without eval, inline scripts or anything from elsewhere. */
 const PAGE = "<!DOCTYPE html><script type=module src=/page.js></script>";
@@ -109,12 +88,11 @@ window.use = use;
 export async function use(name) {
 	const sample = await import(name);
 	const bear = await (await fetch("/assets/bear.obj")).text();
-	return run(sample, "/assets", bear, new Uint8Array(await (await fetch("/archive")).arrayBuffer()));
+	return run(sample, "/assets", bear, new Uint8Array(await (await fetch("/assets/person.dae")).arrayBuffer()));
 }
 `);
 	bundle("sample.external.js", { external: ["starlogo-collision"] });
 	writeFileSync(path.join(work, "sample.js"), readFileSync(path.join(work, "sample.external.js"), "utf8").replace('"starlogo-collision"', '"/module.js"'));
-	writeFileSync(path.join(work, "archive"), archive);
 	copyFileSync(minified, path.join(work, "module.js"));
 	server = await serve(PAGE, { "/assets": path.join(root, "assets"), "": work }, { headers: { "content-security-policy": POLICY } });
 });
@@ -193,12 +171,12 @@ test("the map of the minified build has its source", () => {
 
 test("it runs in Node", async () => {
 	const sampleModule = await import(pathToFileURL(bundle("sample.node.js", { external: ["starlogo-collision"] })));
-	check(await use(sampleModule, `${server.url}assets`, bear, new Uint8Array(archive)));
+	check(await use(sampleModule, `${server.url}assets`, bear, new Uint8Array(bytes)));
 	assert.ok(sampleModule.log.includes("500 of 500"), sampleModule.log.join("; "));
 });
 
 test("bundled by esbuild it runs in Node, and what is not used is left out", async () => {
-	check(await use(await import(pathToFileURL(path.join(work, "sample.bundle.js"))), `${server.url}assets`, bear, new Uint8Array(archive)));
+	check(await use(await import(pathToFileURL(path.join(work, "sample.bundle.js"))), `${server.url}assets`, bear, new Uint8Array(bytes)));
 	writeFileSync(path.join(work, "unused.ts"), 'import { GreatLand } from "starlogo-collision";\nexport const one = 1;\n');
 	esbuild.buildSync({ entryPoints: [path.join(work, "unused.ts")], bundle: true, format: "esm", outfile: path.join(work, "unused.js") });
 	assert.ok(readFileSync(path.join(work, "unused.js")).length < 200);

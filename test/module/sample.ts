@@ -336,7 +336,7 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	loader.load("bear", `${base}/bear.obj`);
 	loader.load("dragon", `${base}/dragon.dae`);
 	loader.load("nothing", `${base}/nothing.obj`);
-	loader.loadBytes("zipped", bytes);
+	loader.loadBytes("person", bytes);
 	const source: ModelSource = { name: "cube", progress: 1, model: BuiltInModel.cube(), step: () => false };
 	loader.loadFrom(source);
 	return new Promise((resolve) => dispatcher.addEventListener("complete", () => resolve(loaded.sort())));

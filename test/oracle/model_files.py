@@ -22,7 +22,7 @@ import trimesh
 
 MODELS = Path(os.environ.get('ASSIMP_MODELS', '/usr/share/assimp/models'))
 OUTPUT = Path(__file__).resolve().parent.parent / 'fixtures' / 'models'
-PATTERNS = ['OBJ/*.obj', 'invalid/*.obj', 'Collada/*.dae', 'Collada/*.DAE', 'Collada/*.zae', 'Collada/*.xml']
+PATTERNS = ['OBJ/*.obj', 'invalid/*.obj', 'Collada/*.dae', 'Collada/*.DAE', 'Collada/*.xml']
 
 NO_GEOMETRY = 'has no geometry, only cameras or lights: assimp draws a skeleton for its nodes'
 DIFFERENCES = {

@@ -227,7 +227,7 @@ test('Inspect: models by their names and by dropped files, with their volumes', 
 	assert.match(await status(page), /not well-formed XML/);
 	await drop(page, ['picture.png', Buffer.from('x')]);
 	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status.problem')?.textContent));
-	assert.match(await status(page), /^picture\.png cannot be shown\. .*OBJ, DAE, ZAE, GLB, glTF and STL files can be/);
+	assert.match(await status(page), /^picture\.png cannot be shown\. .*OBJ, DAE, GLB, glTF and STL files can be/);
 	assert.equal(await page.locator('tbody tr').count(), 11, 'what was there is there');
 	assert.deepEqual(said.splice(0), []);
 });

@@ -3,7 +3,6 @@ package soak
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import support.Collada;
-    import support.Zip;
 
     /** Model files that are made to cost time or memory, of about any size. */
     public final class HostileFiles
@@ -23,14 +22,13 @@ package soak
                     "COLLADA: zigzags in many meshes", "COLLADA: a polygon with many holes", "COLLADA: many lists of corners",
                     "COLLADA: many primitives", "COLLADA: many meshes of one source", "COLLADA: an error among siblings",
                     "COLLADA: transforms placed again", "COLLADA: instances placed again", "COLLADA: controllers",
-                    "COLLADA: deep nodes", "COLLADA: long numbers", "COLLADA: counts",
-                    "ZIP: manifest of spaces", "ZIP: manifest of tags", "ZIP: many files", "ZIP: bomb"].concat(HostileGltf.names);
+                    "COLLADA: deep nodes", "COLLADA: long numbers", "COLLADA: counts"].concat(HostileGltf.names);
         }
 
-        /** The bytes or characters of a file; of the bomb, those of the document in it. */
+        /** The bytes or characters of a file. */
         public static function lengthOf(name:String, file:Object):int
         {
-            return name == "ZIP: bomb" ? 60000000 : (file is ByteArray ? file.length : String(file).length);
+            return file is ByteArray ? file.length : String(file).length;
         }
 
         /** Whether the size of a file is only the number that the file declares, or that it repeats: its cost must not grow at all. */
@@ -130,14 +128,6 @@ package soak
                 case "COLLADA: counts":
                     return Collada.document(Collada.geometry("a", times(POINTS + " ", size / 18),
                                 '<triangles count="2000000000"><input semantic="VERTEX" source="#v" offset="255"/><p>0 1 2</p></triangles>'));
-                case "ZIP: manifest of spaces":
-                    return Zip.of(["manifest.xml", times(" ", size) + "x" + times(" ", 10) + "y", "a.dae", ""], false);
-                case "ZIP: manifest of tags":
-                    return Zip.of(["manifest.xml", times("<", size), "a.dae", ""], false);
-                case "ZIP: many files":
-                    return manyFiles(size);
-                case "ZIP: bomb":
-                    return Zip.of(["a.dae", zeros(size)], true, 60000000);
                 default:
                     return HostileGltf.make(name, size);
             }
@@ -269,24 +259,6 @@ package soak
             bytes.length = 84 + 50 * int(size / 50);
             bytes.position = 80;
             bytes.writeUnsignedInt(size / 50);
-            return bytes;
-        }
-
-        private static function manyFiles(size:int):ByteArray
-        {
-            var files:Array = [];
-            for (var i:int = 0; i < Math.min(65535, size / 100); i++)
-            {
-                files.push("a" + i, "");
-            }
-            return Zip.of(files.concat("a.dae", ""), false);
-        }
-
-        private static function zeros(count:int):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.length = Math.min(60000000, 1000 * Number(count));
-            bytes.deflate();
             return bytes;
         }
 

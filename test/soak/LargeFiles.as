@@ -5,7 +5,6 @@ package soak
     import flash.utils.Endian;
     import support.Collada;
     import support.Gltf;
-    import support.Zip;
 
     /** Files of large models: bumpy spheres of so many triangles. */
     public final class LargeFiles
@@ -13,14 +12,14 @@ package soak
         /** The names of those that are measured: the format and the triangles. */
         public static function get names():Array
         {
-            return ["OBJ 20000", "OBJ 200000", "COLLADA 200000", "ZIP 200000", "OBJ 500000", "OBJ 1000000", "GLB 200000", "GLB 1000000", "STL 200000",
+            return ["OBJ 20000", "OBJ 200000", "COLLADA 200000", "OBJ 500000", "OBJ 1000000", "GLB 200000", "GLB 1000000", "STL 200000",
                     "STL 1000000"];
         }
 
         /**
          * Makes one.
          *
-         * @param name "OBJ", "COLLADA", "ZIP", "GLB" or "STL", and about how many triangles
+         * @param name "OBJ", "COLLADA", "GLB" or "STL", and about how many triangles
          * @return a String, or a ByteArray
          */
         public static function make(name:String):Object
@@ -31,14 +30,12 @@ package soak
             {
                 case "OBJ":
                     return obj(rings);
-                case "COLLADA":
-                    return collada(rings);
                 case "GLB":
                     return glb(rings);
                 case "STL":
                     return stl(rings);
                 default:
-                    return Zip.of(["a.dae", collada(rings)]);
+                    return collada(rings);
             }
         }
 

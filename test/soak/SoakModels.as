@@ -11,7 +11,6 @@ package soak
     import starlogo.models.ModelEvent;
     import starlogo.models.ModelLoader;
     import support.SolidModels;
-    import support.Zip;
     import support.encoded;
 
     /** The models of a soak's game: some stay, some are replaced and removed at once, some come through a ModelLoader, or don't. */
@@ -172,11 +171,8 @@ package soak
                 case 2:
                     loader.loadBytes(name, encoded(lathe.toObj()), "y");
                     break;
-                case 3:
-                    takeAtOnce(ColladaModel.fromBytes(name, encoded(lathe.toCollada())));
-                    break;
                 default:
-                    takeAtOnce(ColladaModel.fromBytes(name, Zip.of(["a.dae", lathe.toCollada()])));
+                    takeAtOnce(ColladaModel.fromBytes(name, encoded(lathe.toCollada())));
             }
         }
 

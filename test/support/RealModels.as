@@ -18,7 +18,7 @@ package support
                 duck: "/assimp/Collada/duck.dae",
                 teapots2: "/assimp/Collada/teapot_instancenodes.DAE",
                 sphere: "/assimp/Collada/sphere.dae",
-                human: "/assimp/Collada/human.zae",
+                human: "/models/human.dae",
                 bunny: "/models/bunny.obj",
                 teapot: "/models/teapot.obj",
                 dragon4: "/models/dragon4.obj",

@@ -20,7 +20,7 @@ package support
                 "duck (model)": "/assimp/Collada/duck.dae",
                 "teapots2 (model)": "/assimp/Collada/teapot_instancenodes.DAE",
                 "sphere (model)": "/assimp/Collada/sphere.dae",
-                "human (model)": "/assimp/Collada/human.zae",
+                "human (model)": "/models/human.dae",
                 "bunny (model)": "/models/bunny.obj",
                 "teapot (model)": "/models/teapot.obj",
                 "dragon4 (model)": "/models/dragon4.obj",

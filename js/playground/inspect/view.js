@@ -46,7 +46,7 @@ class InspectView {
 						this.turned = (this.turned + 1) % 4;
 						if (this.loaded) this.#show();
 					}),
-					fileButton(words.choose, ".obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), h("small.hint", {}, words.drop)),
+					fileButton(words.choose, ".obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), h("small.hint", {}, words.drop)),
 				this.upHint,
 				this.status, h("div.screen", {}, this.worldHost)),
 			h("section.facts", { "aria-label": words.structures }, this.#modes(), this.structures));

@@ -90,7 +90,7 @@ export const texts = {
 		sharedHere: "Kopiere diesen Link:",
 		brokenProgram: "Das ist kein Programm dieser Seite.",
 		brokenLink: "Das Programm in diesem Link ist nicht zu lesen. Vielleicht fehlt ein Stück vom Link. Hier sind die Lektionen und Spiele.",
-		wrongFile: (name) => `${name} ist weder ein Programm (.json) noch ein Modell (.obj, .dae, .zae, .glb, .gltf, .stl).`,
+		wrongFile: (name) => `${name} ist weder ein Programm (.json) noch ein Modell (.obj, .dae, .glb, .gltf, .stl).`,
 		newShape: (name) => `Agenten können jetzt die Form „${name}“ haben: Wähle sie in einem Block „erzeuge“. Dieser Browser behält sie.`,
 		newShapeForNow: (name) => `Agenten können jetzt die Form „${name}“ haben, solange diese Seite offen ist: Dieser Browser behält keine Modelle, sein Speicher ist voll oder gesperrt.`,
 		brokenModel: (problem) => `Dieses Modell ist nicht zu lesen: ${problem}`,

@@ -95,7 +95,7 @@ export const texts = {
 		sharedHere: "Copy this link:",
 		brokenProgram: "This is no program of the playground.",
 		brokenLink: "The program in this link could not be read. Perhaps a part of the link is missing. Here are the lessons and games.",
-		wrongFile: (name) => `${name} is neither a program (.json) nor a model (.obj, .dae, .zae, .glb, .gltf, .stl).`,
+		wrongFile: (name) => `${name} is neither a program (.json) nor a model (.obj, .dae, .glb, .gltf, .stl).`,
 		newShape: (name) => `Agents can have the shape “${name}” now: choose it in a “create” block. This browser keeps it.`,
 		newShapeForNow: (name) => `Agents can have the shape “${name}” now, as long as this page is open. This browser keeps no models, because its storage is full or refused.`,
 		brokenModel: (problem) => `This model cannot be read: ${problem}`,

@@ -4,7 +4,7 @@ import { parseModel } from "../shared/models.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.play;
-export const MODEL_FILE = /\.(obj|dae|zae|glb|gltf|stl)$/i;
+export const MODEL_FILE = /\.(obj|dae|glb|gltf|stl)$/i;
 
 const [DATABASE, STORE] = ["starlogo-playground", "models"];
 

@@ -56,7 +56,7 @@ export class Programs {
 		this.kept = h("span.keeping");
 		this.keepButton = button(words.keep, () => this.#keep(), { title: words.keepNote });
 		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => this.#download()),
-			fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
+			fileButton(words.open, ".json,.obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
 			button(words.share, () => this.share()), button(words.javascript.title, () => this.#showJavascript()), button(words.print, () => this.#print()), button(texts.gallery.handIn, () => this.handIn()));
 		this.menuButton = menuButton(words.menu, this.menu);
 		this.element = h("div.naming", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept, this.menuButton, this.menu);

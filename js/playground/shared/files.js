@@ -1,7 +1,7 @@
 /** Files that the user gives together: one is the model, and a glTF file may need others. */
 import { texts } from "./language.js";
 
-const MODEL = /\.(obj|dae|zae|glb|gltf|stl)$/i;
+const MODEL = /\.(obj|dae|glb|gltf|stl)$/i;
 
 /** Bytes as text, with the letters of base 64. */
 export function toText(bytes) {

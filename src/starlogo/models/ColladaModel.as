@@ -40,17 +40,17 @@ package starlogo.models
         }
 
         /**
-         * Reads a model from a file's bytes: a document (UTF-8, UTF-16, ISO 8859-1 or Windows-1252) or a zipped one (.zae).
+         * Reads a model from a file's bytes: UTF-8, UTF-16, ISO 8859-1 or Windows-1252.
          *
          * @param name what agents call the shape, not empty
          * @param bytes the whole file; its position may change
          * @param upAxis null for the axis that the document names; "x", "y", "z" or a ModelTransform to use that instead
          * @param scaling as for <code>Model</code>
-         * @throws ModelError as the constructor, or if an archive is damaged or has no document in it
+         * @throws ModelError as the constructor; also for a zipped document (.zae), which has to be unpacked first
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT):ColladaModel
         {
-            return new ColladaModel(name, ModelFile.colladaText(name, bytes), upAxis, scaling);
+            return new ColladaModel(name, ModelFile.text(name, bytes), upAxis, scaling);
         }
     }
 }

@@ -1,9 +1,6 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.zip.ArchivedDocument;
-    import starlogo.models.zip.ZipArchive;
-    import starlogo.steps.finish;
 
     /**
      * Decodes the bytes of a model's file into text. It detects the encoding.
@@ -35,6 +32,7 @@ package starlogo.models
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
             refuseIf(bytes.length > ModelBudget.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " +
                     ModelBudget.BYTES);
+            refuseIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
             return TextTokens.unmarked(decoded(name, bytes, format));
         }
 
@@ -54,16 +52,10 @@ package starlogo.models
             return bytes.readUTFBytes(bytes.length);
         }
 
-        /** The text of a COLLADA document. The document may be in a zip archive. */
-        public static function colladaText(name:String, bytes:ByteArray):String
+        // A zip archive begins with its first file, or with its end if it has no file.
+        private static function isArchive(bytes:ByteArray):Boolean
         {
-            if (bytes == null || !ZipArchive.isArchive(bytes))
-            {
-                return text(name, bytes);
-            }
-            var document:ArchivedDocument = new ArchivedDocument(name, bytes);
-            finish(document);
-            return document.text;
+            return bytes.length >= 4 && bytes[0] == 0x50 && bytes[1] == 0x4B && (bytes[2] == 3 && bytes[3] == 4 || bytes[2] == 5 && bytes[3] == 6);
         }
 
         private static function encodingOf(bytes:ByteArray):String

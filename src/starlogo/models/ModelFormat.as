@@ -14,7 +14,7 @@ package starlogo.models
         private static const HEAD_LENGTH:int = 10000;
         private static const TAG:RegExp = /^\s*</;
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
-        private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|zae|gltf|stl)([?#]|$)/i;
+        private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
         /** Has only static members. */
         public function ModelFormat()
@@ -43,8 +43,7 @@ package starlogo.models
                 return STL;
             }
             var named:Array = url == null || VERTEX.test("\n" + text.substr(0, HEAD_LENGTH)) ? null : url.match(EXTENSION);
-            var extension:String = named == null ? OBJ : named[1].toLowerCase();
-            return extension == "zae" ? COLLADA : extension;
+            return named == null ? OBJ : named[1].toLowerCase();
         }
     }
 }

@@ -8,8 +8,6 @@ package starlogo.models
     import starlogo.models.gltf.GltfReader;
     import starlogo.models.obj.ObjReader;
     import starlogo.models.stl.StlReader;
-    import starlogo.models.zip.ArchivedDocument;
-    import starlogo.models.zip.ZipArchive;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -53,7 +51,6 @@ package starlogo.models
         private var _usesTransforms:Boolean = false;
         private var _cooked:CookedLoad = null;
         private var _bytes:ByteArray = null;
-        private var _document:ArchivedDocument = null;
         private var _newLoader:Function;
         private var _gltf:GltfFile = null;
         private var _text:String = null;
@@ -128,7 +125,7 @@ package starlogo.models
         {
             _bytes = bytes;
             _text = text;
-            begin(unpacking).call(open);
+            begin(decoding).call(open);
         }
 
         /** Sets the source that makes the model instead of a file. */
@@ -215,24 +212,18 @@ package starlogo.models
             }
         }
 
-        private function unpacking():Steps
+        private function decoding():Steps
         {
             if (_bytes != null && CookedFile.isCooked(_bytes))
             {
                 _cooked = new CookedLoad(name, _bytes);
-                return _cooked;
-            }
-            if (_bytes != null && ZipArchive.isArchive(_bytes))
-            {
-                _document = new ArchivedDocument(name, _bytes);
-                _bytes = null;
             }
             else if (_bytes == null || !GltfFile.isBinary(_bytes) && !StlReader.isBinary(_bytes))
             {
                 _text = _text == null ? ModelFile.text(name, _bytes) : _text;
                 _bytes = null;
             }
-            return _document;
+            return _cooked;
         }
 
         private function open():void
@@ -247,8 +238,6 @@ package starlogo.models
 
         private function opening():Steps
         {
-            _text = _document == null ? _text : _document.text;
-            _document = null;
             _format = _bytes == null ? ModelFormat.of(_text, _url) : (GltfFile.isBinary(_bytes) ? ModelFormat.GLTF : ModelFormat.STL);
             _gltf = _format == ModelFormat.GLTF ? new GltfFile(name, _bytes, _text) : null;
             return _gltf;

@@ -43,8 +43,8 @@ package starlogo.models
      * <p>If a manifest lists a cooked file for a model, the loader fetches that file instead of the source: see <code>manifest</code>.</p>
      *
      * <p>The loader chooses the reader by the file's content: OBJ, glTF (JSON or binary, its data inside or beside it), STL (text or
-     * binary), COLLADA, or COLLADA in a zip archive. The file's name decides only if the content does not tell. Agents may have a shape as
-     * soon as its ModelEvent was sent. Before that, the collision systems do not know the shape.</p>
+     * binary) or COLLADA. The file's name decides only if the content does not tell. Agents may have a shape as soon as its ModelEvent was
+     * sent. Before that, the collision systems do not know the shape.</p>
      *
      * @example
      * <listing version="3.0">
@@ -166,7 +166,7 @@ package starlogo.models
          * Loads a model from a file. A failure is sent as an ErrorEvent.
          *
          * @param name what agents call the shape
-         * @param url the file's address: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked
+         * @param url the file's address: OBJ, glTF, STL, COLLADA or cooked
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
@@ -179,7 +179,7 @@ package starlogo.models
          * Loads a model from a file's bytes.
          *
          * @param name what agents call the shape
-         * @param bytes the whole file: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked; do not change it until the model is loaded
+         * @param bytes the whole file: OBJ, glTF, STL, COLLADA or cooked; do not change it until the model is loaded
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */

@@ -8,7 +8,6 @@ package starlogo.models
     import support.Gltf;
     import support.Mutations;
     import evaluation.pairs.SeededRandom;
-    import support.Zip;
     import support.encoded;
 
     /** Damaged files: each loads, or fails with a ModelError, and soon. */
@@ -50,12 +49,6 @@ package starlogo.models
         public function colladaText():void
         {
             mutate("COLLADA", 3000, 201, colladaOf);
-        }
-
-        [Test]
-        public function archives():void
-        {
-            mutate("archive", Effort.choose(2500, 10000), 301, archiveOf);
         }
 
         [Test]
@@ -139,13 +132,6 @@ package starlogo.models
         private static function colladaOf(random:SeededRandom):Model
         {
             return new ColladaModel("mutation", Mutations.ofText(COLLADA, random));
-        }
-
-        private static function archiveOf(random:SeededRandom):Model
-        {
-            var archive:ByteArray = Zip.of(["manifest.xml", "<dae_root>./a.dae</dae_root>", "a.dae", COLLADA],
-                    random.chance());
-            return ColladaModel.fromBytes("mutation", Mutations.ofBytes(archive, random));
         }
 
         private static function bytesOf(random:SeededRandom):Model

@@ -8,7 +8,7 @@ export const texts = {
 		world: "Das Modell und seine Hüllkörper; Pfeiltasten drehen es, Plus und Minus ändern den Abstand",
 		picture: "Das Modell",
 		model: "Modell",
-		drop: "oder lege eine OBJ-, DAE-, ZAE-, GLB-, glTF- oder STL-Datei irgendwo auf dieser Seite ab",
+		drop: "oder lege eine OBJ-, DAE-, GLB-, glTF- oder STL-Datei irgendwo auf dieser Seite ab",
 		up: "Oben",
 		ups: { z: "z", y: "y", x: "x", "-z": "−z", "-y": "−y", "-x": "−x" },
 		upHint: "Liegt es auf der Seite oder steht es auf der Nase? Viele Dateien sagen nicht, welche ihrer Achsen nach oben zeigt. Wähle sie hier.",
@@ -42,7 +42,7 @@ export const texts = {
 		wrongSetting: "Diese Zahl geht nicht: ",
 		broken: (name, problem) => `${name} kann nicht gezeigt werden. ${problem}`,
 		isProgram: (file) => `${file} ist ein Programm aus Blöcken, kein Modell.`, openInPlay: "In „Spielen“ öffnen",
-		kinds: "(Gezeigt werden OBJ-, DAE-, ZAE-, GLB-, glTF- und STL-Dateien.)",
+		kinds: "(Gezeigt werden OBJ-, DAE-, GLB-, glTF- und STL-Dateien.)",
 		fitters: {
 			naiveSphere: "Einfache Kugel", ritterSphere: "Ritter-Kugel", centredRitterSphere: "Zentrierte Ritter-Kugel", minimalSphere: "Kleinste Kugel",
 			axisAlignedBox: "Achsenparalleler Quader", zAlignedBox: "Um z gedrehter Quader", orientedBox: "Gedrehter Quader", minimalBox: "Kleinster Quader",

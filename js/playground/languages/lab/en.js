@@ -9,7 +9,7 @@ export const texts = {
 		world: "The model and its bounding structures; arrow keys turn it, plus and minus zoom",
 		picture: "The model",
 		model: "Model",
-		drop: "or drop an OBJ, DAE, ZAE, GLB, glTF or STL file anywhere on this page",
+		drop: "or drop an OBJ, DAE, GLB, glTF or STL file anywhere on this page",
 		up: "Up",
 		ups: { z: "z", y: "y", x: "x", "-z": "−z", "-y": "−y", "-x": "−x" },
 		upHint: "Does it lie on its side, or stand on its nose? Many files do not say which of their axes points up. Choose it here.",
@@ -43,7 +43,7 @@ export const texts = {
 		wrongSetting: "That number is not possible: ",
 		broken: (name, problem) => `${name} cannot be shown. ${problem}`,
 		isProgram: (file) => `${file} is a program of blocks, not a model.`, openInPlay: "Open it in Play",
-		kinds: "(OBJ, DAE, ZAE, GLB, glTF and STL files can be.)",
+		kinds: "(OBJ, DAE, GLB, glTF and STL files can be.)",
 		fitters: {
 			naiveSphere: "Naive sphere", ritterSphere: "Ritter sphere", centredRitterSphere: "Centred Ritter sphere", minimalSphere: "Smallest sphere",
 			axisAlignedBox: "Axis-aligned box", zAlignedBox: "Box turned about z", orientedBox: "Oriented box", minimalBox: "Smallest box",

@@ -5,7 +5,6 @@ package evaluation
     import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
-    import starlogo.fitting.MinimalBoxFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.fitting.NaiveSphereFitter;
@@ -21,7 +20,7 @@ package evaluation
      */
     public final class VolumesTask extends Task
     {
-        private static const MINIMAL:Array = ["minimal sphere", "minimal box", "minimal capsule"];
+        private static const MINIMAL:Array = ["minimal sphere", "minimal capsule"];
         private static const DEG_INCREMENT:Number = 10;
         private static const Z_DEG_INCREMENT:Number = 1;
 
@@ -46,7 +45,7 @@ package evaluation
             var box:OrientedBoxFitter = new OrientedBoxFitter(DEG_INCREMENT);
             _fitters = new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(), new AxisAlignedBoxFitter(),
                     new ZAlignedBoxFitter(Z_DEG_INCREMENT), box, new CapsuleFitter(box), new MinimalSphereFitter(),
-                    new MinimalBoxFitter(), new MinimalCapsuleFitter()];
+                    new MinimalCapsuleFitter()];
         }
 
         /** @inheritDoc */

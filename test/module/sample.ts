@@ -58,7 +58,6 @@ import {
 	intersects,
 	ListenerOptions,
 	Matrix3D,
-	MinimalBoxFitter,
 	MinimalCapsuleFitter,
 	MinimalSphereFitter,
 	Model,
@@ -283,7 +282,7 @@ export function fitAll(vertices: Float64Array): number[] {
 	const alongIt: BoxAxisFitter = new CylinderFitter(boxFitter);
 	const fitters: Fitter[] = [
 		new NaiveSphereFitter(), new RitterSphereFitter(), new CentredRitterSphereFitter(), new MinimalSphereFitter(),
-		new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), boxFitter, new MinimalBoxFitter(),
+		new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), boxFitter,
 		new CapsuleFitter(boxFitter), new MinimalCapsuleFitter(), alongIt,
 	];
 	const library = new BoundingStructuresLibrary();

@@ -24,7 +24,6 @@ package starlogo
     import starlogo.fitting.CentredRitterSphereFitter;
     import starlogo.fitting.CylinderFitter;
     import starlogo.fitting.Fitter;
-    import starlogo.fitting.MinimalBoxFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.fitting.NaiveSphereFitter;
@@ -121,7 +120,7 @@ package starlogo
         public function fitters():void
         {
             var box:Fitter = new OrientedBoxFitter(30);
-            var all:Vector.<Fitter> = new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(), new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), box, new CapsuleFitter(box), new CylinderFitter(box), new CentredRitterSphereFitter(), new MinimalSphereFitter(), new MinimalBoxFitter(), new MinimalCapsuleFitter()];
+            var all:Vector.<Fitter> = new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(), new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), box, new CapsuleFitter(box), new CylinderFitter(box), new CentredRitterSphereFitter(), new MinimalSphereFitter(), new MinimalCapsuleFitter()];
             var vertices:Vector.<Number> = BuiltInModel.cube().vertices;
             for each (var fitter:Fitter in all)
             {

@@ -7,7 +7,7 @@ import { percent, quoted, ratio, significant, time } from './format.mjs';
  */
 
 const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule',
-	'minimal sphere', 'minimal box', 'minimal capsule'];
+	'minimal sphere', 'minimal capsule'];
 const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
 const THESIS_SPHERE_TEST = 0.000319;
 

@@ -1,6 +1,6 @@
 /** Computes Inspect's table of a model. */
 import {
-	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, FitSession, GreatLand, MinimalBoxFitter, MinimalCapsuleFitter, MinimalSphereFitter,
+	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, FitSession, GreatLand, MinimalCapsuleFitter, MinimalSphereFitter,
 	NaiveSphereFitter, OrientedBoxFitter, RitterSphereFitter, ZAlignedBoxFitter,
 } from "starlogo-collision";
 
@@ -13,7 +13,6 @@ const FITTERS = {
 	axisAlignedBox: () => new AxisAlignedBoxFitter(),
 	zAlignedBox: (increment) => new ZAlignedBoxFitter(increment),
 	orientedBox: (increment) => new OrientedBoxFitter(increment),
-	minimalBox: () => new MinimalBoxFitter(),
 	capsule: (increment) => new CapsuleFitter(new OrientedBoxFitter(increment)),
 	minimalCapsule: () => new MinimalCapsuleFitter(),
 	cylinder: (increment) => new CylinderFitter(new OrientedBoxFitter(increment)),

@@ -5,7 +5,7 @@ package starlogo.fitting
      * §3.4.2). With the default increment these are 729 rotations.
      *
      * <p>The box is never larger than the axis-aligned box, or the z-aligned box with the same increment. For most models it is a few
-     * percent larger than the smallest box. For thin models that are rotated it may be several times too large: see MinimalBoxFitter.</p>
+     * percent larger than the smallest box. For thin models that are rotated it may be several times too large.</p>
      *
      * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. To find a rotation's extreme vertices, it
      * climbs over the hull from the extreme vertices of the rotation before. It tries the same boxes as the thesis, so the result is the

@@ -131,24 +131,6 @@ package starlogo.geometry
         public static const BALL_GAIN:Number = 1e-14;
 
         /**
-         * The distance below which two corners of a hull's outline count as one, as a fraction of the hull's extent. Smaller than 1e-14:
-         * the directions of edges that are seen end on are rounding errors. Larger than 3e-8: corners of the outline are lost.
-         */
-        public static const OUTLINE_SAME:Number = 1e-11;
-
-        /**
-         * The sine of the angle within which an edge of an outline leads straight back. Smaller: rounding may send a walk around the
-         * outline back along a side that is seen edge on. Larger: outlines with very sharp corners are walked wrongly.
-         */
-        public static const OUTLINE_BACK:Number = 1e-9;
-
-        /**
-         * The slope up to which an edge of an outline counts as level. Smaller: rounding tilts level edges. Larger: edges with a small
-         * slope count as level.
-         */
-        public static const OUTLINE_LEVEL:Number = 1e-12;
-
-        /**
          * The gap across which the surfaces of two models touch, as a fraction of the sum of the radii of spheres around both. The nodes of
          * hierarchies and the fitted boxes and capsules are enlarged by it. Smaller than 2e-15: rotated surfaces that touch do not collide.
          * Larger: surfaces with a gap collide.

@@ -1,6 +1,5 @@
 package starlogo.fitting
 {
-    import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
@@ -54,23 +53,15 @@ package starlogo.fitting
 
         private static function compareBoxes(source:String, index:int, all:Array):void
         {
-            var worst:Number = 0;
             for each (var entry:Object in entriesOf(source))
             {
-                var start:int = getTimer();
                 var session:FitSession = new FitSession(ReferenceFits.points(entry));
-                if (isSearched(session))
-                {
-                    var box:BoundingStructure = check(entry, session, new MinimalBoxFitter(), entry.smallest.box.volume, 1e-3);
-                    worst = Math.max(worst, excess(box, entry.smallest.box.volume));
-                }
                 var axisAligned:Number = entry.thesis.axisAlignedBox.volume;
                 var zAligned:Number = entry.thesis.zAlignedBox.volume;
                 check(entry, session, new AxisAlignedBoxFitter(), axisAligned, 1e-6, true);
                 check(entry, session, new ZAlignedBoxFitter(10), zAligned, 1e-5, true);
                 check(entry, session, new OrientedBoxFitter(10), entry.thesis.orientedBox.xyz, 1e-5, true);
             }
-            trace("smallest box, " + source + ": at most " + worst + " above");
         }
 
         private static function compareCapsules(source:String, index:int, all:Array):void

@@ -15,7 +15,7 @@ package starlogo.libraries
     import starlogo.collision.Collider;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
-    import starlogo.fitting.MinimalBoxFitter;
+    import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
@@ -97,7 +97,7 @@ package starlogo.libraries
             _greatLand.orientedBoxDegIncrement = 15;
             assertTrue("another increment", !isTaken(model, baked, true) && isTaken(model, baked, false));
             _greatLand.orientedBoxDegIncrement = 10;
-            _greatLand.boundingStructures.fitters.push(new MinimalBoxFitter());
+            _greatLand.boundingStructures.fitters.push(new MinimalCapsuleFitter());
             assertFalse("another fitter", isTaken(model, baked, true));
             _greatLand.boundingStructures.fitters.pop();
             _greatLand.hierarchies.minVerticesToSplit = 6;
@@ -115,7 +115,7 @@ package starlogo.libraries
         [Test]
         public function everyBuiltInFitterHasASignatureOfItsOwn():void
         {
-            _greatLand.boundingStructures.fitters = new <Fitter>[new MinimalSphereFitter(), new MinimalBoxFitter()];
+            _greatLand.boundingStructures.fitters = new <Fitter>[new MinimalSphereFitter(), new MinimalCapsuleFitter()];
             assertReadAsComputed(bear(), "minimal");
             assertTrue(isTaken(bear(), _greatLand.bake(bear()), true));
         }

@@ -45,7 +45,7 @@ export const texts = {
 		kinds: "(Gezeigt werden OBJ-, DAE-, GLB-, glTF- und STL-Dateien.)",
 		fitters: {
 			naiveSphere: "Einfache Kugel", ritterSphere: "Ritter-Kugel", centredRitterSphere: "Zentrierte Ritter-Kugel", minimalSphere: "Kleinste Kugel",
-			axisAlignedBox: "Achsenparalleler Quader", zAlignedBox: "Um z gedrehter Quader", orientedBox: "Gedrehter Quader", minimalBox: "Kleinster Quader",
+			axisAlignedBox: "Achsenparalleler Quader", zAlignedBox: "Um z gedrehter Quader", orientedBox: "Gedrehter Quader",
 			capsule: "Kapsel", minimalCapsule: "Kleinste Kapsel", cylinder: "Zylinder",
 		},
 	},

@@ -46,7 +46,7 @@ export const texts = {
 		kinds: "(OBJ, DAE, GLB, glTF and STL files can be.)",
 		fitters: {
 			naiveSphere: "Naive sphere", ritterSphere: "Ritter sphere", centredRitterSphere: "Centred Ritter sphere", minimalSphere: "Smallest sphere",
-			axisAlignedBox: "Axis-aligned box", zAlignedBox: "Box turned about z", orientedBox: "Oriented box", minimalBox: "Smallest box",
+			axisAlignedBox: "Axis-aligned box", zAlignedBox: "Box turned about z", orientedBox: "Oriented box",
 			capsule: "Capsule", minimalCapsule: "Smallest capsule", cylinder: "Cylinder",
 		},
 	},

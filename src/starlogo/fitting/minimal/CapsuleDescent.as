@@ -5,7 +5,8 @@ package starlogo.fitting.minimal
     import starlogo.fitting.EnclosingStructures;
 
     /**
-     * Moves the ends of a capsule until no small move makes it smaller while it encloses all points. It is a part of MinimalCapsuleFitter.
+     * Searches all directions for the smallest capsule. It measures many directions, and descends from the best of them: it moves the
+     * capsule's ends until no small move makes it smaller while it encloses all points. It is a part of MinimalCapsuleFitter.
      *
      * <p>The volume is a smooth function of the ends' six coordinates and the radius. But the radius is the largest of many distances, so
      * it is not smooth. Each step replaces the distances and the volume by their tangents. It finds the best change that keeps the points
@@ -16,8 +17,9 @@ package starlogo.fitting.minimal
      *
      * @private
      */
-    public final class CapsuleDescent extends DirectionSearch
+    public final class CapsuleDescent
     {
+        private static const STARTS:int = 6;
         private static const STEPS:int = 60;
         private static const SWEEPS:int = 60;
         // A point cannot matter in one step if its distance is less than the radius by more than this share of the radius.
@@ -60,12 +62,34 @@ package starlogo.fitting.minimal
             _distances = new Vector.<Number>(points.length / 3);
         }
 
-        override protected function measure(x:Number, y:Number, z:Number):Number
+        /**
+         * Measures directions, and descends from the best ones.
+         *
+         * @param directions unit vectors, x, y, z of each; opposite ones count as one
+         * @param apart the smallest angle between two directions to descend from: radians, small
+         */
+        public function search(directions:Vector.<Number>, apart:Number):void
         {
-            return capsuleAlong(new Vector3D(x, y, z)).volume;
+            var volumes:Array = [];
+            var i:int;
+            for (i = 0; i < directions.length; i += 3)
+            {
+                volumes.push(capsuleAlong(new Vector3D(directions[i], directions[i + 1], directions[i + 2])).volume);
+            }
+            var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
+            var starts:Vector.<Number> = new Vector.<Number>();
+            for (i = 0; i < order.length && starts.length < 3 * STARTS; i++)
+            {
+                var at:int = 3 * order[i];
+                if (!isNear(starts, directions[at], directions[at + 1], directions[at + 2], apart))
+                {
+                    starts.push(directions[at], directions[at + 1], directions[at + 2]);
+                    descendFrom(directions[at], directions[at + 1], directions[at + 2]);
+                }
+            }
         }
 
-        override protected function descendFrom(x:Number, y:Number, z:Number):void
+        private function descendFrom(x:Number, y:Number, z:Number):void
         {
             var start:Capsule = capsuleAlong(new Vector3D(x, y, z));
             _ends[0] = start.start.x;
@@ -87,6 +111,21 @@ package starlogo.fitting.minimal
             {
                 best = capsule;
             }
+        }
+
+        private static function isNear(others:Vector.<Number>, x:Number, y:Number, z:Number, angle:Number):Boolean
+        {
+            for (var i:int = 0; i < others.length; i += 3)
+            {
+                var crossX:Number = y * others[i + 2] - z * others[i + 1];
+                var crossY:Number = z * others[i] - x * others[i + 2];
+                var crossZ:Number = x * others[i + 1] - y * others[i];
+                if (crossX * crossX + crossY * crossY + crossZ * crossZ < angle * angle)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         // Finds the best capsule along a unit vector, trying several radii. Its axis goes through the smallest circle around the points as

@@ -14,11 +14,6 @@ package starlogo.fitting
      */
     public final class EnclosingStructures
     {
-        /** Not to be called, because all methods are static. */
-        public function EnclosingStructures()
-        {
-        }
-
         /**
          * Finds the smallest sphere with a given centre.
          *

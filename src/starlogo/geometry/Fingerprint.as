@@ -17,11 +17,6 @@ package starlogo.geometry
         private var _low:int = 0x3C6EF372;
         private var _high:int = 0x1B873593;
 
-        /** Creates the fingerprint of no data. */
-        public function Fingerprint()
-        {
-        }
-
         /** Adds one word. */
         public function addWord(word:int):void
         {

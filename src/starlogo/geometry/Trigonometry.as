@@ -34,11 +34,6 @@ package starlogo.geometry
                 3.183231713449758e-16, 1.8761647814886433e-15, 1.6654005518742188e-15, 1.3346864989901319e-15, 2.335881743638655e-15,
                 -2.0942594695766676e-15, 8.502900827062482e-16, 0];
 
-        /** Not to be called, because all methods are static. */
-        public function Trigonometry()
-        {
-        }
-
         /**
          * The sine of an angle in degrees.
          *

@@ -31,11 +31,6 @@ package starlogo.geometry
         /** Whether all coordinates were finite. Otherwise the box is wrong. */
         public var areFinite:Boolean = true;
 
-        /** Creates an empty box. */
-        public function VertexBounds()
-        {
-        }
-
         /** The longest side of the box. */
         public function get extent():Number
         {

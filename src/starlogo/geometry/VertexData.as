@@ -7,11 +7,6 @@ package starlogo.geometry
      */
     public final class VertexData
     {
-        /** Not to be called, because all methods are static. */
-        public function VertexData()
-        {
-        }
-
         /**
          * Describes what is wrong with vertices.
          *

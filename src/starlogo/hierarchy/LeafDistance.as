@@ -12,11 +12,6 @@ package starlogo.hierarchy
         /** The closest points of the pairs of leaves added, and their distance, in the first model's space. */
         public var points:ClosestPair;
 
-        /** For subclasses only. */
-        public function LeafDistance()
-        {
-        }
-
         /** Adds a leaf of the first model and a leaf of the second. */
         public function add(a:HierarchyNode, b:HierarchyNode):void
         {

@@ -13,11 +13,6 @@ package starlogo.hierarchy
         /** For moving models. Before the test: the latest time to look at. After it: when the leaves touch. From 0 to 1. */
         public var time:Number = 0;
 
-        /** Creates a test without contents: leaves touch if their structures touch. */
-        public function LeafTest()
-        {
-        }
-
         /**
          * For moving models, finds the contact of the contents that touch first, at the pose's time. It is in the first model's space.
          *

@@ -33,11 +33,6 @@ package starlogo.hierarchy
         // Holds a node's box.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        /** Creates a traversal. */
-        public function RayTraversal()
-        {
-        }
-
         /**
          * Narrows a ray to the part behind its first hit.
          *

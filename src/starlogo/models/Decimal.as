@@ -32,11 +32,6 @@ package starlogo.models
         private static const SPLITTER:Number = 134217729;
         private static const LARGEST_TO_SPLIT:Number = 1e290;
 
-        /** Has only static members. */
-        public function Decimal()
-        {
-        }
-
         /**
          * The number that a word stands for.
          *

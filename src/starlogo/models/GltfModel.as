@@ -33,7 +33,7 @@ package starlogo.models
             finish(file);
             for each (var uri:String in file.missing)
             {
-                file.setBuffer(uri, entryOf(buffers, uri) as ByteArray, "\"" + TextTokens.shorten(uri) +
+                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextTokens.shorten(uri) +
                         "\" is another file and was not given: a ModelLoader's load() fetches it");
             }
             setShape(new GltfReader(name, file, upAxis).readShape(scaling, upAxis as ModelTransform));

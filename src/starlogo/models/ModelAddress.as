@@ -12,11 +12,6 @@ package starlogo.models
         private static const FOLDER:RegExp = /^([a-z][a-z0-9+.\-]*:)?(\/\/[^\/?#]*)?([^?#]*\/)?/i;
         private static const OUTSIDE:RegExp = /[\x00-\x1F\x7F\\]|^[^\/?#]*:|^\s*\/|(^|\/)\s*\.\./;
 
-        /** Has only static members. */
-        public function ModelAddress()
-        {
-        }
-
         /** The folder of a file: the part of its address up to the file's name. Empty if it has none. */
         public static function folderOf(url:String):String
         {

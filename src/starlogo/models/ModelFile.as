@@ -16,11 +16,6 @@ package starlogo.models
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;
 
-        /** Has only static members. */
-        public function ModelFile()
-        {
-        }
-
         /**
          * The text of a file.
          *
@@ -30,10 +25,15 @@ package starlogo.models
         public static function text(name:String, bytes:ByteArray, format:String = null):String
         {
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
-            refuseIf(bytes.length > ModelBudget.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " +
-                    ModelBudget.BYTES);
+            checkSize(name, bytes);
             refuseIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
             return TextTokens.unmarked(decoded(name, bytes, format));
+        }
+
+        /** Throws if a file has too many bytes. */
+        public static function checkSize(name:String, bytes:ByteArray):void
+        {
+            refuseIf(bytes.length > ModelBudget.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + ModelBudget.BYTES);
         }
 
         private static function decoded(name:String, bytes:ByteArray, format:String):String

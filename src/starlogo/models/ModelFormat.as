@@ -16,11 +16,6 @@ package starlogo.models
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
-        /** Has only static members. */
-        public function ModelFormat()
-        {
-        }
-
         /**
          * The format of a text.
          *

@@ -7,11 +7,6 @@ package starlogo.models
      */
     public final class TextTokens
     {
-        /** Has only static members. */
-        public function TextTokens()
-        {
-        }
-
         /** The words of a text, separated by any white space. Empty for a text without words. */
         public static function of(text:String):Array
         {

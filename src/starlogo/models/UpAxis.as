@@ -16,11 +16,6 @@ package starlogo.models
         /** @copy #X */
         public static const Z:String = "z";
 
-        /** Has only static members. */
-        public function UpAxis()
-        {
-        }
-
         /**
          * The name of an up axis.
          *

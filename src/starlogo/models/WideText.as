@@ -15,11 +15,6 @@ package starlogo.models
                 0x0160, 0x2039, 0x0152, 0x8d, 0x017d, 0x8f, 0x90, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014, 0x02dc, 0x2122,
                 0x0161, 0x203a, 0x0153, 0x9d, 0x017e, 0x0178];
 
-        /** Has only static members. */
-        public function WideText()
-        {
-        }
-
         /** Decodes UTF-16. An odd last byte is ignored. */
         internal static function utf16(bytes:ByteArray, isLowFirst:Boolean):String
         {

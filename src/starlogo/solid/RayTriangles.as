@@ -18,11 +18,6 @@ package starlogo.solid
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _enters:Vector.<Number> = new Vector.<Number>();
 
-        /** Creates a finder that has found nothing yet. */
-        public function RayTriangles()
-        {
-        }
-
         /** The place on the ray where it meets the triangle found. */
         public function get at():Number
         {

@@ -26,11 +26,6 @@ package starlogo.solid
         private var _triangles:RayTriangles = new RayTriangles();
         private var _start:Vector3D = new Vector3D();
 
-        /** Creates a finder that has found nothing yet. */
-        public function SolidRay()
-        {
-        }
-
         /**
          * Narrows a ray to the part behind its first hit.
          *

@@ -25,11 +25,6 @@ package starlogo.solid
         // The index of the first number of the triangle that is touched first.
         private var _first:int = 0;
 
-        /** Creates a test without a model. */
-        public function StructureTriangles()
-        {
-        }
-
         /**
          * Begins with a model that has triangles.
          *

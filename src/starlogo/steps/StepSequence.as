@@ -17,10 +17,12 @@ package starlogo.steps
      */
     public class StepSequence implements Steps
     {
-        // how a part is done: one call, calls until it returns false, or one call that returns the work to do
+        // how a part is done: one call, calls until it returns false, one call that returns the work to do, or such calls until one
+        // returns null
         private static const ONCE:int = 0;
         private static const AGAIN:int = 1;
         private static const MAKES_WORK:int = 2;
+        private static const MAKES_EACH:int = 3;
 
         // The parts, how each is done, and the index of the present part. There are no closures, because creating one costs as much as a
         // small part.
@@ -71,6 +73,16 @@ package starlogo.steps
         }
 
         /**
+         * Adds pieces of work that a function creates, each when the one before is done. Returns the sequence.
+         *
+         * @param make <code>():Steps</code>; null ends the part
+         */
+        public function beginEach(make:Function):StepSequence
+        {
+            return addPart(make, MAKES_EACH);
+        }
+
+        /**
          * Adds the steps of one function. Returns the sequence.
          *
          * @param advance <code>():Boolean</code>; each call is a step; it is called until it returns false
@@ -107,6 +119,9 @@ package starlogo.steps
                     return false;
                 case AGAIN:
                     return part();
+                case MAKES_EACH:
+                    _made = _made != null && _made.step() ? _made : part();
+                    return _made != null;
                 default:
                     _made = _made == null ? part() : (_made.step() ? _made : null);
                     return _made != null;

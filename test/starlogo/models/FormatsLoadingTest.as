@@ -70,6 +70,18 @@ package starlogo.models
                 });
         }
 
+        [Test(async, timeout="20000")]
+        public function aBinaryStlFileOfTooManyBytesIsRefused():void
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.length = 67108865;
+            _loader.loadBytes("a", bytes);
+            whenComplete(function():void
+                {
+                    assertEquals("model \"a\": the file has 67108865 bytes: expected at most 67108864", _log.join());
+                });
+        }
+
         [Test(async, timeout="5000")]
         public function tellsFormatsApartWhateverTheyAreCalled():void
         {

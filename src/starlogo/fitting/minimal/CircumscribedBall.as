@@ -24,11 +24,6 @@ package starlogo.fitting.minimal
         /** The points, x, y, z of each. */
         public var points:Vector.<Number>;
 
-        /** Not to be called: through() makes balls. */
-        public function CircumscribedBall()
-        {
-        }
-
         /**
          * Finds the ball of one to four points.
          *

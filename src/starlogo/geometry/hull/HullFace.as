@@ -72,11 +72,6 @@ package starlogo.geometry.hull
         /** Whether a walk over the finished hull has visited this face. */
         public var isVisited:Boolean;
 
-        /** Creates a face without corners. */
-        public function HullFace()
-        {
-        }
-
         /**
          * Makes this a new face, which has no neighbours yet, and no points beyond it. A buried face may become a new one.
          *

@@ -31,11 +31,6 @@ package starlogo.libraries.cooked
         // A structure's numbers are at most this factor times the model's largest coordinate. Numbers up to 1 are always allowed.
         private static const LARGEST_FACTOR:Number = 10;
 
-        /** Has only static members. */
-        public function FitsReader()
-        {
-        }
-
         /**
          * Reads the fits for certain settings.
          *

@@ -21,11 +21,6 @@ package starlogo.libraries.cooked
      */
     public final class FitsWriter
     {
-        /** Has only static members. */
-        public function FitsWriter()
-        {
-        }
-
         /**
          * Makes the bytes of a cooked file.
          *

@@ -21,11 +21,6 @@ package starlogo.libraries.cooked
 
         private var _lengths:Vector.<int> = new Vector.<int>();
 
-        /** Creates an empty list. */
-        public function StoreIndex()
-        {
-        }
-
         /** Reads bytes that toBytes made. Returns an empty list if the bytes are no list. */
         public static function read(bytes:ByteArray):StoreIndex
         {

@@ -15,11 +15,6 @@ package starlogo.libraries.cooked
      */
     public final class TreeWriter
     {
-        /** Has only static members. */
-        public function TreeWriter()
-        {
-        }
-
         /** The number of bytes for the index of an item. @param count the number of items */
         public static function widthFor(count:int):int
         {

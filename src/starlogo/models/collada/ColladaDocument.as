@@ -22,7 +22,7 @@ package starlogo.models.collada
         /** The model's name. */
         public var modelName:String;
 
-        private var _elementsById:Object = {};
+        private var _elementsById:Object;
 
         /**
          * @param modelName the model's name
@@ -38,11 +38,7 @@ package starlogo.models.collada
             root = xml.root;
             refuseIf(root == null, modelName, "this is not XML: expected a COLLADA document");
             refuseIf(root.name != "COLLADA", modelName, "expected a COLLADA document, but its root element is <" + root.name + ">");
-            for each (var element:ColladaElement in xml.identified)
-            {
-                var key:String = element.name + "#" + element.id; // the "#" keeps the key different from every property that each Object has
-                _elementsById[key] = _elementsById[key] || element;
-            }
+            _elementsById = xml.elementsById;
         }
 
         /** The first child element with a name. @throws ModelError if there is none */

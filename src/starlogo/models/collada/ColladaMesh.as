@@ -55,10 +55,7 @@ package starlogo.models.collada
             var element:ColladaElement = _primitives[_nextPrimitive++];
             var work:StepSequence = new StepSequence();
             var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
-            return work.begin(function():Steps
-                {
-                    return new ColladaPrimitive(_document, element, points, _isUsed, triangles);
-                });
+            return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles));
         }
 
         /** If there are no surfaces, reads the points alone. */

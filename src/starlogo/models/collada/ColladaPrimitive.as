@@ -45,7 +45,7 @@ package starlogo.models.collada
         /**
          * @param document the document
          * @param element the primitive's element
-         * @param positions its points; all steps must be done
+         * @param positions its points; their steps come before this one's
          * @param isUsed a number for each point of the mesh; set to 1 for points that have a corner
          * @param triangles takes the triangles
          */

@@ -27,10 +27,6 @@ package starlogo.models.collada
         private var _instance:int = 0;
         private var _meshes:Object = {};
 
-        // the mesh of the next instance, if it is read or being read, and the work on it
-        private var _mesh:ColladaMesh = null;
-        private var _reading:Steps = null;
-
         /**
          * @param name the model's name
          * @param source the document's text
@@ -42,7 +38,7 @@ package starlogo.models.collada
             refuseIf(source == null, name, "there is no text to read");
             _hasTransform = upAxis is ModelTransform;
             _xml = new XmlReader(name, source, budget);
-            add(_xml).begin(walking).repeat(readInstances);
+            add(_xml).begin(walking).beginEach(readingNext);
         }
 
         /** @inheritDoc */
@@ -62,18 +58,8 @@ package starlogo.models.collada
             return _scene;
         }
 
-        private function readInstances():Boolean
-        {
-            if (_reading == null || !_reading.step())
-            {
-                _reading = nextReading();
-            }
-            return _reading != null;
-        }
-
-        // For each instance, the work that reads its mesh comes first, and the work that places the mesh second. Null when there are no
-        // more.
-        private function nextReading():Steps
+        // The work that reads the next instance's mesh and places it. Null when there are no more.
+        private function readingNext():Steps
         {
             if (_instance == _scene.instances.length)
             {
@@ -81,15 +67,12 @@ package starlogo.models.collada
                 return null;
             }
             var instance:ColladaNode = _scene.instances[_instance];
-            var mesh:ColladaMesh = _mesh;
-            if (mesh == null)
-            {
-                _mesh = meshOf(instance.geometry);
-                return _mesh;
-            }
-            _mesh = null;
-            _instance++;
-            return placing(mesh, instance, mesh.hasSurfaces ? vertices : loosePoints);
+            var mesh:ColladaMesh = meshOf(instance.geometry);
+            return new StepSequence().add(mesh).begin(function():Steps
+                {
+                    _instance++;
+                    return placing(mesh, instance, mesh.hasSurfaces ? vertices : loosePoints);
+                });
         }
 
         /**

@@ -10,11 +10,6 @@ package starlogo.models.collada
      */
     internal final class ColladaTransform
     {
-        /** Has only static members. */
-        public function ColladaTransform()
-        {
-        }
-
         /**
          * The transform of an element in a node.
          *

@@ -30,8 +30,8 @@ package starlogo.models.collada
         /** The root element, when no step is left; null if there is none. */
         public var root:ColladaElement = null;
 
-        /** The elements with ids, in the document's order. */
-        public var identified:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+        /** The first element of each name and id, by name, "#" and id. The "#" keeps a key different from every property of an Object. */
+        public var elementsById:Object = {};
 
         private var _name:String;
         private var _source:String;
@@ -138,7 +138,7 @@ package starlogo.models.collada
             refuse(!TAG_END.test(_source.substring(_at, end)));
             if (element.id != "")
             {
-                identified.push(element);
+                elementsById[element.name + "#" + element.id] ||= element;
             }
             if (_source.charCodeAt(end - 1) != SLASH)
             {

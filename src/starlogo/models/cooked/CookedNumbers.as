@@ -11,11 +11,6 @@ package starlogo.models.cooked
      */
     public final class CookedNumbers
     {
-        /** Has only static members. */
-        public function CookedNumbers()
-        {
-        }
-
         /** Writes a number. */
         public static function write(value:int, out:ByteArray):void
         {

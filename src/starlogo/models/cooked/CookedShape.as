@@ -25,11 +25,6 @@ package starlogo.models.cooked
 
         private static const LARGEST:Number = 1000000000;
 
-        /** Has only static members. */
-        public function CookedShape()
-        {
-        }
-
         /** The bytes of a model's section. */
         public static function of(model:Model):ByteArray
         {

@@ -37,7 +37,6 @@ package starlogo.models.gltf
         public var place:String;
 
         private var _file:GltfFile;
-        private var _accessor:Object;
         private var _width:int;
         private var _kind:int;
 
@@ -49,26 +48,24 @@ package starlogo.models.gltf
         private var _offset:int;
         private var _stride:int;
 
-        // for a sparse accessor: the elements that replace others
-        private var _sparse:Object;
-        private var _replaced:Vector.<Number>;
-
         /**
          * @param file the file; all its steps must be done
-         * @param index the accessor's index
+         * @param place its place in the file, for errors
+         * @param data says where its numbers are
+         * @param form says how many and of which kind; the same object as data, but for the parts of a sparse accessor
          */
-        public function GltfAccessor(file:GltfFile, index:int)
+        public function GltfAccessor(file:GltfFile, place:String, data:Object, form:Object)
         {
             var json:GltfJson = file.json;
-            place = "accessors[" + index + "]";
+            this.place = place;
             _file = file;
-            _accessor = json.entry("accessors", index);
-            count = json.whole(_accessor, "count", place, int.MAX_VALUE, -1);
-            _width = WIDTHS[_accessor.type];
-            _kind = kindOf(_accessor, place);
-            _divisor = _accessor.normalized === true && LARGEST[_kind] > 0 ? LARGEST[_kind] : 0;
-            _view = json.reference(_accessor, "bufferView", place, "bufferViews");
-            _offset = json.whole(_accessor, "byteOffset", place, int.MAX_VALUE, 0);
+            count = json.whole(form, "count", place, int.MAX_VALUE, -1);
+            _width = WIDTHS[form.type];
+            _kind = json.whole(form, "componentType", place, int.MAX_VALUE, -1);
+            refuseIf(!SIZES.hasOwnProperty(_kind), json.name, "expected 5120 to 5123, 5125 or 5126, but found " + _kind, place + ".componentType");
+            _divisor = form.normalized === true && LARGEST[_kind] > 0 ? LARGEST[_kind] : 0;
+            _view = json.reference(data, "bufferView", place, "bufferViews");
+            _offset = json.whole(data, "byteOffset", place, int.MAX_VALUE, 0);
             if (_view >= 0)
             {
                 var size:int = SIZES[_kind] * _width;
@@ -79,10 +76,10 @@ package starlogo.models.gltf
             }
             file.budget.take(_view < 0 ? ModelBudget.ZEROS : ModelBudget.NUMBERS, Number(count) * _width, place);
             numbers = new Vector.<Number>(count * _width);
-            _sparse = json.objectIn(_accessor, "sparse", place);
-            if (_sparse != null)
+            var sparse:Object = data == form ? json.objectIn(data, "sparse", place) : null;
+            if (sparse != null)
             {
-                readSparse(json);
+                addSparse(json, form, sparse);
             }
         }
 
@@ -92,86 +89,63 @@ package starlogo.models.gltf
             return _divisor == 0 && (_kind == UNSIGNED_BYTE || _kind == UNSIGNED_SHORT || _kind == UNSIGNED_INT);
         }
 
-        private function kindOf(owner:Object, where:String):int
-        {
-            var kind:int = _file.json.whole(owner, "componentType", where, int.MAX_VALUE, -1);
-            refuseIf(!SIZES.hasOwnProperty(kind), _file.json.name, "expected 5120 to 5123, 5125 or 5126, but found " + kind, where + ".componentType");
-            return kind;
-        }
-
         private function readRows(first:int, end:int):void
         {
-            if (first < end)
+            if (first == end)
             {
-                read(_view, _offset + Number(first) * _stride, _stride, _kind, _width, numbers, first, end);
+                return;
+            }
+            var size:int = SIZES[_kind] * _width;
+            var bytes:ByteArray = _file.openView(_view, _offset + Number(first) * _stride, Number(end - first - 1) * _stride + size, place);
+            var at:int = first * _width;
+            var last:int = end * _width;
+            // data without gaps is read as one long row
+            var rowLength:int = _stride == size ? last - at : _width;
+            var start:int = bytes.position;
+            while (at < last)
+            {
+                bytes.position = start;
+                readRow(bytes, _kind, numbers, at, at + rowLength);
+                at += rowLength;
+                start += _stride;
+            }
+            for (at = first * _width; at < last && _divisor > 0; at++)
+            {
+                var value:Number = numbers[at] / _divisor;
+                numbers[at] = value < -1 ? -1 : value;
             }
         }
 
-        private function readSparse(json:GltfJson):void
+        private function addSparse(json:GltfJson, accessor:Object, sparse:Object):void
         {
             var where:String = place + ".sparse";
-            var sparseCount:int = json.whole(_sparse, "count", where, count, -1);
-            var indices:Object = json.objectIn(_sparse, "indices", where);
-            var values:Object = json.objectIn(_sparse, "values", where);
+            var some:int = json.whole(sparse, "count", where, count, -1);
+            var indices:Object = json.objectIn(sparse, "indices", where);
+            var values:Object = json.objectIn(sparse, "values", where);
             refuseIf(indices == null || values == null, json.name, "expected indices and values", where);
-            var indexKind:int = kindOf(indices, where + ".indices");
-            var indexView:int = json.reference(indices, "bufferView", where + ".indices", "bufferViews");
-            var valueView:int = json.reference(values, "bufferView", where + ".values", "bufferViews");
-            refuseIf(indexView < 0 || valueView < 0, json.name, "expected indices and values in bufferViews", where);
-            var indexOffset:int = json.whole(indices, "byteOffset", where + ".indices", int.MAX_VALUE, 0);
-            var valueOffset:int = json.whole(values, "byteOffset", where + ".values", int.MAX_VALUE, 0);
-            var size:int = SIZES[_kind] * _width;
-            _file.openView(indexView, indexOffset, Number(sparseCount) * SIZES[indexKind], where + ".indices");
-            _file.openView(valueView, valueOffset, Number(sparseCount) * size, where + ".values");
-            _file.budget.take(ModelBudget.NUMBERS, Number(sparseCount) * (1 + _width), where);
-            _replaced = new Vector.<Number>(sparseCount);
-            var row:Vector.<Number> = new Vector.<Number>(sparseCount * _width);
-            slices(sparseCount, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
+            refuseIf(indices.bufferView === undefined || values.bufferView === undefined, json.name, "expected indices and values in bufferViews", where);
+            var at:GltfAccessor = new GltfAccessor(_file, where + ".indices", indices, {count: some, type: "SCALAR", componentType: indices.componentType});
+            var by:GltfAccessor = new GltfAccessor(_file, where + ".values", values, {count: some, type: accessor.type,
+                        componentType: accessor.componentType, normalized: accessor.normalized});
+            add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
-                    if (first < end)
-                    {
-                        read(indexView, indexOffset + first * SIZES[indexKind], SIZES[indexKind], indexKind, 1, _replaced, first, end);
-                        read(valueView, valueOffset + first * size, size, _kind, _width, row, first, end);
-                        replace(row, first, end);
-                    }
+                    replace(at.numbers, by.numbers, first, end);
                 });
         }
 
-        private function replace(row:Vector.<Number>, first:int, end:int):void
+        private function replace(indices:Vector.<Number>, values:Vector.<Number>, first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                var index:Number = _replaced[i];
+                var index:Number = indices[i];
                 if (!(index >= 0 && index < count && int(index) == index))
                 {
                     throw new ModelError(_file.json.name, place + ".sparse.indices", "element " + i + " is " + index + ", but there are only " + count + " to replace");
                 }
                 for (var k:int = 0; k < _width; k++)
                 {
-                    numbers[int(index) * _width + k] = row[i * _width + k];
+                    numbers[int(index) * _width + k] = values[i * _width + k];
                 }
-            }
-        }
-
-        private function read(view:int, offset:Number, stride:int, kind:int, width:int, out:Vector.<Number>, first:int, end:int):void
-        {
-            var bytes:ByteArray = _file.openView(view, offset, Number(end - first - 1) * stride + SIZES[kind] * width, place);
-            var isDense:Boolean = stride == SIZES[kind] * width;
-            var at:int = first * width;
-            var last:int = end * width;
-            // data without gaps is read as one long row
-            var rowLength:int = isDense ? last - at : width;
-            var start:int = bytes.position;
-            while (at < last)
-            {
-                bytes.position = start;
-                readRow(bytes, kind, out, at, at + rowLength);
-                at += rowLength;
-                start += stride;
-            }
-            if (_divisor > 0 && out != _replaced)
-            {
-                normalise(out, first * width, last);
             }
         }
 
@@ -209,15 +183,6 @@ package starlogo.models.gltf
                     number = bytes.readUnsignedByte();
                     out[at++] = number - ((number & sign) << 1);
                 }
-            }
-        }
-
-        private function normalise(out:Vector.<Number>, at:int, last:int):void
-        {
-            for (var i:int = at; i < last; i++)
-            {
-                var value:Number = out[i] / _divisor;
-                out[i] = value < -1 ? -1 : value;
             }
         }
     }

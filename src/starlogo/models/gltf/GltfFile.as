@@ -110,9 +110,9 @@ package starlogo.models.gltf
          */
         internal function accessor(index:int, type:String):GltfAccessor
         {
-            var found:String = json.entry("accessors", index).type;
-            refuseIf(found !== type, _name, "expected \"" + type + "\", but found \"" + found + "\"", "accessors[" + index + "].type");
-            return _accessors["#" + index] ||= new GltfAccessor(this, index);
+            var found:Object = json.entry("accessors", index);
+            refuseIf(found.type !== type, _name, "expected \"" + type + "\", but found \"" + found.type + "\"", "accessors[" + index + "].type");
+            return _accessors["#" + index] ||= new GltfAccessor(this, "accessors[" + index + "]", found, found);
         }
 
         /** Checks a bufferView and returns its bytes. Their position is set to the given offset in the view. */
@@ -141,7 +141,7 @@ package starlogo.models.gltf
         {
             if (_bytes != null && isBinary(_bytes))
             {
-                refuseIf(_bytes.length > ModelBudget.BYTES, _name, "the file has " + _bytes.length + " bytes: expected at most " + ModelBudget.BYTES);
+                ModelFile.checkSize(_name, _bytes);
                 openChunks();
             }
             else if (_text == null)

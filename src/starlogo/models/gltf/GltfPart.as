@@ -21,14 +21,14 @@ package starlogo.models.gltf
         private var _place:String;
         private var _firstVertex:int;
         private var _vertexCount:int;
-        private var _isMirror:Boolean;
+        private var _points:GltfPoints;
         private var _firstCorner:int;
 
         /**
          * @param file the file
          * @param primitive the primitive
          * @param place its place in the file, for errors
-         * @param points its vertices
+         * @param points its vertices; their steps come before this one's
          * @param triangles takes its triangles
          */
         public function GltfPart(file:GltfFile, primitive:Object, place:String, points:GltfPoints, triangles:Vector.<uint>)
@@ -39,7 +39,7 @@ package starlogo.models.gltf
             _mode = modeOf(_json, primitive, place);
             _firstVertex = points.firstVertex;
             _vertexCount = points.count;
-            _isMirror = points.isMirror;
+            _points = points;
             _firstCorner = triangles.length;
             var index:int = _json.reference(primitive, "indices", place, "accessors");
             if (index >= 0)
@@ -51,7 +51,7 @@ package starlogo.models.gltf
             var cornerCount:int = _indices == null ? _vertexCount : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
             file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
-            slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
+            slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && _indices != null ? copyTriangles : addTriangles);
         }
 
         /** The mode of a primitive. Points and lines have a mode below TRIANGLES. */
@@ -63,6 +63,11 @@ package starlogo.models.gltf
         // The common case: copies the indices unchanged.
         private function copyTriangles(first:int, end:int):void
         {
+            if (_points.isMirror)
+            {
+                addTriangles(first, end);
+                return;
+            }
             var to:Vector.<uint> = _triangles;
             var from:Vector.<Number> = _indices.numbers;
             var firstVertex:int = _firstVertex;
@@ -86,12 +91,13 @@ package starlogo.models.gltf
         {
             var to:Vector.<uint> = _triangles;
             var at:int = _firstCorner + 3 * first;
+            var isMirror:Boolean = _points.isMirror;
             for (var i:int = first; i < end; i++)
             {
                 var a:int = _mode == TRIANGLES ? 3 * i : (_mode == FAN ? i + 1 : i);
                 var b:int = a + 1;
                 var c:int = _mode == FAN ? 0 : a + 2;
-                var isTurned:Boolean = _isMirror != (_mode == STRIP && (i & 1) == 1);
+                var isTurned:Boolean = isMirror != (_mode == STRIP && (i & 1) == 1);
                 to[at] = cornerAt(a);
                 to[int(at + 1)] = cornerAt(isTurned ? c : b);
                 to[int(at + 2)] = cornerAt(isTurned ? b : c);

@@ -22,7 +22,6 @@ package starlogo.models.gltf
         private var _node:int = 0;
         private var _primitive:int = 0;
         private var _weights:Vector.<Number>;
-        private var _reading:Steps = null;
 
         // The vertices of the present node so far. The key is everything that they depend on.
         private var _placed:Object = {};
@@ -36,7 +35,7 @@ package starlogo.models.gltf
         {
             super(name, file.budget, upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name));
             _file = file;
-            begin(walking).repeat(readParts).begin(droppingUnused);
+            begin(walking).beginEach(readingNext).begin(droppingUnused);
         }
 
         /** @inheritDoc */
@@ -51,22 +50,12 @@ package starlogo.models.gltf
             return _scene;
         }
 
-        private function readParts():Boolean
-        {
-            if (_reading == null || !_reading.step())
-            {
-                _reading = null;
-                return nextPart();
-            }
-            return true;
-        }
-
-        // Begins to read the present primitive and goes on to the next. Returns false if there are no more.
-        private function nextPart():Boolean
+        // The work on the present primitive. Goes on to the next. Null if there are no more.
+        private function readingNext():Steps
         {
             if (_node == _scene.nodes.length)
             {
-                return false;
+                return null;
             }
             var json:GltfJson = _file.json;
             var nodePlace:String = "nodes[" + _scene.nodes[_node] + "]";
@@ -85,37 +74,32 @@ package starlogo.models.gltf
                 _primitive = 0;
                 _node++;
                 _placed = {};
-                return true;
+                return new StepSequence();
             }
             place += ".primitives";
-            _reading = readingPrimitive(json, json.elementOf(primitives, _primitive, place), place + "[" + _primitive + "]");
-            _primitive++;
-            return true;
+            return readingPrimitive(json, json.elementOf(primitives, _primitive, place), place + "[" + _primitive+++"]");
         }
 
-        // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Null if it has no vertices.
+        // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Nothing if it has no vertices.
         private function readingPrimitive(json:GltfJson, primitive:Object, place:String):Steps
         {
+            var work:StepSequence = new StepSequence();
             _file.refuseDraco(primitive, place);
             var attributes:Object = json.objectIn(primitive, "attributes", place);
             var position:int = attributes == null ? -1 : json.reference(attributes, "POSITION", place + ".attributes", "accessors");
             if (position < 0)
             {
-                return null;
+                return work;
             }
             var source:GltfAccessor = _file.accessor(position, "VEC3");
             var hasSurface:Boolean = GltfPart.modeOf(json, primitive, place) >= GltfPart.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + _primitive);
-            var node:int = _scene.nodes[_node];
-            return new StepSequence().add(source).begin(function():Steps
-                {
-                    return _placed[key] ||= new GltfPoints(_file, _scene, node, primitive, place, _weights, source, hasSurface ? vertices : loosePoints);
-                }).begin(function():Steps
-                {
-                    return hasSurface ? new GltfPart(_file, primitive, place, _placed[key], triangles) : null;
-                });
+            var points:GltfPoints = _placed[key] ||= new GltfPoints(_file, _scene, _scene.nodes[_node], primitive, place, _weights, source,
+                    hasSurface ? vertices : loosePoints);
+            work.add(points);
+            return hasSurface ? work.add(new GltfPart(_file, primitive, place, points, triangles)) : work;
         }
 
         private function droppingUnused():Steps

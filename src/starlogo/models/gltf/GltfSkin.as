@@ -15,7 +15,7 @@ package starlogo.models.gltf
         private static const POINTS_PER_STEP:int = 1000;
 
         private var _json:GltfJson;
-        private var _points:Vector.<Number>;
+        private var _points:GltfPoints;
         private var _joints:GltfJoints;
 
         // pairs of accessors: the joints' indices, and their weights
@@ -26,15 +26,15 @@ package starlogo.models.gltf
          * @param joints the skin's joints; their steps may still be running
          * @param attributes the primitive's attributes, with the joints and weights
          * @param place their place in the file, for errors
-         * @param points x, y, z, ...; changed in place
+         * @param points its numbers are changed
          */
-        public function GltfSkin(file:GltfFile, joints:GltfJoints, attributes:Object, place:String, points:Vector.<Number>)
+        public function GltfSkin(file:GltfFile, joints:GltfJoints, attributes:Object, place:String, points:GltfPoints)
         {
             _json = file.json;
             _joints = joints;
             _points = points;
             add(joints);
-            var count:int = points.length / 3;
+            var count:int = points.count;
             for (var i:int = 0; attributes["JOINTS_" + i] !== undefined; i++)
             {
                 for each (var key:String in ["JOINTS_" + i, "WEIGHTS_" + i])
@@ -59,6 +59,7 @@ package starlogo.models.gltf
 
         private function move(first:int, end:int):void
         {
+            var points:Vector.<Number> = _points.numbers;
             var moved:Vector.<Number> = new Vector.<Number>(3);
             for (var i:int = first; i < end; i++)
             {
@@ -74,7 +75,7 @@ package starlogo.models.gltf
                         var weight:Number = _sets[k + 1].numbers[j];
                         if (weight != 0)
                         {
-                            jointAt(_sets[k], j).place(_points, i, i + 1, moved, 0);
+                            jointAt(_sets[k], j).place(points, i, i + 1, moved, 0);
                             sum += weight;
                             x += weight * moved[0];
                             y += weight * moved[1];
@@ -84,15 +85,15 @@ package starlogo.models.gltf
                 }
                 if (sum == 0)
                 {
-                    _joints.transforms[0].place(_points, i, i + 1, moved, 0);
+                    _joints.transforms[0].place(points, i, i + 1, moved, 0);
                     sum = 1;
                     x = moved[0];
                     y = moved[1];
                     z = moved[2];
                 }
-                _points[at] = x / sum;
-                _points[int(at + 1)] = y / sum;
-                _points[int(at + 2)] = z / sum;
+                points[at] = x / sum;
+                points[int(at + 1)] = y / sum;
+                points[int(at + 2)] = z / sum;
             }
         }
 

@@ -7,6 +7,7 @@ package starlogo.models.stl
     import starlogo.models.LineReader;
     import starlogo.models.ModelError;
     import starlogo.models.ModelBudget;
+    import starlogo.models.ModelFile;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
 
@@ -45,6 +46,7 @@ package starlogo.models.stl
             _bytes = bytes;
             if (bytes != null)
             {
+                ModelFile.checkSize(name, bytes);
                 bytes.endian = Endian.LITTLE_ENDIAN;
                 _count = countIn(bytes);
                 budget.require(ModelBudget.TRIANGLES, _count);

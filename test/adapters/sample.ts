@@ -1,8 +1,8 @@
 // What a game in TypeScript does with the adapter to three.js: tsc --strict has to accept it.
 import * as THREE from "three";
-import { Agent, BinCollider, Collision, GreatLand, Model, RayHit, TightestFitCollider, Vector3D } from "starlogo-collision";
-import { bindInstance, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeAgentBinding, ThreeWireframe } from "starlogo-collision/three";
-import type { BindingOptions, ModelOptions, TerrainOptions, Up, WireframeOptions } from "starlogo-collision/three";
+import { Agent, AgentQueries, BinCollider, Collision, GreatLand, Model, RayHit, TightestFitCollider, Vector3D } from "starlogo-collision";
+import { bindInstance, levelFromObject, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeAgentBinding, ThreeWireframe, toEngine, toScene } from "starlogo-collision/three";
+import type { BindingOptions, LevelOptions, ModelOptions, TerrainOptions, Up, WireframeOptions } from "starlogo-collision/three";
 
 const up: Up = "z";
 const reading: ModelOptions = { up, scaling: Model.AS_GIVEN };
@@ -47,3 +47,12 @@ const ground: TerrainOptions = { up };
 const surface: TerrainGeometry = new TerrainGeometry(terrainFromMesh(mesh, 3, 3, 1, 0, 0, ground), ground);
 const followed: boolean = new TerrainGeometry(terrainFromMesh(mesh.geometry, 3, 3)).update();
 scene.add(new THREE.Mesh(surface).translateX(followed ? surface.terrain.columns : 0));
+
+const level: LevelOptions = { up };
+greatLand.addModel(levelFromObject("level", scene, level));
+const camera = new THREE.PerspectiveCamera();
+const queries = new AgentQueries(collision);
+const hit: RayHit | null = queries.cast(toEngine(camera.position), toEngine(camera.getWorldDirection(new THREE.Vector3())));
+const mark: THREE.Vector3 = toScene(hit === null ? new Vector3D() : hit.point);
+toEngine(mark, mark);
+toScene(toEngine(mark), mesh.position).applyMatrix4(scene.matrix);

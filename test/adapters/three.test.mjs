@@ -35,8 +35,8 @@ function differenceOf(found, { corners, flips }) {
 // the random ones are different with each version
 for (const [number, { version, folder, THREE, engine, adapter }] of all.entries()) {
 	const [sceneCount, pickCount] = [SCENES, PICKS].map(({ first, others }) => (number === 0 ? first : others));
-	const { Agent, Model, Terrain } = engine;
-	const { ThreeAgentBinding, bindInstance, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeWireframe } = adapter;
+	const { Agent, Model, Terrain, Vector3D } = engine;
+	const { ThreeAgentBinding, bindInstance, levelFromObject, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeWireframe, toEngine, toScene } = adapter;
 
 	test(`three ${version}: what is drawn in ${sceneCount} random scenes is where the engine has it, whichever of the two leads`, () => {
 		const scenes = new Scenes(THREE, 25 + number);
@@ -99,6 +99,49 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		}
 		const upright = modelFromObject("box", new THREE.BoxGeometry(2, 4, 1));
 		assert.deepEqual([Math.max(...upright.vertices), upright.source.unit], [2, 2]);
+	});
+
+	test(`three ${version}: a level collides where it is drawn, without a binding`, () => {
+		const trees = new Scenes(THREE, 43);
+		const land = new THREE.Scene();
+		let [most, triangles, placed] = [0, 0, 0];
+		for (let i = 0; i < 30; i++) {
+			const source = trees.tree();
+			const up = trees.dice.isLuckyIn(2) ? "y" : "z";
+			trees.place(source);
+			land.add(source);
+			const truth = drawnCorners(THREE, source);
+			if (truth.flips.length === 0) continue;
+			most = Math.max(most, differenceOf(cornersOf(levelFromObject("level", source, { up }), new Agent("level"), up), truth));
+			triangles += truth.flips.length;
+			placed += source.position.length() > 0.1 ? 1 : 0;
+			land.remove(source);
+		}
+		assert.ok(most <= 1e-12, `${most}`);
+		assert.ok(triangles > 600 && placed > 10, `${triangles} triangles, ${placed} placed`);
+		assert.throws(() => levelFromObject("level", {}), /expected an Object3D/);
+		assert.throws(() => levelFromObject("level", new THREE.BoxGeometry(), { up: "x" }), /up must be/);
+	});
+
+	test(`three ${version}: points of a scene become the engine's, and the other way round`, () => {
+		const { dice: chance } = new Scenes(THREE, 44);
+		const agent = new Agent("any");
+		const object = new THREE.Object3D();
+		const binding = new ThreeAgentBinding(agent, object);
+		for (let i = 0; i < 20; i++) {
+			object.position.set(chance.number(-5, 5), chance.number(-5, 5), chance.number(-5, 5));
+			binding.updateAgent();
+			const point = toEngine(object.position);
+			assert.ok(point instanceof Vector3D);
+			assert.deepEqual([point.x, point.y, point.z], [agent.x, agent.y, agent.z]);
+			const back = toScene(agent);
+			assert.ok(back instanceof THREE.Vector3 && back.equals(object.position));
+			assert.equal(toScene(point, point), point);
+			assert.deepEqual([point.x, point.y, point.z], object.position.toArray());
+		}
+		assert.ok(Object.is(toEngine(new THREE.Vector3()).y, 0));
+		assert.throws(() => toEngine(null), /x, y and z must be numbers, as a Vector3 has them, not null/);
+		assert.throws(() => toScene({ x: 1, y: "2", z: 3 }), /must be numbers.*not Object/);
 	});
 
 	test(`three ${version}: a terrain is drawn where it is, as slopes and as blocks, and again when it has changed`, () => {

@@ -8,14 +8,20 @@ export const Group = THREE.Group;
 export const Mesh = THREE.Mesh;
 export const MeshStandardMaterial = THREE.MeshStandardMaterial;
 export const hills = new THREE.Mesh(new THREE.PlaneGeometry(80, 80).rotateX(-Math.PI / 2));
+export const Vector3 = THREE.Vector3;
 export const scene = new THREE.Scene();
+export const levelScene = new THREE.Mesh(new THREE.BoxGeometry(40, 1, 40).translate(0, -0.5, 0));
+export const camera = new THREE.PerspectiveCamera();
+camera.position.set(3, 6, 4);
+camera.lookAt(5, 0, 7);
+export const mark = new THREE.Object3D();
 export const gltf = { scene: new THREE.Group() };
 const body = new THREE.Mesh(new THREE.CapsuleGeometry(3, 10));
 body.position.y = 8;
 gltf.scene.add(body);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -27,6 +33,8 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	standing.updateObject();
 	assert.ok(Math.abs(drawn.rotation.x - Math.PI / 2) < 1e-6);
 	assert.equal(other.x, 0.5);
+	assert.equal(hit.agent, level);
+	assert.ok(mark.position.distanceTo(new THREE.Vector3(5, 0, 7)) < 1e-9);
 	assert.equal(collision.terrain, terrain);
 	assert.ok(terrain.heightAt(3, 4) > 1.99 && Math.abs(ground.boundingBox.max.y - terrain.heightAt(3, 4)) < 1e-6);
 }

@@ -1,5 +1,5 @@
 import { Quaternion, Vector3 } from "three";
-import { ArgumentError } from "starlogo-collision";
+import { ArgumentError, Vector3D } from "starlogo-collision";
 
 /** Whether y is up. The only other axis is z. */
 export function isYUp(up) {
@@ -10,6 +10,30 @@ export function isYUp(up) {
 /** The text for a value in an error. */
 export function textOf(value) {
 	return typeof value === "string" ? `"${value}"` : typeof value === "object" && value !== null ? `${value.constructor?.name ?? "object"}` : String(value);
+}
+
+/** A point or direction of a scene with y up, in the engine's axes. */
+export function toEngine(vector, out = null) {
+	const { x, y, z } = checked(vector);
+	return put(out ?? new Vector3D(), x, -z, y);
+}
+
+/** A point or direction of the engine, in the axes of a scene with y up. */
+export function toScene(vector, out = null) {
+	const { x, y, z } = checked(vector);
+	return put(out ?? new Vector3(), x, z, -y);
+}
+
+function checked(vector) {
+	if (typeof vector?.x !== "number" || typeof vector.y !== "number" || typeof vector.z !== "number") {
+		throw new ArgumentError(`x, y and z must be numbers, as a Vector3 has them, not ${textOf(vector)}`);
+	}
+	return vector;
+}
+
+// not -0, which prints differently
+function put(out, x, y, z) {
+	return Object.assign(out, { x: x + 0, y: y + 0, z: z + 0 });
 }
 
 const turn = [0, 0, 0, 1];

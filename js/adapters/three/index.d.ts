@@ -1,8 +1,29 @@
-import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Object3D } from "three";
-import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, Point, RayHit, Scaling, Terrain } from "starlogo-collision";
+import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Object3D, Vector3 } from "three";
+import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, Point, PointTaker, RayHit, Scaling, Terrain, Vector3D } from "starlogo-collision";
 
 /** The axis that points up. With y up, a scene's (x, y, z) is the engine's (x, -z, y). With z up, both have the same axes. */
 export type Up = "y" | "z";
+
+/**
+ * A point or direction of a scene with y up, in the engine's axes: (x, y, z) becomes (x, -z, y). In a scene with z up nothing has to be done.
+ *
+ * @param vector the point or direction, for example a camera's position
+ * @param out takes the result; it may be the argument itself. Without it, a new Vector3D does
+ * @returns out
+ * @throws ArgumentError if x, y or z is missing or no number
+ */
+export function toEngine<P extends PointTaker = Vector3D>(vector: Point, out?: P | null): P;
+
+/**
+ * A point or direction of the engine, in the axes of a scene with y up: (x, y, z) becomes (x, z, -y). In a scene with z up nothing has to be
+ * done.
+ *
+ * @param vector the point or direction, for example a hit's normal
+ * @param out takes the result; it may be the argument itself. Without it, a new Vector3 does
+ * @returns out
+ * @throws ArgumentError if x, y or z is missing or no number
+ */
+export function toScene<P extends PointTaker = Vector3>(vector: Point, out?: P | null): P;
 
 /** Options of modelFromObject. */
 export interface ModelOptions {
@@ -53,6 +74,27 @@ export interface WireframeOptions {
  * @throws ArgumentError if up is neither "y" nor "z"
  */
 export function modelFromObject(name: string, source: Object3D | BufferGeometry, options?: ModelOptions): Model;
+
+/** Options of levelFromObject. */
+export interface LevelOptions {
+    /** The up axis of the land. The default is "y". */
+    up?: Up;
+}
+
+/**
+ * Makes a model of a level: of an object that stands still in the land, and of everything below it. All meshes become one model, and one unit
+ * of the land is a patch. An agent of this shape that is at the origin, with size 1 and not turned, collides where the level is drawn. It
+ * needs no binding.
+ *
+ * The object's parent must be the land: the object's own transform counts here. Otherwise the same meshes count as in modelFromObject.
+ *
+ * @param name what the level's agent calls the shape, not empty
+ * @param object an object or a geometry; only its world matrices are updated
+ * @param options the up axis
+ * @throws ModelError as modelFromObject
+ * @throws ArgumentError if up is neither "y" nor "z"
+ */
+export function levelFromObject(name: string, object: Object3D | BufferGeometry, options?: LevelOptions): Model;
 
 /**
  * Keeps an agent and its three.js object in the same place: position, rotation and size. So the player sees what collides.

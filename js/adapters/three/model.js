@@ -15,7 +15,21 @@ export const upOf = (model) => axes.get(model);
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
 export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT } = {}) {
-	const { vertices, triangles } = surfaceOf(name, source, up);
+	return modelOf(name, surfaceOf(name, source, up), up, scaling);
+}
+
+/**
+ * A model of a level that is drawn in the land: one unit of the land is a patch, and an agent at the origin collides where the level is drawn.
+ *
+ * @param {string} name what the level's agent calls the shape
+ * @param {object} object an Object3D, whose parent is the land, or a BufferGeometry
+ * @param {{up?: "y" | "z"}} options the up axis of the land
+ */
+export function levelFromObject(name, object, { up = "y" } = {}) {
+	return modelOf(name, surfaceOf(name, object, up, true), up, Model.AS_GIVEN);
+}
+
+function modelOf(name, { vertices, triangles }, up, scaling) {
 	const model = new Model(name, vertices, triangles, scaling);
 	axes.set(model, up);
 	return model;

@@ -89,8 +89,9 @@ package starlogo.broadphase
         public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
             pairCount = 0;
-            var counters:int = layOut(extents, rows, count);
-            countCells(extents, rows, count);
+            countMembers(extents, rows, count);
+            var counters:int = layOut(count);
+            entryCount = countCells(extents, rows, count);
             var slots:int = sumUp(counters);
             if (slots > rowAt.length)
             {
@@ -98,6 +99,7 @@ package starlogo.broadphase
                 x.length = y.length = z.length = radius.length = slots;
             }
             sortByCells(rows, count);
+            copyFirstCells();
             gather(extents, slots);
             for (var i:int = 0; i < levels.byWidth.length; i++)
             {
@@ -110,15 +112,15 @@ package starlogo.broadphase
                 {
                     if (levels.byWidth[coarser].count > 0)
                     {
-                        collideLevels(level, levels.byWidth[coarser], sink);
+                        pairCount += collideLevels(level, levels.byWidth[coarser], sink);
                     }
                 }
-                collideLevel(level, sink);
+                pairCount += collideLevel(level, sink);
             }
         }
 
-        // Counts the members of each level, and assigns counters to the levels. Returns the number of counters.
-        private function layOut(extents:Extents, rows:Vector.<int>, count:int):int
+        // Counts the members of each level.
+        private function countMembers(extents:Extents, rows:Vector.<int>, count:int):void
         {
             var allLevels:Vector.<BinLevel> = levels.byNumber;
             var numbers:Vector.<int> = extents.level;
@@ -126,12 +128,19 @@ package starlogo.broadphase
             {
                 allLevels[i].count = 0;
             }
+            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
+            // the optimised method in every frame.
             for (i = 0; i < count; i++)
             {
                 allLevels[numbers[rows[i]]].count++;
             }
+        }
+
+        // Assigns counters to the levels. Returns the number of counters.
+        private function layOut(count:int):int
+        {
             var counters:int = 0;
-            for (i = 0; i < levels.byWidth.length; i++)
+            for (var i:int = 0; i < levels.byWidth.length; i++)
             {
                 if (levels.byWidth[i].count > 0)
                 {
@@ -150,8 +159,8 @@ package starlogo.broadphase
             return counters;
         }
 
-        // Finds each member's cell. Counts the members of the cells, and the entries in the thesis's bins.
-        private function countCells(extents:Extents, rows:Vector.<int>, count:int):void
+        // Finds each member's cell. Counts the members of the cells. Returns the number of entries in the thesis's bins.
+        private function countCells(extents:Extents, rows:Vector.<int>, count:int):int
         {
             var xs:Vector.<Number> = extents.x;
             var ys:Vector.<Number> = extents.y;
@@ -199,7 +208,7 @@ package starlogo.broadphase
                 cells[i] = cell;
                 counts[cell]++;
             }
-            entryCount = entries;
+            return entries;
         }
 
         // Computes the slot where each cell begins, and stores it one place further on. When the cell is filled, that is the slot where it
@@ -231,16 +240,21 @@ package starlogo.broadphase
                 toRow[slot] = rows[i];
                 ends[next] = slot + 1;
             }
-            for (i = 0; i < levels.byWidth.length; i++)
+        }
+
+        // Lists the members of the first cells of each level after its last cell once more.
+        private function copyFirstCells():void
+        {
+            for (var i:int = 0; i < levels.byWidth.length; i++)
             {
                 if (levels.byWidth[i].count > 0)
                 {
-                    copyFirstCells(levels.byWidth[i]);
+                    copyFirstCellsOf(levels.byWidth[i]);
                 }
             }
         }
 
-        private function copyFirstCells(level:BinLevel):void
+        private function copyFirstCellsOf(level:BinLevel):void
         {
             var from:int = _ends[level.base];
             var copies:int = level.base + level.mask + 1;
@@ -277,9 +291,9 @@ package starlogo.broadphase
             }
         }
 
-        // The pairs of members of one level. This and the next function are the inner loops of every frame. So all numbers are in locals,
-        // each if compares once, and only the sink is called.
-        private function collideLevel(level:BinLevel, sink:PairSink):void
+        // The pairs of members of one level. Returns their number. This and the next function are the inner loops of every frame. So all
+        // numbers are in locals, each if compares once, and only the sink is called.
+        private function collideLevel(level:BinLevel, sink:PairSink):int
         {
             var xs:Vector.<Number> = x;
             var ys:Vector.<Number> = y;
@@ -346,11 +360,11 @@ package starlogo.broadphase
                     }
                 }
             }
-            pairCount += pairs;
+            return pairs;
         }
 
         // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three rows.
-        private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):void
+        private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):int
         {
             var xs:Vector.<Number> = x;
             var ys:Vector.<Number> = y;
@@ -398,7 +412,7 @@ package starlogo.broadphase
                     sink.onCandidates(slot, candidates, candidateCount);
                 }
             }
-            pairCount += pairs;
+            return pairs;
         }
     }
 }

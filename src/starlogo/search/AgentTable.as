@@ -20,6 +20,9 @@ package starlogo.search
      */
     public final class AgentTable extends ShapedRows
     {
+        // In place of a number of changed rows: the rows belong to other agents.
+        private static const OTHERS:int = -1;
+
         // The rows of the agents, in the order of the list.
         engine var rows:Vector.<int>;
 
@@ -92,13 +95,15 @@ package starlogo.search
         public function read(list:Vector.<Agent>):void
         {
             forgetReplaced();
-            if (count != list.length || !readPositions(list))
+            changedCount = count == list.length ? readPositions(list) : OTHERS;
+            if (changedCount == OTHERS)
             {
                 _list.read(list);
                 addRows();
-                readPositions(list);
+                changedCount = readPositions(list);
             }
             findShapes();
+            takeShapes();
             takePositions();
             if (_freedList != _list.number)
             {
@@ -106,6 +111,7 @@ package starlogo.search
                 _freedList = _list.number;
             }
             moveAllExtents();
+            fitChanged();
         }
 
         /**
@@ -147,6 +153,7 @@ package starlogo.search
                 changed[0] = row;
                 changedCount = 1;
                 findShapes();
+                takeShapes();
             }
             revisions[row] = agent.revision;
             x[row] = agent.placement.x;
@@ -283,9 +290,9 @@ package starlogo.search
             }
         }
 
-        // Reads the places of the agents, and lists the rows with changes in more than the place. Returns false if the rows do not belong to the
-        // agents.
-        private function readPositions(list:Vector.<Agent>):Boolean
+        // Reads the places of the agents, and lists the rows with changes in more than the place. Returns the number of these rows, or OTHERS if
+        // the rows do not belong to the agents.
+        private function readPositions(list:Vector.<Agent>):int
         {
             var listed:Vector.<Agent> = agents;
             var listedRows:Vector.<int> = rows;
@@ -302,7 +309,7 @@ package starlogo.search
                 var agent:Agent = list[i];
                 if (listed[row] !== agent)
                 {
-                    return false;
+                    return OTHERS;
                 }
                 var placement:Placement = agent.placement;
                 if (placement.extentsRevision != knownRevisions[row])
@@ -315,8 +322,7 @@ package starlogo.search
                 readY[row] = placement.y;
                 readZ[row] = placement.z;
             }
-            changedCount = found;
-            return true;
+            return found;
         }
 
         private function moveAllExtents():void
@@ -347,7 +353,12 @@ package starlogo.search
                     fit(row);
                 }
             }
-            for (i = 0; i < changedCount; i++)
+        }
+
+        // Finds the levels of rows whose extents have changed.
+        private function fitChanged():void
+        {
+            for (var i:int = 0; i < changedCount; i++)
             {
                 fit(changed[i]);
             }

@@ -259,8 +259,7 @@ package starlogo.search
             extents.z[row] = z[row] + offsetZ[row];
         }
 
-        // Finds the shapes of agents that have changed, and then their extents. All shapes are found before any row changes, because an error
-        // must change no row.
+        // Finds the shapes of agents that have changed. All shapes are found before any row changes, because an error must change no row.
         protected function findShapes():void
         {
             if (changedCount > _changedShapes.length)
@@ -275,10 +274,15 @@ package starlogo.search
                     _changedShapes[i] = modelShapes.shapeOf(agents[row]);
                 }
             }
+        }
+
+        // Gives the changed rows the shapes that findShapes has found, and finds their extents.
+        protected function takeShapes():void
+        {
             loadingCount = 0;
-            for (i = 0; i < changedCount; i++)
+            for (var i:int = 0; i < changedCount; i++)
             {
-                row = changed[i];
+                var row:int = changed[i];
                 if (needsShape(row))
                 {
                     setShape(row, _changedShapes[i]);

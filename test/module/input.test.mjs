@@ -12,7 +12,7 @@ const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 const {
-	Agent, AgentFilter, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, Sphere,
+	Agent, AgentFilter, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, Sphere,
 	TightestFitCollider, Vector3D, sphereSphere,
 } = engine;
 
@@ -80,6 +80,8 @@ test("levels and depths are whole numbers", () => {
 	}
 	refused(() => (agent.traversalDepth = -1), "traversalDepth", "-1");
 	refused(() => (agent.traversalDepth = 2 ** 31), "traversalDepth must be a whole number in the range of 32 bits", "2147483648");
+	// in a constructor the object is not whole yet
+	for (const capacity of [1.5, NaN]) refused(() => new FrameTimes(capacity), "new FrameTimes: capacity must be a whole number", String(capacity));
 });
 
 test("what is true or false is a Boolean", () => {

@@ -106,6 +106,12 @@ const FOUND = {
 	"a ground's contact leads over no wall": [["ground",6,3,true,1,-2,0,"corner",755088],
 	["add",0,2.0301963353995234,0,1.4340723510831594],
 	["stand",47,0.3828770244494081,0.6003139734268188,0.3]],
+	"a cast names the first in the list of those that it is deep in, whichever was found to be deep first": [["add",-1.3276474352460355,1,0.25,0.5],
+	["tiles",-2,-2,0,0.1,455],
+	["system",2,true,7],
+	["add",0.5,1.6341858555097133,-0.9805369126843289,1],
+	["tiles",0,0,0,1,440],
+	["ask",14,13,2.3558986373245716,101.1208116542548]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

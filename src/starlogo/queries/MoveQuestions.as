@@ -33,6 +33,10 @@ package starlogo.queries
         private var _spare:Vector.<ShapeHit> = new Vector.<ShapeHit>();
         private var _single:Vector.<Agent> = new <Agent>[null];
 
+        // The first contact on the way, and the place where it stops the row.
+        private var _first:ContactPoint = new ContactPoint();
+        private var _firstAt:Vector3D = new Vector3D();
+
         // The rows near the way, all with the distance 0. Then the rows that a cast meets, with their times.
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
@@ -56,7 +60,14 @@ package starlogo.queries
             // an agent that slides may go anywhere within the length of its way
             var reach:Number = ending == Mover.SLIDE ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 0;
             var row:int = begin(agent, null, dx, dy, dz, filter, reach);
-            mover.move(_seen.table, row, agents, way, ending);
+            if (ending == Mover.SLIDE)
+            {
+                mover.move(_seen.table, row, agents, way, ending);
+            }
+            else
+            {
+                findFirst(row, ending);
+            }
             _seen.table.endGuests();
             if (contact != null)
             {
@@ -88,7 +99,7 @@ package starlogo.queries
         public function cast(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             var row:int = begin(agent, structure, dx, dy, dz, filter);
-            mover.move(_seen.table, row, agents, way, Mover.SHORT);
+            findFirst(row, Mover.SHORT);
             _seen.table.endGuests();
             return mover.hasContact ? write(hit || new ShapeHit()) : null;
         }
@@ -164,6 +175,38 @@ package starlogo.queries
                 mover = new Mover(_seen.pairs);
             }
             return _seen.rowOfEither(agent, structure);
+        }
+
+        // Finds the agent that stops the row first, each as if the others were not there. If several stop it at the same time, it is the first of
+        // them in the list.
+        private function findFirst(row:int, ending:int):void
+        {
+            var first:int = -1;
+            var part:Number = 1;
+            if (agents.length == 0)
+            {
+                mover.move(_seen.table, row, agents, way, ending);
+            }
+            for (var i:int = 0; i < agents.length && (first < 0 || part > 0); i++)
+            {
+                _single[0] = agents[i];
+                mover.move(_seen.table, row, _single, way, ending);
+                if (mover.hasContact && (first < 0 || mover.part < part))
+                {
+                    first = mover.contactRow;
+                    part = mover.part;
+                    _first.copyFrom(mover.contact);
+                    _firstAt.copyFrom(mover.at);
+                }
+            }
+            if (first >= 0)
+            {
+                mover.hasContact = true;
+                mover.contactRow = first;
+                mover.part = part;
+                mover.contact.copyFrom(_first);
+                mover.at.copyFrom(_firstAt);
+            }
         }
 
         private function findNear():void

@@ -102,7 +102,8 @@ package starlogo.queries
                     assertEquals(name + ": time", part, hit.time);
                     assertTrue(name + ": point and normal", hit.point.equals(contact.point) && hit.normal.equals(contact.normal));
                     assertTrue(name + ": approach", Math.abs(contact.approachSpeed + Math.min(0, way.dotProduct(contact.normal))) < 1e-12);
-                    assertTrue(name + ": the first of all, " + hits[0].time + " and " + part, Math.abs(hits[0].time - part) < 1e-6);
+                    assertEquals(name + ": the first of all", hits[0].time, part);
+                    assertStrictlyEquals(name + ": the first of all", hits[0].agent, hit.agent);
                 }
             }
             assertTrue(stopped + " stopped, " + free + " free, " + several, stopped > 100 && free > 60 && several > 60);

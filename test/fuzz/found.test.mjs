@@ -4,6 +4,11 @@ import test from "node:test";
 import { problemOf } from "./game.mjs";
 
 const FOUND = {
+	"a slide deep in the side of the ground goes as far as it says": [["system",2,false,7],
+	["add",-2.498681606957689,0,-0.32721844560001045,1],
+	["add",0.9795317915268242,2.45606095995754,0.01275511342100799,1],
+	["ground",4,3,false,1,0,-3,"corner",125938],
+	["walk",64,1,-1,-1,0,-0.25,0,true]],
 	"an agent that grazes another touches it at one place of its way alone": [["add",-2.325965715572238,-1,0.8057874231599271,1],
 	["add",-2.3952421301510185,1.3463306601624936,-0.2476037893211469,0.5],
 	["add",-0.9266306005883962,1.677640212001279,-0.5608448694692925,0.5],

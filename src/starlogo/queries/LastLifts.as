@@ -4,7 +4,7 @@ package starlogo.queries
     import starlogo.intersection.contact.ContactPoint;
 
     /**
-     * Lifts a row half a hair off the rows that it only touches at the end of a motion. In a hollow, a lift off one side leads a part of the way
+     * Lifts a row a gap off the rows that it only touches at the end of a motion. In a hollow, a lift off one side leads a part of the way
      * into another, so this takes several rounds.
      *
      * @private
@@ -13,8 +13,8 @@ package starlogo.queries
     {
         private static const ROUNDS:int = 30;
 
-        // If a row only touches another, it is never this many hairs deep in it.
-        private static const MOST_HAIRS:Number = 20;
+        // If a row only touches another, it is never this many slops deep in it.
+        private static const MOST_SLOPS:Number = 2;
 
         // Two normals are the same if the cosine of the angle between them is greater than this, and opposite if it is less than the negative.
         private static const SAME:Number = 0.999;
@@ -34,18 +34,17 @@ package starlogo.queries
         /**
          * Lifts a row. If that does not free it, for example between two opposite walls, it stays.
          *
-         * @param sweep has the row, and the rows that it has touched
+         * @param sweep has the row
          * @param at the row's place, which changes
          * @param others the rows that it may touch
          * @param count the number of the others
-         * @param all whether it may touch any of them, and not only those of the last motion
          */
-        public function leave(sweep:NarrowSweep, at:Vector3D, others:Vector.<int>, count:int, all:Boolean):void
+        public function leave(sweep:CoreSweep, at:Vector3D, others:Vector.<int>, count:int):void
         {
             _before.copyFrom(at);
             _last.setNormal(0, 0, 0);
             _isBetween = false;
-            var isFree:Boolean = !all && lift(sweep, at, sweep.touched, sweep.touchedCount);
+            var isFree:Boolean = false;
             for (var round:int = 0; !isFree && !_isBetween && round < ROUNDS; round++)
             {
                 isFree = lift(sweep, at, others, count);
@@ -57,12 +56,12 @@ package starlogo.queries
         }
 
         // Lifts the row off some rows. Returns whether it touched none of them.
-        private function lift(sweep:NarrowSweep, at:Vector3D, rows:Vector.<int>, count:int):Boolean
+        private function lift(sweep:CoreSweep, at:Vector3D, rows:Vector.<int>, count:int):Boolean
         {
             var isFree:Boolean = true;
             for (var i:int = 0; i < count; i++)
             {
-                if (sweep.touchesAt(rows[i], at))
+                if (sweep.isNearAt(rows[i], at) && sweep.touchesAt(rows[i], at))
                 {
                     isFree = false;
                     sweep.findContact(rows[i], at, _contact);
@@ -74,7 +73,7 @@ package starlogo.queries
                         sweep.findContact(rows[i], at, _contact, true);
                     }
                     _last.copyFrom(_contact);
-                    _contact.push(at, Math.min(_contact.depth, MOST_HAIRS * sweep.hair) + sweep.hair / 2);
+                    _contact.push(at, Math.min(_contact.depth, MOST_SLOPS * sweep.slop) + sweep.gap);
                 }
             }
             return isFree;

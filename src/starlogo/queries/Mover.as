@@ -12,7 +12,7 @@ package starlogo.queries
 
     /**
      * Moves a row of a table among others, until it touches one of them, or along the rows that it touches. A row that it would go into stops
-     * it. A row that it only touches, leaves or runs along never stops it (NarrowSweep).
+     * it. A row that it only touches, leaves or runs along never stops it, because the core of the row is swept (CoreSweep).
      *
      * <p>At the beginning the row may overlap others a little, because of rounding in the game. Then it is lifted out of them first. If it
      * overlaps another row more deeply, the plane of their contact stands for that row. The motion must not cross the plane, and nothing else of
@@ -25,7 +25,7 @@ package starlogo.queries
         /** An ending of a motion: the row touches the other row. */
         public static const TOUCH:int = 0;
 
-        /** An ending: half a hair before the touch. */
+        /** An ending: a gap before the touch. */
         public static const SHORT:int = 1;
 
         /** An ending: the row slides along what it meets. */
@@ -35,12 +35,17 @@ package starlogo.queries
         // the ground.
         private static const STEPS_INTO_TOUCH:int = 64;
 
-        // A distance, as a fraction of the larger extent. If the next row is met within it, this is the same corner. If a contact at an
-        // edge does not show what stops the motion, the contact this distance farther along the way is used.
-        private static const NEXT:Number = 1e-4;
+        // If the next row is met within this many slops, this is the same corner.
+        private static const NEXT:Number = 4;
+
+        // A contact is upright if the horizontal part of its normal is shorter than the square root of this. The rest is a rounding error.
+        private static const UPRIGHT:Number = 1e-20;
 
         // Between two walls the row may be lifted to and fro. After this many rounds it stays where it is.
         private static const LIFTING_ROUNDS:int = 6;
+
+        // From this round on the contact has to separate the two rows. Contacts of parts of a row may point sideways, round after round.
+        private static const SURE_ROUND:int = 2;
 
         // A motion ends after this many turns.
         private static const MOST_TURNS:int = 8;
@@ -78,7 +83,7 @@ package starlogo.queries
         /** The place of the row's agent at the end. */
         public var at:Vector3D = new Vector3D();
 
-        private var _sweep:NarrowSweep;
+        private var _sweep:CoreSweep;
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _lifts:LastLifts = new LastLifts();
         private var _others:Vector.<int> = new Vector.<int>();
@@ -93,16 +98,13 @@ package starlogo.queries
         // How far the rest of the motion goes along the contact's normal, which is less than 0.
         private var _along:Number = 0;
 
-        // Whether each contact's normal is taken a little farther along the way.
-        private var _isCareful:Boolean = false;
-
         private var _standing:ContactPoint = new ContactPoint();
 
         /** @param pairs tests which rows touch */
         public function Mover(pairs:RowPairs)
         {
             this.pairs = pairs;
-            _sweep = new NarrowSweep(pairs);
+            _sweep = new CoreSweep(pairs);
         }
 
         /**
@@ -118,9 +120,9 @@ package starlogo.queries
         {
             begin(table, row, others);
             go(motion, ending);
-            if (ending == SLIDE)
+            if (ending == SLIDE && !_sweep.isClear)
             {
-                leaveTouches(false);
+                leaveTouches();
             }
             end();
         }
@@ -138,6 +140,7 @@ package starlogo.queries
                 if (table.shapes[other] != null)
                 {
                     _others[_all] = other;
+                    _sweep.addOther(other);
                     _all++;
                 }
             }
@@ -160,7 +163,7 @@ package starlogo.queries
         public function go(motion:Vector3D, ending:int, steepest:Number = -2, widest:Number = Infinity, steepness:Number = -1):void
         {
             _rest.begin(motion, widest, steepness);
-            hasContact = metWall = isDeep = _isCareful = false;
+            hasContact = metWall = isDeep = false;
             contact.setNormal(0, 0, 0);
             part = 1;
             _sweep.beginMotion(at, motion);
@@ -184,35 +187,39 @@ package starlogo.queries
             }
         }
 
-        // Lifts the row out of rows that it overlaps a little at its place.
+        // Lifts the row out of rows that it overlaps a little at its place. If that does not free it, it is back at its place in the last round.
         private function liftOut():void
         {
             var isFree:Boolean = false;
             for (var round:int = 0; !isFree && round <= LIFTING_ROUNDS; round++)
             {
                 isFree = true;
+                if (round == LIFTING_ROUNDS)
+                {
+                    at.copyFrom(_before);
+                }
                 for (var i:int = _count - 1; i >= 0; i--)
                 {
                     if (_sweep.meetsAt(_others[i], at))
                     {
                         isFree = false;
-                        liftOutOf(i, round < LIFTING_ROUNDS);
+                        liftOutOf(i, round);
                     }
                 }
             }
         }
 
         // If the row overlaps another more deeply, the contact's plane stands for that one.
-        private function liftOutOf(i:int, mayLift:Boolean):void
+        private function liftOutOf(i:int, round:int):void
         {
             var other:int = _others[i];
-            var isShallow:Boolean = _sweep.findContact(other, at, _standing, !mayLift);
-            if (mayLift && isShallow)
+            var isShallow:Boolean = _sweep.findContact(other, at, _standing, round >= SURE_ROUND);
+            if (isShallow && round < LIFTING_ROUNDS)
             {
-                _standing.push(at, _standing.depth + _sweep.hair / 2);
+                _standing.push(at, _standing.depth + _sweep.gap);
                 return;
             }
-            if (!_sweep.widenFor(other, at))
+            if (!_sweep.narrowFor(other, at) && _sweep.overlapsAt(other, at))
             {
                 _rest.add(_standing, other);
                 _count--;
@@ -237,67 +244,62 @@ package starlogo.queries
             }
             else if (findFirst())
             {
-                var time:Number = _sweep.timeOfTouch(_along, contact);
+                _sweep.findWhole(contactRow, _along, contact);
                 // without the lift the row would have touched earlier
                 _lift.copyFrom(at);
                 _lift.decrementBy(_before);
-                time += contact.along(_lift) / _along;
+                var time:Number = _sweep.wholeTime + contact.along(_lift) / _along;
                 part = time > 0 ? (time < 1 ? time : 1) : 0;
-                if (-part * _along < _sweep.hair && _sweep.touchesAt(contactRow, _before))
+                if (-part * _along < _sweep.slop && _sweep.touchesAt(contactRow, _before))
                 {
                     part = 0;
                 }
                 hasContact = true;
                 contact.depth = 0;
             }
-            at.copyFrom(_before);
-            _rest.advance(at, part);
-            if (hasContact && part > 0)
+            if (!hasContact || part == 0)
             {
-                if (ending == TOUCH)
-                {
-                    endTouching();
-                }
-                else
-                {
-                    contact.push(at, _sweep.hair / 2);
-                }
+                at.copyFrom(_before);
+                _rest.advance(at, part);
+            }
+            else if (ending == TOUCH)
+            {
+                endTouching();
+            }
+            else
+            {
+                at.copyFrom(_before);
+                _rest.advance(at, Math.max(0, part + _sweep.gap / _along));
             }
         }
 
         // Moves the row into the touch, on the side that it comes from. If it went beyond a row without thickness, the two would not touch,
-        // and it could not come back. On a long way rounding may hide the touch. Then the last hair of the way is swept again. If that
-        // finds no touch, the row ends just before it.
+        // and it could not come back. On a long way rounding may hide the touch. Then the row ends where its core touches the other.
         private function endTouching():void
         {
+            var motion:Vector3D = _rest.motion;
+            _lift.setTo(at.x + _sweep.time * motion.x, at.y + _sweep.time * motion.y, at.z + _sweep.time * motion.z);
+            at.copyFrom(_before);
+            _rest.advance(at, part);
             if (!stepIntoTouch())
             {
-                _lift.setTo(-_sweep.hair * contact.normalX, -_sweep.hair * contact.normalY, -_sweep.hair * contact.normalZ);
-                contact.push(at, _sweep.hair / 2);
-                _before.copyFrom(at);
-                _sweep.aim(at, _lift);
-                _sweep.findWhole(contactRow);
-                contact.push(at, -_sweep.wholeTime * _sweep.hair);
-                if (_sweep.wholeTime > 1 || !stepIntoTouch())
-                {
-                    at.copyFrom(_before);
-                }
+                at.copyFrom(_lift);
             }
         }
 
-        // Tries several places, from half a gap before the contact on. The gap is the distance across which the two still touch. Returns whether
+        // Tries several places, from half a margin before the contact on. The margin is the gap across which the two still touch. Returns whether
         // they touch at one of the places.
         private function stepIntoTouch():Boolean
         {
-            var gap:Number = _sweep.gapAt(at);
-            contact.push(at, gap);
+            var margin:Number = _sweep.marginAt(contactRow, at);
+            contact.push(at, margin);
             for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
             {
                 if (_sweep.touchesAt(contactRow, at))
                 {
                     return true;
                 }
-                contact.push(at, -gap);
+                contact.push(at, -margin);
             }
             return _sweep.touchesAt(contactRow, at);
         }
@@ -307,7 +309,7 @@ package starlogo.queries
             var whole:Number = _rest.length;
             var gone:Number = 0;
             floor.setNormal(0, 0, -2);
-            for (var turns:int = 0; turns < MOST_TURNS && isLeft(); turns++)
+            for (var turns:int = 0; turns < MOST_TURNS && _rest.project(); turns++)
             {
                 if (!findFirst())
                 {
@@ -317,11 +319,10 @@ package starlogo.queries
                 if (!isSoon())
                 {
                     _rest.beginCorner();
-                    _isCareful = false;
                 }
-                // The row stops half a hair away. With a whole hair it could not enter a place as wide as itself
-                gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, contact) + _sweep.hair / 2 / _along, 0));
-                if (!isMadeUp && !_isCareful && contact.normalZ > floor.normalZ)
+                _sweep.findWhole(contactRow, _along, contact);
+                gone += _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.gap / _along, 0));
+                if (!isMadeUp && contact.normalZ > floor.normalZ)
                 {
                     floor.copyFrom(contact);
                     floorRow = contactRow;
@@ -341,26 +342,12 @@ package starlogo.queries
         private function standUp():void
         {
             metWall = true;
-            if (contact.normalX != 0 || contact.normalY != 0)
+            if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > UPRIGHT)
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
                 _rest.level();
             }
-        }
-
-        // Whether any motion is left. If the planes of a corner leave none, they are found again, this time with normals taken a little farther
-        // along the way.
-        private function isLeft():Boolean
-        {
-            var isStuck:Boolean = !_rest.project();
-            if (isStuck && !_isCareful && _rest.count > _rest.corner)
-            {
-                _isCareful = true;
-                _rest.count = _rest.corner;
-                isStuck = !_rest.project();
-            }
-            return !isStuck;
         }
 
         // Removes planes that are not needed. At the edges of tiles, a contact's plane may belong to a side that the next tile hides. A plane is
@@ -379,13 +366,13 @@ package starlogo.queries
         // Whether the row that is met first is met in the same corner.
         private function isSoon():Boolean
         {
-            return _sweep.time * _rest.length < NEXT * _sweep.extent;
+            return _sweep.time * _rest.length < NEXT * _sweep.slop;
         }
 
-        /** Lifts the row off what it only touches at the end, if there is room: any row, or one that the last motion touched. */
-        public function leaveTouches(all:Boolean):void
+        /** Lifts the row off what it only touches at the end, if there is room. */
+        public function leaveTouches():void
         {
-            _lifts.leave(_sweep, at, _others, _count, all);
+            _lifts.leave(_sweep, at, _others, _count);
         }
 
         // Finds the row that the rest of the motion meets first. Returns whether there is one.
@@ -405,44 +392,15 @@ package starlogo.queries
                 return false;
             }
             contact.copyFrom(_sweep.contact);
-            isMadeUp = false;
-            _sweep.measure(contactRow);
             _along = contact.along(motion);
-            if (isAlong() || _isCareful)
+            isMadeUp = !(_along < -SlidePlanes.LEVEL * _rest.length);
+            if (isMadeUp)
             {
-                turnAgainst(_sweep.time + NEXT * _sweep.extent / _rest.length);
-            }
-            return true;
-        }
-
-        // Whether the motion runs along the contact's plane, or leaves it.
-        private function isAlong():Boolean
-        {
-            return _along >= -SlidePlanes.LEVEL * _rest.length;
-        }
-
-        // If a contact's normal does not point against the motion, this contact does not stop it. And between two edges a contact can have any
-        // normal. So this looks a little farther along the way for the contact that stops the motion.
-        private function turnAgainst(later:Number):void
-        {
-            var motion:Vector3D = _rest.motion;
-            _lift.setTo(at.x + later * motion.x, at.y + later * motion.y, at.z + later * motion.z);
-            if (_sweep.touchesAt(contactRow, _lift))
-            {
-                _sweep.findContact(contactRow, _lift, _standing);
-                if (_standing.along(motion) < -SlidePlanes.LEVEL * _rest.length)
-                {
-                    contact.copyFrom(_standing);
-                    _along = contact.along(motion);
-                }
-            }
-            if (isAlong())
-            {
-                isMadeUp = true;
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();
                 _along = -_rest.length;
             }
+            return true;
         }
     }
 }

@@ -140,7 +140,7 @@ package starlogo.queries
             y = at.y - y;
             _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (pieces * _whole)) : 1;
             stands ||= table.shapes[row] != null && fall();
-            _mover.leaveTouches(true);
+            _mover.leaveTouches();
             return stands;
         }
 

@@ -59,7 +59,7 @@ package starlogo.queries
                 }
             }
             _wrong.assertNone();
-            assertTrue(String(_falls), _falls > 50);
+            assertTrue(String(_falls), _falls > Effort.choose(50, 50, 30));
         }
 
         // Where an agent cannot go down any more it stays, to the bit, whether it stands or not.

@@ -1,0 +1,326 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.search.AgentTable;
+    import starlogo.search.ModelShape;
+    import starlogo.search.MovedRow;
+    import starlogo.search.RowPairs;
+    import starlogo.search.Separation;
+
+    use namespace engine;
+
+    /**
+     * Sweeps the core of a row of a table. The core is the row, but smaller by a slop, about the middle of its extents. What the core meets
+     * stops the row. The core does not meet what the row only touches, leaves or runs along.
+     *
+     * <p>docs/mover.md derives the quantities.</p>
+     *
+     * @private
+     */
+    public final class CoreSweep
+    {
+        // The slop has four parts: fractions of the row's extent, of the largest extent near it, of the coordinates and of the motion.
+        private static const OF_EXTENT:Number = 0.4 * Tolerances.SEPARATION;
+        private static const OF_OTHERS:Number = 0.02 * Tolerances.SEPARATION;
+        private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
+        private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
+
+        // The least half-extent of the row loses a slop, and the others lose in proportion. For a slim row, a tenth of its largest half-extent
+        // takes the place of the least one. So no half-extent loses more than ten slops. The row loses at most half of its size.
+        private static const SLIMMEST:Number = 10;
+        private static const MOST_SHARE:Number = 0.5;
+
+        // An overlap is shallow if it is at most this part of the larger extent.
+        private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
+
+        // A time after the end of the motion.
+        private static const AFTER:Number = 1 + 1e-15;
+
+        /** The width of the margin that the core does not have, in patches. */
+        public var slop:Number = 0;
+
+        /** How far before a touch a slide ends, in patches. It is less than the slop, so the row can enter a place as wide as itself. */
+        public var gap:Number = 0;
+
+        /** When the core meets the first row that was found, as a part of the motion. If none was found, it is greater than 1. */
+        public var time:Number = 0;
+
+        /** The contact at that time. */
+        public var contact:ContactPoint = new ContactPoint();
+
+        /** Whether it is known that the row, in its whole size too, touches nothing on the motion. */
+        public var isClear:Boolean = false;
+
+        /** When the row in its whole size touches the row of <code>findWhole()</code>. */
+        public var wholeTime:Number = 0;
+
+        private var _pairs:RowPairs;
+        private var _separation:Separation;
+        private var _table:AgentTable;
+        private var _row:int;
+        private var _moving:MovedRow = new MovedRow();
+        private var _standing:MovedRow = new MovedRow();
+
+        // The number of rows that may be in the way. The largest extent of the row and those near it, and the greatest size of a cell of the ground.
+        private var _count:int = 0;
+        private var _largest:Number = 0;
+        private var _cell:Number = 0;
+
+        // How much smaller the core is on each side, in patches, and the part of its size that the row loses. The width is more than a slop for a
+        // motion that begins in a shallow overlap.
+        private var _width:Number = 0;
+        private var _share:Number = 0;
+
+        // The motion, and the row's places at its beginning and at its end.
+        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _start:Vector3D = new Vector3D();
+        private var _end:Vector3D = new Vector3D();
+        private var _tried:ContactPoint = new ContactPoint();
+
+        /** @param pairs decides which rows touch */
+        public function CoreSweep(pairs:RowPairs)
+        {
+            _pairs = pairs;
+            _separation = new Separation(pairs);
+        }
+
+        /** Begins with the row that moves. Call <code>end()</code> at the end. */
+        public function begin(table:AgentTable, row:int):void
+        {
+            _table = table;
+            _row = row;
+            _moving.take(table, row);
+            _largest = 2 * _moving.largestHalf;
+            _cell = 0;
+            _count = 0;
+            isClear = false;
+        }
+
+        /** Adds a row that may be in the way. */
+        public function addOther(other:int):void
+        {
+            _count++;
+            if (_table.forms[other] == ModelShape.GROUND)
+            {
+                _cell = _table.extents.largestHalf(other);
+            }
+            else
+            {
+                _largest = Math.max(_largest, 2 * _table.extents.largestHalf(other));
+            }
+        }
+
+        /** Puts the row back to its own place, in its whole size. */
+        public function end():void
+        {
+            _standing.giveBack();
+            _moving.giveBack();
+            _table = null;
+        }
+
+        /** Computes the slop of a motion. */
+        public function beginMotion(at:Vector3D, motion:Vector3D):void
+        {
+            slop = OF_EXTENT * 2 * _moving.largestHalf + OF_OTHERS * _largest
+                + OF_PLACES * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z) + _cell)
+                + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            gap = slop / 4;
+            setWidth(slop);
+        }
+
+        /** Whether the row touches another when it stands at a place. */
+        public function touchesAt(other:int, at:Vector3D):Boolean
+        {
+            _moving.put(at, 0);
+            return isNear(other, RelativeMotion.NONE, slop) && _pairs.areTouching(_table, _row, other);
+        }
+
+        /** Whether the row may touch another when it stands at a place: whether their extents come near each other. */
+        public function isNearAt(other:int, at:Vector3D):Boolean
+        {
+            _moving.put(at, _share);
+            return isNear(other, RelativeMotion.NONE, slop + SLIMMEST * _width);
+        }
+
+        /** Whether the core touches another row when it stands at a place. */
+        public function meetsAt(other:int, at:Vector3D):Boolean
+        {
+            _moving.put(at, _share);
+            return isNear(other, RelativeMotion.NONE, slop) && _pairs.areTouching(_table, _row, other);
+        }
+
+        /**
+         * Whether the row at a place overlaps another that its core touches there. A core of a concave row may touch what is exactly between
+         * two sides of the row. Then the other row, made smaller instead, does not touch the row.
+         */
+        public function overlapsAt(other:int, at:Vector3D):Boolean
+        {
+            _standing.take(_table, other);
+            _standing.narrow(shareOf(_standing, slop));
+            var isOverlap:Boolean = touchesAt(other, at);
+            _standing.giveBack();
+            return isOverlap;
+        }
+
+        /**
+         * Makes the core narrower for this motion, by SHALLOW of the largest extent, if it does not touch another row then.
+         *
+         * @return whether it does not
+         */
+        public function narrowFor(other:int, at:Vector3D):Boolean
+        {
+            var width:Number = _width;
+            setWidth(slop + SHALLOW * _largest);
+            var isFree:Boolean = !meetsAt(other, at);
+            if (!isFree)
+            {
+                setWidth(width);
+            }
+            return isFree;
+        }
+
+        /**
+         * Finds the contact of the row at a place with another row that it touches there.
+         *
+         * @param isSure whether the contact has to separate the two rows. Otherwise, a shallow contact of two of their parts may do, because the
+         *     ground can be a floor and a wall, and the contact with one of them does not lead away from the other
+         * @return whether the contact is shallow
+         */
+        public function findContact(other:int, at:Vector3D, out:ContactPoint, isSure:Boolean = false):Boolean
+        {
+            var shallow:Number = SHALLOW * extentWith(other);
+            _moving.put(at, 0);
+            _pairs.testsOf(_table, _row, other).findContact(_table, _row, other, RelativeMotion.NONE, out);
+            if (isSure || out.depth > shallow)
+            {
+                _separation.find(_table, _row, other, RelativeMotion.NONE, out);
+            }
+            return out.depth <= shallow;
+        }
+
+        /** Sets the motion for the next tests. It forgets what was found on the way before. */
+        public function aim(at:Vector3D, motion:Vector3D):void
+        {
+            _start.copyFrom(at);
+            _end.copyFrom(at);
+            _end.incrementBy(motion);
+            _motion.endAfter(motion.x, motion.y, motion.z);
+            time = AFTER;
+            isClear = false;
+        }
+
+        /** Finds whether the core meets another row earlier than the row that was found before. If so, it writes <code>time</code> and <code>contact</code>. */
+        public function find(other:int):Boolean
+        {
+            _moving.put(_end, _share);
+            if (!isNear(other, _motion, slop) || isWholeClear(other))
+            {
+                return false;
+            }
+            var met:Number = impactOf(other, _tried);
+            if (met == RelativeMotion.NEVER && _table.forms[other] == ModelShape.GROUND)
+            {
+                // a sheet may be wholly under the ground at the beginning, and then it touches no surface
+                met = meetsAt(other, _start) ? 0 : met;
+            }
+            if (!(met < time))
+            {
+                return false;
+            }
+            time = met;
+            contact.copyFrom(_tried);
+            return true;
+        }
+
+        // Whether the row in its whole size meets nothing. For a single tree this is found first, because then the end of the motion needs no test of
+        // its own. A tree can be a whole building, in which everything happens.
+        private function isWholeClear(other:int):Boolean
+        {
+            wholeTime = NaN;
+            if (_count == 1 && _pairs.testsOf(_table, _row, other) === _pairs.trees)
+            {
+                _moving.put(_end, 0);
+                wholeTime = impactOf(other, null);
+                isClear = wholeTime == RelativeMotion.NEVER;
+                _moving.put(_end, _share);
+            }
+            return isClear;
+        }
+
+        // When the row, which stands at its end, first meets another on the motion.
+        private function impactOf(other:int, out:ContactPoint):Number
+        {
+            _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, out);
+            return _motion.time;
+        }
+
+        /**
+         * Finds when the row in its whole size first touches the row that <code>find()</code> has found. The two may touch from the beginning,
+         * for example if one agent is the floor under the row and also the wall in its way. Then the result is the time of the core, made
+         * earlier by the width of the slop at the contact.
+         *
+         * @param along how far the motion goes along the contact's normal, less than 0
+         * @param touch has that normal
+         */
+        public function findWhole(other:int, along:Number, touch:ContactPoint):void
+        {
+            var extents:Extents = _table.extents;
+            _moving.put(_end, 0);
+            var skin:Number = _share * (touch.normalX * (extents.x[_row] - (1 - time) * _motion.x - touch.x)
+                    + touch.normalY * (extents.y[_row] - (1 - time) * _motion.y - touch.y)
+                    + touch.normalZ * (extents.z[_row] - (1 - time) * _motion.z - touch.z));
+            var early:Number = Math.max(0, Math.min(1, time + skin / along));
+            if (isNaN(wholeTime))
+            {
+                wholeTime = impactOf(other, null);
+            }
+            wholeTime = Math.abs(wholeTime - early) <= Math.abs(time - early) ? wholeTime : early;
+        }
+
+        /** Half of the gap across which the row and another still touch, at a place. It does not apply to spheres and points. */
+        public function marginAt(other:int, at:Vector3D):Number
+        {
+            return Tolerances.SURFACES / 4 * extentWith(other) + Tolerances.PLACES / 2 * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
+        }
+
+        // The larger extent of the row and another. The ground's extents are those of a cell, and do not count.
+        private function extentWith(other:int):Number
+        {
+            var largest:Number = _table.forms[other] == ModelShape.GROUND ? 0 : _table.extents.largestHalf(other);
+            return 2 * Math.max(largest, _moving.largestHalf);
+        }
+
+        // Whether the extents of the row come this close to another's, anywhere on a motion that ends at the row's place in the table.
+        private function isNear(other:int, motion:RelativeMotion, distance:Number):Boolean
+        {
+            if (_table.forms[other] == ModelShape.GROUND)
+            {
+                return true;
+            }
+            var extents:Extents = _table.extents;
+            var x:Number = motion.x / 2;
+            var y:Number = motion.y / 2;
+            var z:Number = motion.z / 2;
+            return Math.abs(extents.x[_row] - x - extents.x[other]) <= extents.halfX[_row] + extents.halfX[other] + Math.abs(x) + distance
+                && Math.abs(extents.y[_row] - y - extents.y[other]) <= extents.halfY[_row] + extents.halfY[other] + Math.abs(y) + distance
+                && Math.abs(extents.z[_row] - z - extents.z[other]) <= extents.halfZ[_row] + extents.halfZ[other] + Math.abs(z) + distance;
+        }
+
+        private function setWidth(width:Number):void
+        {
+            _width = width;
+            _share = shareOf(_moving, width);
+        }
+
+        private static function shareOf(row:MovedRow, width:Number):Number
+        {
+            var share:Number = width / Math.max(row.leastHalf, row.largestHalf / SLIMMEST);
+            return share < MOST_SHARE ? share : MOST_SHARE;
+        }
+    }
+}

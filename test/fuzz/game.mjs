@@ -171,7 +171,6 @@ class Game {
 		this.isReset = false;
 		const isKnown = this.known();
 		this.frameSystem = this.collision.collisionSystem;
-		this.frameGrounds = this.groundChanges;
 		this.contacts = isKnown ? this.findContacts() : new Map();
 		const before = JSON.stringify(this.traits());
 		let problem = null;

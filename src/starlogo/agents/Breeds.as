@@ -24,11 +24,6 @@ package starlogo.agents
         private static var sOrder:Vector.<int> = new <int>[1, 0];
         private static var sLast:int = 0;
 
-        /** Has only static members. */
-        public function Breeds()
-        {
-        }
-
         /** The number of names so far. */
         public static function get count():int
         {

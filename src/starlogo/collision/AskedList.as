@@ -11,11 +11,6 @@ package starlogo.collision
 
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
-        /** Begins without a list. */
-        public function AskedList()
-        {
-        }
-
         /**
          * Asks a filter about each agent of a list. An entry that is null takes part, because the collision system refuses it.
          *

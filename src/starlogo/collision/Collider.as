@@ -108,7 +108,7 @@ package starlogo.collision
         /**
          * Computes how two agents touch. If both were in the last search, it takes them as they were then. Otherwise it takes them as they are now.
          * If the collider belongs to a Collision, the last search is the search of its last frame. The ground and the edges of the world count as
-         * they are now. A handler that changes them takes its contact as its third argument, which is of the frame.
+         * they are now. In a handler they count as the frame has seen them, also after a handler has changed them.
          *
          * @param collider the normal points to it
          * @param collidee another agent

@@ -8,7 +8,6 @@ package starlogo.collision
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
-    import starlogo.handlers.HandlerCalls;
     import starlogo.handlers.HandlerTable;
     import starlogo.search.BreedInterests;
     import starlogo.search.textOf;
@@ -33,7 +32,7 @@ package starlogo.collision
      *
      * <p>Any number of Collisions may share agents. A handler of one Collision may update another. But each Collision needs a collider of its own,
      * because a collider keeps the agents' positions of the last frame. The time for the calls is in proportion to the number of agents and
-     * calls. An agent removed from the list costs one search of the list.</p>
+     * calls. If a handler removes an agent from the list, or gives it another place in it, this costs one search of the list.</p>
      */
     public class Collision
     {
@@ -74,11 +73,10 @@ package starlogo.collision
         private var _collisionSystem:CollisionSystem;
         private var _system:BaseCollider;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
-        private var _handlers:HandlerList = new HandlerList();
+        private var _handlers:HandlerTable = new HandlerTable();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _touchesAreStale:Boolean = false;
-        private var _contacts:FrameContacts = new FrameContacts();
-        private var _calls:HandlerCalls = new HandlerCalls(_contacts);
+        private var _calls:HandlerCalls = new HandlerCalls();
         private var _snapshots:Snapshots = new Snapshots();
         private var _isUpdating:Boolean = false;
 
@@ -267,7 +265,7 @@ package starlogo.collision
             forgetStaleTouches();
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
-            var table:HandlerTable = _handlers.table;
+            _handlers.begin();
             var asked:AgentPredicate = filter;
             _inUse = _owned;
             _isUpdating = true;
@@ -275,17 +273,16 @@ package starlogo.collision
             {
                 var listed:Vector.<Agent> = asked == null ? agents : _asked.ask(asked, agents);
                 _isRefused = true;
-                findPairs(system, listed, table.interests, asked == null ? null : _asked.takePart);
+                findPairs(system, listed, _handlers.interests, asked == null ? null : _asked.takePart);
                 _isRefused = false;
                 keepList(listed);
                 _searched = system.collider;
-                _contacts.system = system;
-                _calls.make(table, _lastAgents, agents, _handlerErrors);
+                holdFixtures();
+                _calls.make(system, _handlers, _lastAgents, agents, _handlerErrors);
             }
             finally
             {
                 _isUpdating = false;
-                _contacts.system = null;
                 releaseUsed();
             }
             _statistics.handlerCalls = _calls.count;
@@ -373,7 +370,17 @@ package starlogo.collision
             if (used != null)
             {
                 used.isInFrame = false;
+                used.search.releaseFixtures();
                 releaseUnused(used);
+            }
+        }
+
+        // Contacts that handlers ask for are contacts of the frame, also after a handler has changed the ground or the edges.
+        private function holdFixtures():void
+        {
+            if (_inUse != null)
+            {
+                _inUse.search.holdFixtures();
             }
         }
 

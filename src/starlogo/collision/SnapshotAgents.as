@@ -27,11 +27,6 @@ package starlogo.collision
         private var _entries:Vector.<Vector.<int>> = new Vector.<Vector.<int>>();
         private var _size:int = 0;
 
-        /** Creates it for a new Collision. */
-        public function SnapshotAgents()
-        {
-        }
-
         /** Remembers a snapshot of these agents. */
         public function note(bytes:ByteArray, agents:Vector.<Agent>):void
         {

@@ -1,5 +1,10 @@
 package starlogo.handlers
 {
+    import starlogo.engine;
+    import starlogo.search.BreedInterests;
+
+    use namespace engine;
+
     /**
      * A handler function, with the two breeds and the moment for which the game has added it.
      *
@@ -28,19 +33,19 @@ package starlogo.handlers
         /** The breed of the collidee. */
         public var otherBreed:String;
 
+        /** The number of the collider's breed in BreedInterests. */
+        public var breedNumber:int;
+
+        /** The number of the collidee's breed. */
+        public var otherNumber:int;
+
         /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */
         public var handler:Function;
 
         /** Whether it takes a contact, or may read one as a further argument: see mayTakeMore. */
         public var takesContact:Boolean;
 
-        /** The numbers of the two breeds, and the place among all handlers in the order of calls: its HandlerTable sets them. */
-        public var breedNumber:int = -1;
-
-        /** @copy #breedNumber */
-        public var otherNumber:int = -1;
-
-        /** @copy #breedNumber */
+        /** Its place among the handlers of its HandlerTable, in the order of calls. */
         public var order:Number = 0;
 
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
@@ -53,6 +58,8 @@ package starlogo.handlers
             this.breed = breed;
             this.otherBreed = otherBreed;
             this.handler = handler;
+            breedNumber = BreedInterests.numberOf(breed);
+            otherNumber = BreedInterests.numberOf(otherBreed);
             takesContact = handler.length >= 3 || mayTakeMore(handler);
         }
     }

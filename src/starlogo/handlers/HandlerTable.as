@@ -2,121 +2,171 @@ package starlogo.handlers
 {
     import starlogo.engine;
     import starlogo.search.BreedInterests;
+    import starlogo.search.textOf;
 
     use namespace engine;
 
     /**
-     * Finds the handlers of two breeds by the breeds' numbers. Handlers can be added. When one is removed, the Collision makes a new table.
+     * The handlers of a Collision. It finds the handlers of two breeds by the breeds' numbers. Changes while a frame runs count from the next
+     * frame on, except that a removed handler is not called any more.
      *
      * @private
      */
     public final class HandlerTable
     {
+        private static const NONE:PairHandlers = new PairHandlers(new <CollisionHandler>[], new <CollisionHandler>[]);
+
         /** The pairs of breeds that have handlers. */
-        public var interests:BreedInterests = new BreedInterests();
+        public var interests:BreedInterests;
 
         /** True if no handler takes contacts and no handler is for starts or ends. */
-        public var isPlain:Boolean = true;
+        public var isPlain:Boolean;
 
-        /** Whether any handler for the ground or the edges of the world takes contacts. */
-        public var takesFixtureContacts:Boolean = false;
+        // All handlers, in the order in which they were added. How many of them the table has; -1 after one was removed.
+        private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+        private var _count:int = -1;
 
-        // How many handlers were read. By the number of the collider's breed: its handlers, in the order in which they were added.
-        private var _count:int = 0;
-        private var _handlers:Vector.<Vector.<CollisionHandler>> = new Vector.<Vector.<CollisionHandler>>();
+        // By the number of the collider's breed: its handlers.
+        private var _ofBreeds:Vector.<Vector.<CollisionHandler>>;
 
-        // By the numbers of the two breeds, from -1 on: what was found so far.
-        private var _pairs:Vector.<Vector.<PairHandlers>> = null;
+        // By the numbers of the two breeds: what was found since the last handler was added. The pair of breeds that was looked up last.
+        private var _pairs:Vector.<Vector.<PairHandlers>>;
+        private var _lastBreed:int;
+        private var _lastOther:int;
+        private var _lastPair:PairHandlers;
 
-        /** Begins without handlers. */
-        public function HandlerTable()
+        /**
+         * Adds a handler of a kind.
+         *
+         * @throws ArgumentError as Collision.onCollision does
+         */
+        public function add(kind:int, breed:String, otherBreed:String, handler:Function):void
         {
+            require(breed, otherBreed, handler);
+            _handlers.push(new CollisionHandler(kind, breed, otherBreed, handler));
         }
 
-        /** Reads the handlers that were added to a list after the last call. */
-        public function read(handlers:Vector.<CollisionHandler>):void
+        /** See Collision.removeHandler. */
+        public function remove(breed:String, otherBreed:String, handler:Function, kind:String):Boolean
         {
-            for (; _count < handlers.length; _count++)
+            require(breed, otherBreed, handler);
+            var wanted:int = CollisionHandler.KINDS.indexOf(kind);
+            if (kind != null && wanted < 0)
             {
-                add(handlers[_count]);
+                throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            _pairs = new Vector.<Vector.<PairHandlers>>(interests.breedCount + 1, true);
+            for (var i:int = 0; i < _handlers.length; i++)
+            {
+                var added:CollisionHandler = _handlers[i];
+                if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler && (kind == null || added.kind == wanted))
+                {
+                    added.isRemoved = true;
+                    _handlers.splice(i, 1);
+                    _count = -1;
+                    return true;
+                }
+            }
+            return false;
         }
 
-        private function add(handler:CollisionHandler):void
+        /** Removes all handlers. */
+        public function clear():void
         {
-            interests.add(handler.breed, handler.otherBreed);
-            handler.order = handler.kind * int.MAX_VALUE + _count;
-            handler.breedNumber = interests.numberOf(handler.breed);
-            handler.otherNumber = interests.numberOf(handler.otherBreed);
-            while (_handlers.length < interests.breedCount)
+            for (var i:int = 0; i < _handlers.length; i++)
             {
-                _handlers.push(new Vector.<CollisionHandler>());
+                _handlers[i].isRemoved = true;
             }
-            _handlers[handler.breedNumber].push(handler);
-            isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
-            takesFixtureContacts ||= handler.takesContact && !(interests.isOfAgents(handler.breedNumber) && interests.isOfAgents(handler.otherNumber));
+            _handlers.length = 0;
+            _count = -1;
+        }
+
+        /** Begins a frame: takes the handlers as they are now. */
+        public function begin():void
+        {
+            if (_count == _handlers.length)
+            {
+                return;
+            }
+            if (_count < 0)
+            {
+                _count = 0;
+                isPlain = true;
+                interests = new BreedInterests();
+                _ofBreeds = new Vector.<Vector.<CollisionHandler>>();
+            }
+            for (; _count < _handlers.length; _count++)
+            {
+                enter(_handlers[_count]);
+            }
+            _pairs = new Vector.<Vector.<PairHandlers>>(interests.breedCount, true);
+            _lastPair = null;
         }
 
         /**
          * Returns the handlers of two breeds. They are empty if the two have no handlers.
          *
-         * @param breedNumber the number of the first agent's breed
-         * @param otherNumber the number of the second agent's breed
+         * @param breed the number of the first agent's breed
+         * @param otherBreed the number of the second agent's breed
          */
-        public function handlersOf(breedNumber:int, otherNumber:int):PairHandlers
+        public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            var numbers:Vector.<int> = interests.numbers;
-            if (breedNumber >= numbers.length || otherNumber >= numbers.length)
+            if (_lastPair == null || breed != _lastBreed || otherBreed != _lastOther)
             {
-                // a handler may have made a new breed
-                interests.follow();
+                _lastPair = find(interests.indexOfNumber(breed), interests.indexOfNumber(otherBreed));
+                _lastBreed = breed;
+                _lastOther = otherBreed;
             }
-            var breed:int = numbers[breedNumber];
-            var otherBreed:int = numbers[otherNumber];
-            var ofBreed:Vector.<PairHandlers> = _pairs[breed + 1];
-            if (ofBreed == null)
-            {
-                ofBreed = _pairs[breed + 1] = new Vector.<PairHandlers>(_pairs.length, true);
-            }
-            var found:PairHandlers = ofBreed[otherBreed + 1];
-            if (found == null)
-            {
-                found = ofBreed[otherBreed + 1] = make(breed, otherBreed);
-            }
-            return found;
+            return _lastPair;
         }
 
-        private function make(breed:int, otherBreed:int):PairHandlers
+        private function find(breed:int, otherBreed:int):PairHandlers
         {
-            var forward:Vector.<CollisionHandler> = between(breed, otherBreed);
-            var back:Vector.<CollisionHandler> = between(otherBreed, breed);
-            var result:PairHandlers = new PairHandlers(forward, back, CollisionHandler.COLLISION, CollisionHandler.COLLISION);
-            var ofStart:PairHandlers = new PairHandlers(forward, back, CollisionHandler.START, CollisionHandler.COLLISION);
-            var ofEnd:PairHandlers = new PairHandlers(forward, back, CollisionHandler.END, CollisionHandler.END);
-            if (ofStart.handlers.length > result.handlers.length || ofEnd.handlers.length > 0)
+            if (!interests.includes(breed, otherBreed))
             {
-                result.ofStart = ofStart;
-                result.ofEnd = ofEnd;
-                result.takesContacts = ofStart.takesContacts;
+                return NONE;
             }
-            return result;
+            var ofBreed:Vector.<PairHandlers> = _pairs[breed];
+            if (ofBreed == null)
+            {
+                ofBreed = _pairs[breed] = new Vector.<PairHandlers>(_pairs.length, true);
+            }
+            if (ofBreed[otherBreed] == null)
+            {
+                ofBreed[otherBreed] = new PairHandlers(between(breed, otherBreed), between(otherBreed, breed));
+            }
+            return ofBreed[otherBreed];
+        }
+
+        private function enter(handler:CollisionHandler):void
+        {
+            interests.add(handler.breed, handler.otherBreed);
+            handler.order = handler.kind * int.MAX_VALUE + _count;
+            isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
+            if (_ofBreeds.length < interests.breedCount)
+            {
+                _ofBreeds.length = interests.breedCount;
+            }
+            if (_ofBreeds[handler.breedNumber] == null)
+            {
+                _ofBreeds[handler.breedNumber] = new Vector.<CollisionHandler>();
+            }
+            _ofBreeds[handler.breedNumber].push(handler);
         }
 
         // The handlers whose collider is of the first breed and whose collidee is of the second, in the order of their calls.
         private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
         {
+            var isOfAgents:Boolean = BreedInterests.isOfAgents(otherBreed);
             var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
-            var others:int = interests.numberOf(BreedInterests.ANY_BREED);
-            var otherAny:int = interests.isOfAgents(otherBreed) ? others : -1;
-            for each (var number:int in interests.isOfAgents(breed) && others >= 0 && others != breed ? [breed, others] : [breed])
+            for each (var number:int in breed != BreedInterests.OTHERS && BreedInterests.isOfAgents(breed) ? [breed, BreedInterests.OTHERS] : [breed])
             {
-                for (var i:int = 0; number >= 0 && i < _handlers[number].length; i++)
+                var handlers:Vector.<CollisionHandler> = _ofBreeds[number];
+                for (var i:int = 0; handlers != null && i < handlers.length; i++)
                 {
-                    var handler:CollisionHandler = _handlers[number][i];
-                    if (handler.otherNumber == otherBreed || handler.otherNumber == otherAny)
+                    var other:int = handlers[i].otherNumber;
+                    if (other == otherBreed || isOfAgents && other == BreedInterests.OTHERS)
                     {
-                        found.push(handler);
+                        found.push(handlers[i]);
                     }
                 }
             }
@@ -124,6 +174,14 @@ package starlogo.handlers
                 {
                     return a.order - b.order;
                 });
+        }
+
+        private static function require(breed:String, otherBreed:String, handler:Function):void
+        {
+            if (!breed || !otherBreed || handler == null)
+            {
+                throw new ArgumentError("two breeds and a handler are needed, not \"" + breed + "\", \"" + otherBreed + "\" and " + textOf(handler));
+            }
         }
     }
 }

@@ -29,10 +29,5 @@ package starlogo.handlers
 
         /** Whether handlers have been called for both agents, not only for the first. */
         public var isBothWays:Boolean;
-
-        /** Creates a Touch without agents. */
-        public function Touch()
-        {
-        }
     }
 }

@@ -32,11 +32,6 @@ package starlogo.handlers
         private var _pairs:Vector.<Touch> = new Vector.<Touch>();
         private var _table:Vector.<Touch> = new Vector.<Touch>(LEAST_LENGTH);
 
-        /** Creates a tracker without touches. */
-        public function TouchTracker()
-        {
-        }
-
         /**
          * Continues the touch of two agents.
          *
@@ -101,6 +96,20 @@ package starlogo.handlers
         /** Moves the pairs that do not touch in this frame into <code>ended</code>. */
         public function separateEnded():void
         {
+            count = moveApart();
+            for (var i:int = 0; i < endedCount; i++)
+            {
+                _pairs[count + i] = ended[i];
+            }
+            if (endedCount > 0)
+            {
+                fill(_table.length > LEAST_LENGTH && 16 * count < _table.length ? _table.length >> 2 : _table.length);
+            }
+        }
+
+        // Lists the touching pairs at the beginning, and the others in ended. Returns the number of touching pairs.
+        private function moveApart():int
+        {
             var kept:int = 0;
             endedCount = 0;
             for (var i:int = 0; i < count; i++)
@@ -117,15 +126,7 @@ package starlogo.handlers
                     endedCount++;
                 }
             }
-            count = kept;
-            for (i = 0; i < endedCount; i++)
-            {
-                _pairs[kept + i] = ended[i];
-            }
-            if (endedCount > 0)
-            {
-                fill(_table.length > LEAST_LENGTH && 16 * count < _table.length ? _table.length >> 2 : _table.length);
-            }
+            return kept;
         }
 
         /** Forgets the ended touches. */
@@ -154,7 +155,12 @@ package starlogo.handlers
             {
                 _table[i] = null;
             }
-            for (i = 0; i < count; i++)
+            enterAll();
+        }
+
+        private function enterAll():void
+        {
+            for (var i:int = 0; i < count; i++)
             {
                 _table[slotOf(_pairs[i].first, _pairs[i].second)] = _pairs[i];
             }

@@ -10,7 +10,8 @@ package starlogo.search
      * The pairs of breeds whose collisions a collision system should find. It skips all other pairs of breeds. The order within a pair does not
      * matter.
      *
-     * <p>Each breed that is named gets a number, so that the search can look up a pair in a small table.</p>
+     * <p>A breed has the same number in all objects. All breeds that no pair names have one number together, so that the search can look up a pair
+     * in a small table.</p>
      */
     public final class BreedInterests
     {
@@ -19,28 +20,23 @@ package starlogo.search
          */
         public static const ANY_BREED:String = "*";
 
-        /** @private Whether all pairs of the breeds that are told apart are of interest. */
+        /**
+         * @private The number of ANY_BREED, and of the breeds of agents that no pair names. The number of any other breed is one more than its
+         * number in the class Breeds.
+         */
+        engine static const OTHERS:int = 0;
+
+        /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
-        /**
-         * @private By an agent's <code>breedNumber</code>: the number of its breed in this object, or -1 if the breed is in no pair. Breeds that
-         * appeared after the last <code>follow()</code> are missing.
-         */
-        engine var numbers:Vector.<int> = new Vector.<int>();
-
-        // By number: the breed's number of the class Breeds. Of the breeds that are named nowhere, taken together, it is OTHERS.
-        private static const OTHERS:int = -1;
-        private var _named:Vector.<int> = new Vector.<int>();
-
-        // The number of the others; -1 until a pair has ANY_BREED. How many numbers belong to breeds of agents.
-        private var _others:int = -1;
-        private var _agentBreeds:int = 0;
-
-        // A bit for each pair of numbers, in both orders: whether it is of interest. A row of bits has _words elements.
-        private var _bits:Vector.<int> = new Vector.<int>();
+        // By number: a bit for each other number, whether the two are of interest. It has _words elements. It is null for a breed that no pair
+        // names, and for OTHERS until a pair has ANY_BREED.
+        private var _bits:Vector.<Vector.<int>> = new <Vector.<int>>[null];
         private var _words:int = 1;
 
-        // How many pairs of breeds of agents have a bit.
+        // The numbers that have bits. How many of them are breeds of agents, and how many pairs of these are of interest.
+        private var _numbers:Vector.<int> = new Vector.<int>();
+        private var _agentBreeds:int = 0;
         private var _agentPairs:int = 0;
 
         /** By row of the table that was read last: the number of its breed, or -1. */
@@ -51,13 +47,10 @@ package starlogo.search
         {
         }
 
-        /**
-         * The number of breeds that are told apart. Each breed in a pair counts. If a pair has ANY_BREED, all other breeds together count as one
-         * more.
-         */
+        /** All numbers of breeds are less than this. It grows when a pair is added. */
         public function get breedCount():int
         {
-            return _named.length;
+            return _bits.length;
         }
 
         /**
@@ -68,15 +61,13 @@ package starlogo.search
          */
         public function add(breed:String, otherBreed:String):void
         {
-            var number:int = enter(breed);
-            var other:int = enter(otherBreed);
+            var number:int = numberOf(breed);
+            var other:int = numberOf(otherBreed);
+            enter(number);
+            enter(other);
             if (!hasBit(number, other))
             {
-                var end:int = number == _others ? breedCount : number + 1;
-                for (var i:int = number == _others ? 0 : number; i < end; i++)
-                {
-                    markWith(i, number, other);
-                }
+                markWith(number, other);
             }
             areAll = 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
         }
@@ -84,26 +75,36 @@ package starlogo.search
         /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
         public function indexOf(breed:String):int
         {
-            var number:int = Breeds.numberOf(breed);
-            follow();
-            return numbers[number];
+            return indexOfNumber(Breeds.numberOf(breed));
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            var count:int = breedCount;
-            return index >= 0 && index < count && otherIndex >= 0 && otherIndex < count
-                && hasBit(index, otherIndex);
+            return isEntered(index) && isEntered(otherIndex) && hasBit(index, otherIndex);
         }
 
-        /** @private Gives numbers to the breeds that appeared after the last call. */
-        engine function follow():void
+        /** @private The number of a name: of a breed, or OTHERS for ANY_BREED. */
+        engine static function numberOf(name:String):int
         {
-            for (var number:int = numbers.length; number < Breeds.count; number++)
+            return name == ANY_BREED ? OTHERS : Breeds.numberOf(name) + 1;
+        }
+
+        /** @private Whether a number belongs to breeds of agents, not to the ground or the edges of the world. */
+        engine static function isOfAgents(number:int):Boolean
+        {
+            return number == OTHERS || !Breeds.isReserved(number - 1);
+        }
+
+        /** @private The same as <code>indexOf()</code> of a breed's name, from the breed's number in the class Breeds. */
+        engine function indexOfNumber(breed:int):int
+        {
+            var number:int = breed + 1;
+            if (number < _bits.length && _bits[number] != null)
             {
-                numbers[number] = Breeds.isReserved(number) ? -1 : _others;
+                return number;
             }
+            return _bits[OTHERS] == null || Breeds.isReserved(breed) ? -1 : OTHERS;
         }
 
         /**
@@ -114,35 +115,37 @@ package starlogo.search
          */
         internal function read(table:AgentTable):int
         {
-            var hasFixture:Boolean = table.agents[RowList.GROUND] != null || table.agents[RowList.EDGES] != null;
-            if (_others >= 0 && areAll && !hasFixture)
+            var agents:Vector.<Agent> = table.agents;
+            var bits:Vector.<Vector.<int>> = _bits;
+            var others:int = bits[OTHERS] == null ? -1 : OTHERS;
+            if (others == OTHERS && areAll && agents[RowList.GROUND] == null && agents[RowList.EDGES] == null)
             {
                 return 0;
             }
-            follow();
-            var numbersOfRows:Vector.<int> = ofRows;
-            var agents:Vector.<Agent> = table.agents;
-            var rows:Vector.<int> = table.rows;
-            var ofNames:Vector.<int> = numbers;
-            var end:int = table.count;
-            if (numbersOfRows.length < agents.length)
+            var numbers:Vector.<int> = ofRows;
+            if (numbers.length < agents.length)
             {
-                numbersOfRows.length = agents.length;
+                numbers.length = agents.length;
             }
             for (var fixture:int = RowList.GROUND; fixture <= RowList.EDGES; fixture++)
             {
-                numbersOfRows[fixture] = agents[fixture] == null ? -1 : ofNames[agents[fixture].breedNumber];
+                numbers[fixture] = agents[fixture] == null ? -1 : indexOfNumber(agents[fixture].breedNumber);
             }
+            var rows:Vector.<int> = table.rows;
+            var known:int = bits.length;
+            var end:int = table.count;
+            var outside:int = others < 0 ? 1 : 0;
             var outsiders:int = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
-                var number:int = ofNames[agents[row].breedNumber];
-                numbersOfRows[row] = number;
-                if (number < 0)
+                var number:int = agents[row].breedNumber + 1;
+                if (number >= known || bits[number] == null)
                 {
-                    outsiders++;
+                    number = others;
+                    outsiders += outside;
                 }
+                numbers[row] = number;
             }
             return outsiders;
         }
@@ -157,15 +160,14 @@ package starlogo.search
          */
         internal function keepOfInterest(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var numbersOfRows:Vector.<int> = ofRows;
-            var bits:Vector.<int> = _bits;
-            var first:int = numbersOfRows[row] * _words;
+            var numbers:Vector.<int> = ofRows;
+            var bits:Vector.<int> = _bits[numbers[row]];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var otherNumber:int = numbersOfRows[rows[other]];
-                if ((bits[int(first + (otherNumber >> 5))] & (1 << otherNumber)) != 0)
+                var number:int = numbers[rows[other]];
+                if ((bits[number >> 5] & (1 << number)) != 0)
                 {
                     others[kept] = other;
                     kept++;
@@ -174,73 +176,54 @@ package starlogo.search
             return kept;
         }
 
-        /** @private The number of a name: of a breed, or of the others for ANY_BREED. The name is in a pair. */
-        engine function numberOf(name:String):int
+        private function isEntered(number:int):Boolean
         {
-            return name == ANY_BREED ? _others : indexOf(name);
+            return number >= 0 && number < _bits.length && _bits[number] != null;
         }
 
-        /** @private Whether a number belongs to a breed of agents, not to the ground or the edges of the world. */
-        engine function isOfAgents(number:int):Boolean
+        // Gives a number its bits.
+        private function enter(number:int):void
         {
-            return number >= 0 && (number == _others || !Breeds.isReserved(_named[number]));
-        }
-
-        // Returns the number of a name. A new name gets the next number.
-        private function enter(name:String):int
-        {
-            var breed:int = name == ANY_BREED ? OTHERS : Breeds.numberOf(name);
-            follow();
-            var number:int = breed == OTHERS ? _others : numbers[breed];
-            if (number >= 0 && _named[number] == breed)
+            if (isEntered(number))
             {
-                return number;
+                return;
             }
-            number = _named.push(breed) - 1;
-            if (number >= 32 * _words)
+            if (number >= _bits.length)
+            {
+                _bits.length = number + 1;
+            }
+            while (number >= 32 * _words)
             {
                 widen();
             }
-            for (var word:int = 0; word < _words; word++)
+            _bits[number] = new Vector.<int>(_words);
+            _numbers.push(number);
+            if (!isOfAgents(number))
             {
-                _bits.push(0);
+                return;
             }
-            var i:int;
-            if (breed == OTHERS)
-            {
-                _others = number;
-                numbers.length = 0;
-                follow();
-                for (i = 0; i < number; i++)
-                {
-                    numbers[_named[i]] = i;
-                }
-            }
-            else
-            {
-                numbers[breed] = number;
-            }
-            _agentBreeds += isOfAgents(number) ? 1 : 0;
+            _agentBreeds++;
             // until now the breed was one of the others
-            for (i = 0; _others >= 0 && _others != number && isOfAgents(number) && i <= number; i++)
+            for (var i:int = 0; _bits[OTHERS] != null && i < _numbers.length; i++)
             {
-                if (hasBit(_others, i == number ? _others : i))
+                if (hasBit(OTHERS, _numbers[i] == number ? OTHERS : _numbers[i]))
                 {
-                    mark(number, i);
+                    mark(number, _numbers[i]);
                 }
             }
-            return number;
         }
 
-        // Marks the pairs of a number and another number, or all breeds of agents if that stands for ANY_BREED.
-        private function markWith(i:int, number:int, other:int):void
+        // Marks a pair of numbers. OTHERS stands for all breeds of agents.
+        private function markWith(number:int, other:int):void
         {
-            var end:int = other == _others ? breedCount : other + 1;
-            for (var k:int = other == _others ? 0 : other; k < end; k++)
+            for each (var i:int in number == OTHERS ? _numbers : new <int>[number])
             {
-                if ((i == number || isOfAgents(i)) && (k == other || isOfAgents(k)))
+                for each (var k:int in other == OTHERS ? _numbers : new <int>[other])
                 {
-                    mark(i, k);
+                    if ((i == number || isOfAgents(i)) && (k == other || isOfAgents(k)))
+                    {
+                        mark(i, k);
+                    }
                 }
             }
         }
@@ -249,32 +232,24 @@ package starlogo.search
         {
             if (!hasBit(number, other))
             {
-                setBit(number, other);
-                setBit(other, number);
+                _bits[number][other >> 5] |= 1 << other;
+                _bits[other][number >> 5] |= 1 << number;
                 _agentPairs += isOfAgents(number) && isOfAgents(other) ? 1 : 0;
             }
         }
 
-        // Makes the rows of bits twice as long.
         private function widen():void
         {
-            var wide:Vector.<int> = new Vector.<int>(2 * _bits.length);
-            for (var i:int = 0; i < _bits.length; i++)
-            {
-                wide[i + int(i / _words) * _words] = _bits[i];
-            }
-            _bits = wide;
             _words *= 2;
+            for each (var number:int in _numbers)
+            {
+                _bits[number].length = _words;
+            }
         }
 
         private function hasBit(number:int, other:int):Boolean
         {
-            return (_bits[number * _words + (other >> 5)] & (1 << other)) != 0;
-        }
-
-        private function setBit(number:int, other:int):void
-        {
-            _bits[number * _words + (other >> 5)] |= 1 << other;
+            return (_bits[number][other >> 5] & (1 << other)) != 0;
         }
     }
 }

@@ -30,6 +30,7 @@ package starlogo.search
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
         private var _motions:Motions;
+        private var _held:HeldFixtures = new HeldFixtures();
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
 
@@ -138,7 +139,7 @@ package starlogo.search
 
         /**
          * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
-         * not see both.
+         * not see both. The ground and the edges of the world count as they are now, or as they were when they were held.
          *
          * @param out receives the contact. Its normal points from b to a
          * @return the time of the contact in their motions, from 0 to 1
@@ -154,7 +155,10 @@ package starlogo.search
             var rowB:int = table.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
-                return _motions.findContact(table, rowA, rowB, _isSwept, out);
+                _held.exchange();
+                var ofFrame:Number = _motions.findContact(table, rowA, rowB, _isSwept, out);
+                _held.exchange();
+                return ofFrame;
             }
             readGuests(a, b);
             var loading:Agent = table.shapes[0] == null ? a : b;
@@ -166,6 +170,18 @@ package starlogo.search
             var time:Number = _motions.findContact(table, 0, 1, false, out);
             table.endGuests();
             return time;
+        }
+
+        /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */
+        public function holdFixtures():void
+        {
+            _held.hold(table.agents[RowList.GROUND], table.agents[RowList.EDGES]);
+        }
+
+        /** From now on the ground and the edges count as they are. */
+        public function releaseFixtures():void
+        {
+            _held.release();
         }
 
         private function readGuests(a:Agent, b:Agent):void
@@ -285,14 +301,19 @@ package starlogo.search
             {
                 return;
             }
-            for (var i:int = 0; i < _memberCount; i++)
-            {
-                _candidates[i] = i;
-            }
+            listMembers();
             var count:int = interests.keepOfInterest(fixture, _memberRows, _candidates, _memberCount);
             count = _isSwept ? keepTouchingMotions(null, fixture, _memberRows, _candidates, count)
                 : _pairs.keepTouching(table, null, fixture, _memberRows, _candidates, count);
             put(fixture, _memberRows, _candidates, count);
+        }
+
+        private function listMembers():void
+        {
+            for (var i:int = 0; i < _memberCount; i++)
+            {
+                _candidates[i] = i;
+            }
         }
 
         private function report(agentCount:int, pairCount:int, counts:SearchCounts):void

@@ -18,11 +18,6 @@ package starlogo.search
         // The index of each agent in a list, by the agent's id.
         private var _byId:IdTable = new IdTable();
 
-        /** Begins without pairs. */
-        public function FoundPairs()
-        {
-        }
-
         /** Reads pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
         public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):void
         {

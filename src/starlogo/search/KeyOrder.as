@@ -19,11 +19,6 @@ package starlogo.search
         private var _numbers:Vector.<int> = new Vector.<int>();
         private var _before:Vector.<int> = new Vector.<int>();
 
-        /** Begins with nothing to sort. */
-        public function KeyOrder()
-        {
-        }
-
         /**
          * Sorts things.
          *

@@ -60,6 +60,9 @@ package starlogo.terrain
         /** Finds where rays meet the ground. */
         public var rays:GroundRay = new GroundRay();
 
+        /** Whether a frame needs <code>heights</code> and <code>bounds</code> as they are. Then the next change makes new lists. */
+        public var isHeld:Boolean = false;
+
         /** How often the surface has changed. */
         public var revision:int = 0;
 
@@ -138,6 +141,17 @@ package starlogo.terrain
             revision++;
             heights = new Vector.<Number>(columns * rows, true);
             bounds = new Vector.<Number>(bounds.length, true);
+        }
+
+        /** Call it before a change of some heights. */
+        public function beginChange():void
+        {
+            if (isHeld)
+            {
+                heights = heights.concat();
+                bounds = bounds.concat();
+                isHeld = false;
+            }
         }
 
         /** Finds the height at the place. */

@@ -179,6 +179,7 @@ package starlogo.terrain
             {
                 requireInWorld("a terrain's height", heights[i], 0, 0);
             }
+            grid.beginChange();
             for (i = 0; i < heights.length; i++)
             {
                 grid.heights[int((row + int(i / columns)) * grid.columns + column + i % columns)] = heights[i];

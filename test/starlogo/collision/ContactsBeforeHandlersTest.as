@@ -70,6 +70,84 @@ package starlogo.collision
             assertDepths(0.1);
         }
 
+        [Test]
+        public function askedInAHandlerItIsThatOfTheFrameWhateverHandlersDidToTheGround():void
+        {
+            for each (var change:Function in [raise, flatten, makeBlocky, takeAway, exchange, raiseTwice, updateAnother])
+            {
+                makeGame();
+                _terrain.setHeight(5, 5, 0.25);
+                _ball.moveTo(0, 0, 0.125);
+                _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
+                    {
+                        _depths.push(depthOf(ball, ground));
+                        change();
+                        _depths.push(depthOf(ball, ground), depthOf(ground, ball), depthOf(ball, ground));
+                    });
+                var before:Number = depthOf(_ball, _terrain.agent);
+                _collision.update(_agents);
+                assertDepths(before, before, before, before);
+                assertTrue("a depth", before > 0.1);
+            }
+        }
+
+        [Test]
+        public function afterTheFrameItIsThatOfTheGroundAsItIs():void
+        {
+            _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
+                {
+                    raise();
+                    _depths.push(depthOf(ball, ground));
+                });
+            _collision.update(_agents);
+            _depths.push(depthOf(_ball, _terrain.agent));
+            _terrain.reset();
+            _depths.push(depthOf(_ball, _terrain.agent));
+            _terrain.setHeights(5, 5, 1, 1, new <Number>[0]);
+            _depths.push(depthOf(_ball, _terrain.agent));
+            assertDepths(0.1, 5.1, 0.1, 0.1);
+        }
+
+        [Test]
+        public function askedInAHandlerItIsThatOfTheEdgesOfTheFrame():void
+        {
+            _ball.moveTo(8.6, 0, 5);
+            _collision.onCollision("balls", Collision.EDGE, function(ball:Agent, edges:Agent):void
+                {
+                    _bounds.setTo(-4, -9, -9, 4, 9, 9);
+                    _depths.push(depthOf(ball, edges), depthOf(edges, ball));
+                    _collision.bounds = null;
+                    _depths.push(depthOf(ball, edges));
+                });
+            _collision.update(_agents);
+            _depths.push(depthOf(_ball, _bounds.agent));
+            assertDepths(0.1, 0.1, 0.1, 5.1);
+        }
+
+        // Two frames use one ground at the same time, and handlers of both change it.
+        [Test]
+        public function eachOfTwoFramesHasItsOwnGround():void
+        {
+            var inner:Collision = new Collision(new BinCollider());
+            inner.terrain = _terrain;
+            inner.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
+                {
+                    _terrain.setHeight(5, 5, 3);
+                    _depths.push(BinCollider(inner.collisionSystem).contactOf(ball, ground).depth);
+                });
+            _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
+                {
+                    raise();
+                    _depths.push(depthOf(ball, ground));
+                    inner.update(new <Agent>[ball]);
+                    _depths.push(depthOf(ball, ground));
+                    _terrain.reset();
+                    _depths.push(depthOf(ball, ground));
+                });
+            _collision.update(_agents);
+            assertDepths(0.1, 5.1, 0.1, 0.1);
+        }
+
         // The place of the ground counts for the rounding of contacts. It was that of some frame before.
         [Test]
         public function contactsWithTheGroundAreTheSameInEveryFrame():void
@@ -173,6 +251,48 @@ package starlogo.collision
             contact.time = 0.25;
             assertEquals(1, new AgentQueries(new BinCollider(land)).moveUntilTouch(new Agent("later"), 1, 0, 0, null, contact));
             assertEquals(1, contact.time);
+        }
+
+        private function depthOf(a:Agent, b:Agent):Number
+        {
+            return BaseCollider(_collision.collisionSystem).contactOf(a, b).depth;
+        }
+
+        private function makeBlocky():void
+        {
+            _terrain.isBlocky = true;
+        }
+
+        private function flatten():void
+        {
+            _terrain.reset();
+        }
+
+        private function takeAway():void
+        {
+            _collision.terrain = null;
+        }
+
+        private function exchange():void
+        {
+            _collision.terrain = new Terrain(3, 3);
+            raise();
+        }
+
+        private function raiseTwice():void
+        {
+            raise();
+            _terrain.raiseWall(0, 0, -3);
+            _terrain.isBlocky = true;
+        }
+
+        private function updateAnother():void
+        {
+            raise();
+            var other:Collision = new Collision(new BinCollider());
+            other.terrain = _terrain;
+            other.onCollision("balls", Collision.TERRAIN, ignore);
+            other.update(new <Agent>[_ball]);
         }
 
         private function raise():void

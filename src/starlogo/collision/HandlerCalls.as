@@ -1,0 +1,274 @@
+package starlogo.collision
+{
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.handlers.CollisionHandler;
+    import starlogo.handlers.HandlerTable;
+    import starlogo.handlers.PairHandlers;
+    import starlogo.handlers.Touch;
+    import starlogo.handlers.TouchTracker;
+    import starlogo.search.FoundPairs;
+
+    use namespace engine;
+
+    /** Calls the handlers of a frame: first for touches that have ended, then for the pairs. If a handler throws, the next one is still called. */
+    internal final class HandlerCalls
+    {
+        /** The pairs of the frame, in the order of their calls. */
+        public var pairs:FoundPairs = new FoundPairs();
+
+        /** The number of handlers called. */
+        public var count:int = 0;
+
+        /** Knows the touching pairs of breeds that have handlers for starts or ends. */
+        public var tracker:TouchTracker = new TouchTracker();
+
+        /**
+         * The agent of the ground, or null, and the agent of the edges, or null. Agents of the list may touch them. Their indices begin
+         * after the end of the list.
+         */
+        public var fixtures:Vector.<Agent> = new <Agent>[null, null];
+
+        private var _contacts:FrameContacts = new FrameContacts();
+        private var _table:HandlerTable = null;
+        private var _errors:Vector.<Error> = null;
+
+        // The list as it was searched, and the same list, which handlers may change. Until an agent is not at its index any more, all are in
+        // place. Then _places has, by index in the searched list, the last known index in the other list, or -1 once the agent was missing.
+        private var _listed:Vector.<Agent> = null;
+        private var _agents:Vector.<Agent> = null;
+        private var _areInPlace:Boolean;
+        private var _places:Vector.<int> = new Vector.<int>();
+
+        // For each pair: its touch, or null.
+        private var _touches:Vector.<Touch> = new Vector.<Touch>();
+
+        // The turn under way: negative for ended touches, from 0 on for pairs. Its handlers, and the number of the next one. After an error the
+        // calls go on from here.
+        private var _turn:int;
+        private var _handlers:PairHandlers;
+        private var _next:int;
+
+        /**
+         * Makes the calls of a frame.
+         *
+         * @param system has found the pairs
+         * @param table the handlers of each pair of breeds
+         * @param listed the list as it was searched; it does not change
+         * @param agents the same list, which handlers may change
+         * @param errors receives the errors that handlers throw
+         */
+        public function make(system:BaseCollider, table:HandlerTable, listed:Vector.<Agent>, agents:Vector.<Agent>, errors:Vector.<Error>):void
+        {
+            _table = table;
+            _listed = listed;
+            _agents = agents;
+            _errors = errors;
+            _areInPlace = true;
+            _turn = _next = count = 0;
+            if (!table.isPlain || tracker.count > 0)
+            {
+                _contacts.begin(system, pairs.count);
+                tracker.frame++;
+                findTouches();
+                tracker.separateEnded();
+                _turn = -tracker.endedCount;
+                takeTurnsBefore(0);
+                tracker.forgetEnded();
+            }
+            takeTurnsBefore(pairs.count);
+            _contacts.end();
+            _listed = _agents = null;
+        }
+
+        // Finds which pairs touched before. Computes the contacts that handlers take, before a handler moves an agent.
+        private function findTouches():void
+        {
+            for (var pair:int = 0; pair < pairs.count; pair++)
+            {
+                var first:Agent = agentAt(pairs.indices[2 * pair]);
+                var second:Agent = agentAt(pairs.indices[2 * pair + 1]);
+                var handlers:PairHandlers = _table.handlersOf(first.breedNumber, second.breedNumber);
+                if (handlers.takesContacts)
+                {
+                    _contacts.find(pair, first, second);
+                }
+                _touches[pair] = handlers.tracksTouches ? tracker.renew(first, second) : null;
+            }
+        }
+
+        // The try is here and not around each call, because Adobe's VM makes an object for each call of a method with a try.
+        private function takeTurnsBefore(end:int):void
+        {
+            while (_turn < end)
+            {
+                var calls:int = count;
+                try
+                {
+                    takeTurns(end);
+                }
+                catch (error:*)
+                {
+                    if (count == calls)
+                    {
+                        // the error does not come from a handler, so calling again would throw it again
+                        throw error;
+                    }
+                    _errors.push(error is Error ? error : new Error(String(error)));
+                }
+            }
+        }
+
+        private function takeTurns(end:int):void
+        {
+            for (; _turn < end; _turn++)
+            {
+                if (_turn < 0)
+                {
+                    endTouch(tracker.ended[tracker.endedCount + _turn]);
+                }
+                else
+                {
+                    takePair(pairs.indices[int(2 * _turn)], pairs.indices[int(2 * _turn + 1)]);
+                }
+                _next = 0;
+            }
+        }
+
+        // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
+        private function endTouch(touch:Touch):void
+        {
+            if (_next == 0)
+            {
+                _handlers = _table.handlersOf(touch.firstBreed, touch.secondBreed);
+            }
+            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
+            var forwardCount:int = _handlers.forwardCount;
+            var end:int = touch.isBothWays ? handlers.length : forwardCount;
+            while (_next < end)
+            {
+                var handler:CollisionHandler = handlers[_next];
+                _next++;
+                if (handler.kind == CollisionHandler.END && !handler.isRemoved)
+                {
+                    count++;
+                    var isBack:Boolean = _next > forwardCount;
+                    call(handler, isBack ? touch.second : touch.first, isBack ? touch.first : touch.second, null);
+                }
+            }
+        }
+
+        private function takePair(firstAt:int, secondAt:int):void
+        {
+            var first:Agent = agentAt(firstAt);
+            var second:Agent = agentAt(secondAt);
+            if (_next == 0)
+            {
+                _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
+            }
+            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
+            var forwardCount:int = _handlers.forwardCount;
+            var touch:Touch = _handlers.tracksTouches ? touchOf(firstAt, secondAt) : null;
+            if (_handlers.tracksTouches && touch == null)
+            {
+                return;
+            }
+            var isStarting:Boolean = touch != null && touch.beganIn == tracker.frame;
+            while (_next < handlers.length)
+            {
+                var handler:CollisionHandler = handlers[_next];
+                if (handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
+                {
+                    _next++;
+                    continue;
+                }
+                if (!areListed(firstAt, secondAt))
+                {
+                    break;
+                }
+                _next++;
+                if (handler.isRemoved)
+                {
+                    continue;
+                }
+                count++;
+                var isBack:Boolean = _next > forwardCount;
+                var contact:Contact = handler.takesContact ? _contacts.contactFor(_turn, first, second, isBack) : null;
+                call(handler, isBack ? second : first, isBack ? first : second, contact);
+            }
+            if (isStarting && (_next > forwardCount || _next == handlers.length))
+            {
+                touch.isBothWays = true;
+            }
+        }
+
+        private static function call(handler:CollisionHandler, collider:Agent, collidee:Agent, contact:Contact):void
+        {
+            // a local, so that the handler is not called as a method of its CollisionHandler
+            var toCall:Function = handler.handler;
+            if (handler.takesContact)
+            {
+                toCall(collider, collidee, contact);
+            }
+            else
+            {
+                toCall(collider, collidee);
+            }
+        }
+
+        // The touch of the pair whose turn it is. It may begin now. It does not begin if an agent has left the list; the result is null then.
+        private function touchOf(firstAt:int, secondAt:int):Touch
+        {
+            if (_touches[_turn] == null && areListed(firstAt, secondAt))
+            {
+                var first:Agent = agentAt(firstAt);
+                var second:Agent = agentAt(secondAt);
+                _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
+            }
+            return _touches[_turn];
+        }
+
+        private function agentAt(index:int):Agent
+        {
+            return index < _listed.length ? _listed[index] : fixtures[index - _listed.length];
+        }
+
+        private function areListed(firstAt:int, secondAt:int):Boolean
+        {
+            var agents:Vector.<Agent> = _agents;
+            var listed:Vector.<Agent> = _listed;
+            var isFixture:Boolean = secondAt >= listed.length;
+            if (_areInPlace)
+            {
+                if (agents.length == listed.length && agents[firstAt] === listed[firstAt] && (isFixture || agents[secondAt] === listed[secondAt]))
+                {
+                    return true;
+                }
+                _areInPlace = false;
+                for (var i:int = 0; i < listed.length; i++)
+                {
+                    _places[i] = i;
+                }
+            }
+            return isListed(firstAt) && (isFixture || isListed(secondAt));
+        }
+
+        // Once an agent was missing, it stays away for the rest of the frame. When agents are removed, others move towards the start of the
+        // list, so an agent is looked for there first.
+        private function isListed(index:int):Boolean
+        {
+            var agent:Agent = _listed[index];
+            var place:int = _places[index];
+            if (place >= 0 && (place >= _agents.length || _agents[place] !== agent))
+            {
+                place = _agents.lastIndexOf(agent, place);
+                if (place < 0)
+                {
+                    place = _agents.indexOf(agent);
+                }
+                _places[index] = place;
+            }
+            return place >= 0;
+        }
+    }
+}

@@ -147,11 +147,15 @@ package starlogo.queries
             return isNear(other, RelativeMotion.NONE, slop + SLIMMEST * _width);
         }
 
-        /** Whether the core touches another row when it stands at a place. */
+        /** Whether the core touches another row when it stands at a place. Most rows are free even in their whole size, which they mostly have. */
         public function meetsAt(other:int, at:Vector3D):Boolean
         {
+            if (!touchesAt(other, at))
+            {
+                return false;
+            }
             _moving.put(at, _share);
-            return isNear(other, RelativeMotion.NONE, slop) && _pairs.areTouching(_table, _row, other);
+            return _pairs.areTouching(_table, _row, other);
         }
 
         /**
@@ -217,8 +221,13 @@ package starlogo.queries
         /** Finds whether the core meets another row earlier than the row that was found before. If so, it writes <code>time</code> and <code>contact</code>. */
         public function find(other:int):Boolean
         {
+            isClear = isWholeClear(other);
+            if (isClear)
+            {
+                return false;
+            }
             _moving.put(_end, _share);
-            if (!isNear(other, _motion, slop) || isWholeClear(other))
+            if (!isNear(other, _motion, slop))
             {
                 return false;
             }
@@ -237,19 +246,18 @@ package starlogo.queries
             return true;
         }
 
-        // Whether the row in its whole size meets nothing. For a single tree this is found first, because then the end of the motion needs no test of
-        // its own. A tree can be a whole building, in which everything happens.
+        // Whether it is known that the row in its whole size meets nothing. For a single tree this is found first, because then the end of the motion
+        // needs no test of its own. A tree can be a whole building, in which everything happens.
         private function isWholeClear(other:int):Boolean
         {
             wholeTime = NaN;
-            if (_count == 1 && _pairs.testsOf(_table, _row, other) === _pairs.trees)
+            if (_count != 1 || _pairs.testsOf(_table, _row, other) !== _pairs.trees)
             {
-                _moving.put(_end, 0);
-                wholeTime = impactOf(other, null);
-                isClear = wholeTime == RelativeMotion.NEVER;
-                _moving.put(_end, _share);
+                return false;
             }
-            return isClear;
+            _moving.put(_end, 0);
+            wholeTime = isNear(other, _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
+            return wholeTime == RelativeMotion.NEVER;
         }
 
         // When the row, which stands at its end, first meets another on the motion.

@@ -1,7 +1,6 @@
 // What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
 import {
 	Agent,
-	AgentBody,
 	AgentFilter,
 	AgentPredicate,
 	AgentQueries,
@@ -135,8 +134,7 @@ export function play(bearText: string): number {
 	const bear = new Agent("bear", "bears");
 	const ball = new Agent("sphere", "paintballs");
 	ball.size = 0.2;
-	const body: AgentBody = ball;
-	body.heading = 30;
+	ball.heading = 30;
 	const systems: CollisionSystem[] = [
 		new BinCollider(greatLand),
 		new TightestFitCollider(greatLand),

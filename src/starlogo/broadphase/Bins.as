@@ -56,12 +56,6 @@ package starlogo.broadphase
         /** The number of pairs in the last search. */
         public var pairCount:int = 0;
 
-        /**
-         * The number of entries in the thesis's bins in the last search. These bins are squares twice as wide as a level's cells. A member
-         * can be in up to four. A unit sphere's bins are 2 wide: at (1, 1) it is in one bin, at the origin in four (§6.1).
-         */
-        public var entryCount:int = 0;
-
         // By member: the index of its cell's counter.
         private var _cells:Vector.<int> = new Vector.<int>();
 
@@ -91,7 +85,7 @@ package starlogo.broadphase
             pairCount = 0;
             countMembers(extents, rows, count);
             var counters:int = layOut(count);
-            entryCount = countCells(extents, rows, count);
+            countCells(extents, rows, count);
             var slots:int = sumUp(counters);
             if (slots > rowAt.length)
             {
@@ -124,6 +118,12 @@ package starlogo.broadphase
         {
             var allLevels:Vector.<BinLevel> = levels.byNumber;
             var numbers:Vector.<int> = extents.level;
+            if (allLevels.length == 2)
+            {
+                // one level; the first number is none
+                allLevels[1].count = count;
+                return;
+            }
             for (var i:int = 1; i < allLevels.length; i++)
             {
                 allLevels[i].count = 0;
@@ -159,13 +159,11 @@ package starlogo.broadphase
             return counters;
         }
 
-        // Finds each member's cell. Counts the members of the cells. Returns the number of entries in the thesis's bins.
-        private function countCells(extents:Extents, rows:Vector.<int>, count:int):int
+        // Finds each member's cell. Counts the members of the cells.
+        private function countCells(extents:Extents, rows:Vector.<int>, count:int):void
         {
             var xs:Vector.<Number> = extents.x;
             var ys:Vector.<Number> = extents.y;
-            var halfXs:Vector.<Number> = extents.halfX;
-            var halfYs:Vector.<Number> = extents.halfY;
             var numbers:Vector.<int> = extents.level;
             var cells:Vector.<int> = _cells;
             var counts:Vector.<int> = _counts;
@@ -174,7 +172,6 @@ package starlogo.broadphase
             var mask:int = 0;
             var stride:int = 0;
             var base:int = 0;
-            var entries:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];
@@ -187,18 +184,8 @@ package starlogo.broadphase
                     stride = level.stride;
                     base = level.base;
                 }
-                var position:Number = xs[row] * cellsPerPatch + BIAS;
-                var column:int = position;
-                // A bin ends after each odd column. crossed is 1 if the rectangle reaches over the border of the middle's bin, otherwise 0.
-                var odd:int = column & 1;
-                position -= column;
-                var crossed:int = halfXs[row] * cellsPerPatch - position + odd * (2 * position - 1) + 1;
-                position = ys[row] * cellsPerPatch + BIAS;
-                var line:int = position;
-                odd = line & 1;
-                position -= line;
-                var crossedLines:int = halfYs[row] * cellsPerPatch - position + odd * (2 * position - 1) + 1;
-                entries += (1 + crossed) * (1 + crossedLines);
+                var column:int = xs[row] * cellsPerPatch + BIAS;
+                var line:int = ys[row] * cellsPerPatch + BIAS;
                 var cell:int = ((line & mask) * stride + column) & mask;
                 if (cell < COPIED)
                 {
@@ -208,7 +195,6 @@ package starlogo.broadphase
                 cells[i] = cell;
                 counts[cell]++;
             }
-            return entries;
         }
 
         // Computes the slot where each cell begins, and stores it one place further on. When the cell is filled, that is the slot where it

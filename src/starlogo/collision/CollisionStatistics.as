@@ -38,7 +38,6 @@ package starlogo.collision
             agents = other.agents;
             agentsSkipped = other.agentsSkipped;
             agentsLoading = other.agentsLoading;
-            binEntries = other.binEntries;
             candidatePairs = other.candidatePairs;
             sweptPairs = other.sweptPairs;
             sphereSphereTests = other.sphereSphereTests;

@@ -322,7 +322,6 @@ package starlogo.search
             counts.agents = agentCount;
             counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.binEntries = _bins.entryCount;
             counts.candidatePairs = _bins.pairCount - _skippedPairs;
             counts.collisions = pairCount;
         }

@@ -12,9 +12,6 @@ package starlogo.search
         /** Agents whose models are still loading. They collide with nothing. */
         public var agentsLoading:int;
 
-        /** Entries in the thesis's bins. An agent that reaches into four bins has four entries. */
-        public var binEntries:int;
-
         /** Pairs of agents whose circles on the ground overlap. */
         public var candidatePairs:int;
 

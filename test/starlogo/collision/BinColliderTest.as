@@ -73,15 +73,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function binsAreThoseOfTheThesis():void
-        {
-            assertEquals("(1, 1) falls into one bin", 1, entriesOf(1, 1));
-            assertEquals("so does (-1, 3)", 1, entriesOf(-1, 3));
-            assertEquals("(2, 1) falls into two", 2, entriesOf(2, 1));
-            assertEquals("the origin falls into four", 4, entriesOf(0, 0));
-        }
-
-        [Test]
         public function worldsOfAllKindsAreLikeBruteForce():void
         {
             for (var i:int = 0; i < RandomWorlds.KINDS.length; i++)
@@ -182,7 +173,6 @@ package starlogo.collision
             var statistics:CollisionStatistics = _collider.statistics;
             assertEquals(4, statistics.agents);
             assertEquals(0, statistics.agentsSkipped);
-            assertEquals(4, statistics.binEntries);
             assertEquals(3, statistics.candidatePairs);
             assertEquals(3, statistics.sphereSphereTests);
             assertEquals(3, statistics.tests);
@@ -208,19 +198,6 @@ package starlogo.collision
             }
             trace("  " + kind + ": " + _worlds + " worlds, " + possible + " pairs, " + tested + " tested, " + collisions + " collide");
             assertTrue(kind + ": some collide, some don't", collisions > 50 && collisions < possible);
-        }
-
-        private function entriesOf(x:Number, y:Number):int
-        {
-            return entriesOfAgent(agentAt("cube", x, y, 0));
-        }
-
-        private function entriesOfAgent(agent:Agent):int
-        {
-            // another one far away: bins of a single agent are not worth making
-            var far:Agent = agentAt("cube", 1e4 + 1, 1, 0);
-            _collider.findCollisions(new <Agent>[agent, far]);
-            return _collider.statistics.binEntries - 1;
         }
     }
 }

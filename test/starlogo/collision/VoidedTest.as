@@ -749,11 +749,6 @@ package starlogo.collision
             copySettings();
             var expected:String = find(_younger);
             var found:String = find(_kept);
-            var entries:int = _kept.statistics.binEntries;
-            if (entries != _younger.statistics.binEntries)
-            {
-                _wrong.add(_cause + ": " + _name + ", bins, " + when, entries + " entries, not " + _younger.statistics.binEntries);
-            }
             if (found != expected)
             {
                 _wrong.add(_cause + ": " + _name + (_isSwept ? ", swept, " : ", standing, ") + when, found.substr(0, 80) + ", not " + expected.substr(0, 80));

@@ -117,6 +117,12 @@ const FOUND = {
 	["add",0.5,1.6341858555097133,-0.9805369126843289,1],
 	["tiles",0,0,0,1,440],
 	["ask",14,13,2.3558986373245716,101.1208116542548]],
+	"a sphere beyond the outer side of steep columns leaves them sideways": [["add",-1.73,-1.09,0.65,1],
+	["ground",6,5,true,0.5,-1,-3,"ravine",844903],
+	["stand",0,0.46644832091405986,0,0.3]],
+	"a small sphere at the outer side of slopes parts where its depth says": [["ground",3,5,false,2,-1,-1,"ravine",890886],
+	["add",1.854123363737017,-1.7625280795618892,1.1918464244809002,0.10948384236544371],
+	["stand",67,0,0.75,0.001]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

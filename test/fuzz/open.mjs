@@ -1,2 +1,2 @@
 /** Checks whose faults are known and not cured yet: they are left out, so that they do not hide others. A check is named at its `expect`. */
-export const OPEN = new Set(["ground contact least", "ground contact holds"]);
+export const OPEN = new Set([]);

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
@@ -24,6 +25,8 @@ package starlogo.search
         private var _row:Vector.<int> = new Vector.<int>(1, true);
         private var _member:Vector.<int> = new Vector.<int>(1, true);
         private var _placement:Placement = new Placement();
+        private var _farthest:FarthestPoint = new FarthestPoint();
+        private var _inwards:Vector3D = new Vector3D();
 
         /** @param pairs knows how deep trees are visited */
         public function GroundPairs(pairs:RowPairs)
@@ -87,15 +90,33 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findWay(table:AgentTable, a:int, b:int, isFirst:Boolean, most:Number, out:ContactPoint):Boolean
+        override public function findWays(table:AgentTable, a:int, b:int, ways:Vector.<ContactPoint>):int
         {
-            return pairOf(table, a, b).findWay(isFirst, most, out);
+            var count:int = pairOf(table, a, b).findWays(reach, ways);
+            if (table.forms[a] == ModelShape.TREE)
+            {
+                for (var i:int = 0; i < count; i++)
+                {
+                    measure(table, a, ways[i]);
+                }
+            }
+            return count;
         }
 
         /** @inheritDoc */
         override public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
         {
             pairOf(table, a, b).findClosest(areTouching, out);
+        }
+
+        // Changes a contact's depth behind a plane from the depth of the structure around a tree to that of the tree itself.
+        private function measure(table:AgentTable, a:int, way:ContactPoint):void
+        {
+            var plane:Number = way.normalX * way.x + way.normalY * way.y + way.normalZ * way.z + way.depth / 2;
+            _inwards.setTo(-way.normalX, -way.normalY, -way.normalZ);
+            _farthest.setTo(table, a, _pairs.trees);
+            _farthest.find(_inwards);
+            way.depth = plane + _farthest.reach;
         }
 
         private static function gridOf(table:AgentTable, ground:int):HeightGrid

@@ -18,6 +18,9 @@ package starlogo.search
         /** The length that any way out of the last contact has at least; 0 if it is not known. */
         public var needed:Number = 0;
 
+        /** How far away parts of the second row count in <code>findWays()</code>. */
+        public var reach:Number = 0;
+
         /** Has only methods. */
         public function PairTests()
         {
@@ -98,16 +101,14 @@ package starlogo.search
         }
 
         /**
-         * Finds another contact with which a way out may begin.
+         * Finds contacts with which other ways out of the second row may begin, within <code>reach</code>.
          *
-         * @param isFirst whether it is the first such contact. Each other one has a new direction
-         * @param most the depth must be less
-         * @param out receives the contact
-         * @return whether there is one
+         * @param ways receives the contacts, each with another direction
+         * @return their number
          */
-        public function findWay(table:AgentTable, a:int, b:int, isFirst:Boolean, most:Number, out:ContactPoint):Boolean
+        public function findWays(table:AgentTable, a:int, b:int, ways:Vector.<ContactPoint>):int
         {
-            return false;
+            return 0;
         }
 
         /**

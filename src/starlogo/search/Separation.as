@@ -1,7 +1,5 @@
 package starlogo.search
 {
-    import flash.geom.Vector3D;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
@@ -14,32 +12,24 @@ package starlogo.search
      * touches the second row any more.
      *
      * <p>It begins with a push along the given normal. If the two still touch after a push, their contact there is added, and the next push is
-     * the shortest one out of all contacts so far (LeastPush). So a box in a corner of floor and wall goes out of both at once. No way out
-     * is shorter than the overlap of two of their parts. If the push is about as short as that, it is taken. Otherwise other ways begin with
-     * other contacts (<code>PairTests.findWay()</code>), and the shortest is taken.</p>
+     * the shortest one out of all contacts so far (PushSearch). So a box in a corner of floor and wall goes out of both at once.</p>
      *
-     * <p>If no push is found, it tries places farther and farther away along the shortest way out of the structures around both rows. Then it
-     * sweeps back to the place where the two part. The surfaces have a normal at that place. Along this normal the way out is usually shorter.
-     * For convex bodies it always is, because it is at most the depth times the cosine of the angle between the two directions. So it tries
-     * that normal next. It improves a direction twice at most.</p>
+     * <p>The ground has many ways out. A point that is deep in the ground has to go at least as far as to the nearest side. If the push is about as
+     * short as that, it is taken. Otherwise the deepest part of the ground that an agent touches can be left over each side of the ground that this
+     * part is behind (<code>PairTests.findWays()</code>). Each is the beginning of a push, and the shortest push that leads out is taken.</p>
+     *
+     * <p>If no push is found, the shortest way out of the structures around both rows gives the direction (Parting).</p>
      *
      * @private
      */
-    public final class Separation
+    public final class Separation extends Parting
     {
-        // A contact is shallow if its depth is less than this fraction of the larger extent. The search for a way out also begins with steps of
-        // this length.
-        private static const SHALLOW:Number = 1 / 256;
-
-        // How often a normal is improved at most. Another direction counts as better if its depth is less than GAIN times the old depth.
-        private static const IMPROVEMENTS:int = 2;
-        private static const GAIN:Number = 0.95;
-
-        // How many contacts a push may lead out of, how many other ways are tried, and the part of a push that must be known to be needed, so
-        // that no other way is tried.
+        // How many contacts a push may lead out of, one after the other; how many pushes out of the ground are tried; the part of a push that must
+        // be known to be needed, so that no other way is tried; and how many times farther other ways are looked for next.
         private static const MOST_CONTACTS:int = 4;
-        private static const MOST_WAYS:int = 8;
-        private static const NEEDED:Number = 0.8;
+        private static const MOST_PUSHES:int = 80;
+        private static const NEEDED:Number = 0.85;
+        private static const FARTHER:Number = 3;
 
         // How far a push leads into a corner of an agent at most, as a fraction of the larger extent. The cosines of the angles that the contact with
         // another side of the corner has to the push.
@@ -54,49 +44,21 @@ package starlogo.search
         // How much farther than needed a push leads out of each contact, as a fraction of SEPARATION.
         private static const SLACK:Number = 0.1;
 
-        // The interval in which the two part is halved until it is shorter than this fraction of the larger extent. Then it is swept.
-        private static const NARROW:Number = 1 / 16;
+        // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
+        private static const CELL_SHARE:Number = 1e-4;
 
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
-        // The most halvings. After 53 a Number has no more bits to halve.
-        private static const MOST_STEPS:int = 60;
-
         private var _pairs:RowPairs;
-        private var _moved:MovedRow = new MovedRow();
 
-        // The pair under way, its tests, the place of its first row when they touch, the larger extent of the two, and the gap across which
-        // they touch because their places are rounded.
-        private var _table:AgentTable;
-        private var _tests:PairTests;
-        private var _a:int;
-        private var _b:int;
-        private var _x:Number = 0;
-        private var _y:Number = 0;
-        private var _z:Number = 0;
-        private var _extent:Number = 0;
-        private var _rounding:Number = 0;
-        private var _place:Vector3D = new Vector3D();
+        // The first contact, the pushes, and the contacts with which other ways begin.
+        private var _first:ContactPoint = new ContactPoint();
 
-        // The direction that is tried; a distance along it at which the two touch, a distance at which they do not, and the next step towards it.
-        private var _alongX:Number = 0;
-        private var _alongY:Number = 0;
-        private var _alongZ:Number = 0;
-        private var _touching:Number = 0;
-        private var _free:Number = 0;
-        private var _step:Number = 0;
-
-        // How far the first row is moved along the direction. This is a field because V8 makes an object for each Number that is passed.
-        private var _distance:Number = 0;
-
-        // The sweep back, and the contact at its end.
-        private var _back:RelativeMotion = new RelativeMotion();
-        private var _left:ContactPoint = new ContactPoint();
-
-        // The contact with which a way begins, and the push on this way.
-        private var _way:ContactPoint = new ContactPoint();
-        private var _push:LeastPush = new LeastPush();
+        // Whether the tests have found another contact since the first one.
+        private var _isFirstLost:Boolean = false;
+        private var _pushes:PushSearch = new PushSearch();
+        private var _ways:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         /** @param pairs tests which rows touch, and when */
         public function Separation(pairs:RowPairs)
@@ -152,7 +114,8 @@ package starlogo.search
             _x = table.x[a] + (motion.startX + time * motion.x);
             _y = table.y[a] + (motion.startY + time * motion.y);
             _z = table.z[a] + (motion.startZ + time * motion.z);
-            var half:Number = Math.max(table.extents.largestHalf(b), _moved.largestHalf);
+            var share:Number = table.forms[b] == ModelShape.GROUND ? CELL_SHARE : 1;
+            var half:Number = Math.max(share * table.extents.largestHalf(b), _moved.largestHalf);
             _rounding = table.marginOf(a) + table.marginOf(b);
             // two points have no extent. Then it is the gap across which they still touch
             _extent = Math.max(2 * half, Math.max(_rounding, LEAST_EXTENT));
@@ -181,27 +144,32 @@ package starlogo.search
         // because their tests are fast.
         private function findLeast(motion:RelativeMotion, out:ContactPoint):void
         {
-            var needed:Number = _tests.needed;
-            var trees:TreePairs = _pairs.trees;
-            _way.copyFrom(out);
+            _first.copyFrom(out);
+            _isFirstLost = false;
             out.depth = Infinity;
-            tryPush(out);
+            if (_table.forms[_b] == ModelShape.GROUND)
+            {
+                findWayOfGround(out);
+                return;
+            }
+            findPush(out, Infinity, 0, MOST_CONTACTS);
             if (isComing(motion) && out.depth > SHALLOW * _extent)
             {
-                _way.pointAgainst(motion);
-                _way.depth = 0;
-                tryPush(out);
+                _first.pointAgainst(motion);
+                _first.depth = 0;
+                findPush(out, GAIN * out.depth, 0, MOST_CONTACTS);
             }
-            if (NEEDED * out.depth <= needed)
+            if (out.depth == 0)
             {
                 return;
             }
+            var trees:TreePairs = _pairs.trees;
             var isExact:Boolean = trees != null && trees.exact && out.depth > SHALLOW * _extent;
             if (isExact)
             {
                 trees.byLeaves = true;
             }
-            tryWays(out);
+            tryOuter(out);
             if (isExact)
             {
                 trees.byLeaves = false;
@@ -210,9 +178,8 @@ package starlogo.search
             }
         }
 
-        // Tries other ways than that of the first contact: straight along the shortest way out of the structures around both rows, and those that
-        // begin with other contacts.
-        private function tryWays(out:ContactPoint):void
+        // Tries to go straight along the shortest way out of the structures around both rows.
+        private function tryOuter(out:ContactPoint):void
         {
             _distance = 0;
             displace();
@@ -221,54 +188,96 @@ package starlogo.search
             {
                 goOutAlong(_left);
                 refine(out);
+                return;
             }
-            else
+            point(_left);
+            _free = out.depth - Tolerances.SEPARATION * _extent;
+            if (!touchesFree())
             {
-                point(_left);
-                _free = out.depth - Tolerances.SEPARATION * _extent;
-                if (!touchesFree())
-                {
-                    _touching = 0;
-                    refine(out);
-                }
-            }
-            for (var ways:int = 0; ways < MOST_WAYS; ways++)
-            {
-                _distance = 0;
-                displace();
-                if (!_tests.findWay(_table, _a, _b, ways == 0, GAIN * out.depth, _way))
-                {
-                    return;
-                }
-                tryPush(out);
+                _touching = 0;
+                refine(out);
             }
         }
 
-        // Tries a push that begins with the contact of the way. Takes it if it is shorter than the way out so far.
-        private function tryPush(out:ContactPoint):void
+        // Finds a way out of the ground. The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks
+        // farther and farther for other ways.
+        private function findWayOfGround(out:ContactPoint):void
+        {
+            var reach:Number = Math.max(SHALLOW * _extent, Math.min(_first.depth, _extent));
+            if (findPush(out, Math.max(_tests.needed / NEEDED, ROOM * _extent), 0, MOST_CONTACTS))
+            {
+                return;
+            }
+            while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES))
+            {
+                _distance = 0;
+                displace();
+                _tests.findOuterContact(_table, _a, _b, _left);
+                if (reach > _left.depth)
+                {
+                    goOutAlong(_left);
+                    refine(out);
+                    return;
+                }
+                reach *= FARTHER;
+            }
+        }
+
+        // Looks for the shortest push that leads out of all contacts, from the first one on. Takes it if it is not longer than the most.
+        private function findPush(out:ContactPoint, most:Number, reach:Number, tries:int):Boolean
         {
             var slack:Number = SLACK * Tolerances.SEPARATION * _extent + _rounding;
-            _push.begin();
-            _push.add(_way, slack);
-            for (var count:int = 1; _push.length < GAIN * out.depth; count++)
+            _pushes.begin();
+            _left.copyFrom(_first);
+            _distance = 0;
+            displace();
+            if (reach > 0 && _isFirstLost)
             {
-                _alongX = _push.x / _push.length;
-                _alongY = _push.y / _push.length;
-                _alongZ = _push.z / _push.length;
-                _distance = _push.length + ROOM * _extent;
-                _free = _push.length + Tolerances.SEPARATION / 4 * _extent;
-                if ((count == 1 || !touch()) && !touchesFree())
+                _tests.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
+            }
+            while (tries > 0)
+            {
+                _pushes.add(_left, slack);
+                if (reach > 0)
+                {
+                    addWays(reach, slack);
+                }
+                if (!_pushes.next() || _pushes.length > most)
+                {
+                    return false;
+                }
+                if (isFreeAfterPush())
                 {
                     takePush(out);
-                    return;
+                    return true;
                 }
-                if (count == MOST_CONTACTS || !findCorner())
+                if (!findCorner())
                 {
-                    return;
+                    return false;
                 }
-                slack *= 2;
-                _push.add(_left, slack);
+                tries--;
             }
+            return false;
+        }
+
+        private function addWays(reach:Number, slack:Number):void
+        {
+            _tests.reach = reach;
+            var count:int = _tests.findWays(_table, _a, _b, _ways);
+            for (var i:int = 0; i < count; i++)
+            {
+                _pushes.add(_ways[i], slack);
+            }
+        }
+
+        private function isFreeAfterPush():Boolean
+        {
+            _alongX = _pushes.x / _pushes.length;
+            _alongY = _pushes.y / _pushes.length;
+            _alongZ = _pushes.z / _pushes.length;
+            _distance = _pushes.length + ROOM * _extent;
+            _free = _pushes.length + Tolerances.SEPARATION / 4 * _extent;
+            return (_pushes.deciding == 1 || !touch()) && !touchesFree();
         }
 
         // Finds the contact after a push, at another side of a corner. Agents that are deep in each other have many contacts in all directions,
@@ -276,10 +285,11 @@ package starlogo.search
         private function findCorner():Boolean
         {
             var isGround:Boolean = _table.forms[_b] == ModelShape.GROUND;
-            if (!isGround && _push.length > LARGEST_CORNER * _extent)
+            if (!isGround && _pushes.length > LARGEST_CORNER * _extent)
             {
                 return false;
             }
+            _isFirstLost = true;
             _tests.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
             var cosine:Number = _left.normalX * _alongX + _left.normalY * _alongY + _left.normalZ * _alongZ;
             return isGround || cosine > LEAST_COSINE && cosine < MOST_COSINE;
@@ -288,152 +298,14 @@ package starlogo.search
         // The two part at the end of the push, or before it.
         private function takePush(out:ContactPoint):void
         {
-            out.copyFrom(_way);
             out.setNormal(_alongX, _alongY, _alongZ);
-            out.depth = _push.length;
-            _distance = _push.length - Tolerances.SEPARATION / 4 * _extent;
+            out.depth = _pushes.length;
+            _distance = _pushes.length - Tolerances.SEPARATION / 4 * _extent;
             if (_distance > 0 && !touch())
             {
                 _touching = 0;
                 refine(out);
             }
-        }
-
-        // Sweeps back from the free distance. If the contact is not shallow, improves the direction. Then the point becomes the middle between the
-        // place where the two part and the matching place on the first row.
-        private function refine(out:ContactPoint):void
-        {
-            sweepBack(out);
-            if (out.depth > SHALLOW * _extent)
-            {
-                for (var left:int = IMPROVEMENTS; left > 0 && isShorterAlongLeft(out); left--)
-                {
-                    _touching = 0;
-                    sweepBack(out);
-                }
-                out.x = _left.x - out.depth / 2 * out.normalX;
-                out.y = _left.y - out.depth / 2 * out.normalY;
-                out.z = _left.z - out.depth / 2 * out.normalZ;
-            }
-            makeSure(out);
-        }
-
-        // Tries the normal of the surfaces at the end of the way. Returns whether the way out along it is shorter.
-        private function isShorterAlongLeft(out:ContactPoint):Boolean
-        {
-            var cosine:Number = _left.normalX * out.normalX + _left.normalY * out.normalY + _left.normalZ * out.normalZ;
-            if (!(cosine > 0 && cosine < GAIN))
-            {
-                return false;
-            }
-            point(_left);
-            _free = cosine * out.depth + Tolerances.SEPARATION * _extent;
-            return !touchesFree();
-        }
-
-        // Takes the direction of a contact's normal. Its depth is the first guess of the free distance.
-        private function goOutAlong(contact:ContactPoint):void
-        {
-            point(contact);
-            _free = contact.depth + Tolerances.SEPARATION * _extent;
-            _step = SHALLOW * _extent;
-            goOut();
-        }
-
-        // Increases the free distance by longer and longer steps, until the two do not touch there.
-        private function goOut():void
-        {
-            _touching = 0;
-            while (touchesFree() && _free < 1e300)
-            {
-                _touching = _free;
-                _free += _step;
-                _step *= 2;
-            }
-        }
-
-        // Finds the place where the two part: it is between a place where they touch and a place where they do not. Its distance becomes the
-        // contact's depth.
-        private function sweepBack(out:ContactPoint):void
-        {
-            while (_free - _touching > NARROW * _extent)
-            {
-                halve();
-            }
-            _distance = _touching;
-            displace();
-            var way:Number = _touching - _free;
-            _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            _tests.findImpact(_table, _a, _b, _back, _left);
-            var time:Number = Math.min(_back.time, 1);
-            out.normalX = _alongX;
-            out.normalY = _alongY;
-            out.normalZ = _alongZ;
-            out.depth = _free + time * way;
-        }
-
-        private function halve():void
-        {
-            var middle:Number = (_touching + _free) / 2;
-            _distance = middle;
-            if (touch())
-            {
-                _touching = middle;
-            }
-            else
-            {
-                _free = middle;
-            }
-        }
-
-        // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
-        private function makeSure(out:ContactPoint):void
-        {
-            var slack:Number = Tolerances.SEPARATION / 4 * _extent;
-            point(out);
-            _free = out.depth + slack;
-            _step = slack;
-            goOut();
-            if (_touching == 0)
-            {
-                _distance = out.depth - slack;
-                if (_distance <= 0 || touch())
-                {
-                    return;
-                }
-                _free = _distance;
-            }
-            for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
-            {
-                halve();
-            }
-            out.depth = (_free + _touching) / 2;
-        }
-
-        private function point(contact:ContactPoint):void
-        {
-            _alongX = contact.normalX;
-            _alongY = contact.normalY;
-            _alongZ = contact.normalZ;
-        }
-
-        private function touchesFree():Boolean
-        {
-            _distance = _free;
-            return touch();
-        }
-
-        // Whether the two touch if the first one is moved along the direction by the distance.
-        private function touch():Boolean
-        {
-            displace();
-            return _tests.areTouching(_table, _a, _b);
-        }
-
-        private function displace():void
-        {
-            _place.setTo(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ);
-            _moved.put(_place, 0);
         }
     }
 }

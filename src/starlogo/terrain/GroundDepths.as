@@ -1,10 +1,7 @@
 package starlogo.terrain
 {
-    import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.intersection.ConvexTriangle;
-    import starlogo.intersection.DeepestPoint;
     import starlogo.intersection.contact.ContactPoint;
 
     use namespace engine;
@@ -12,17 +9,14 @@ package starlogo.terrain
     /** Finds the contacts of a standing piece of a model with the ground's triangles. Depths are returned as a search wants them: less is better. */
     internal final class GroundDepths
     {
-        // How far from an edge the ground beside it is looked at, as a fraction of a cell and of the coordinates; and how far out, as a fraction of
-        // that. Walls that are lower are not seen.
-        private static const BESIDE:Number = 1e-6;
-        private static const OF_PLACES:Number = 1e-12;
-        private static const OUT:Number = 1 / 64;
-
         // Two ways have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_WAY:Number = 0.98;
 
-        // How far the place from which the ground beside an edge is looked at lies from the end of the edge.
-        private static const FROM_END:Number = 1e-3;
+        // How many gaps of a triangle the part of a contact may reach before its plane, because of rounding.
+        private static const PART_GAPS:Number = 10;
+
+        // The most ways that are found.
+        private static const MOST_WAYS:int = 12;
 
         // The part of a depth that must be known to be needed.
         private static const NEEDED:Number = 0.8;
@@ -33,18 +27,17 @@ package starlogo.terrain
         /** The length that any way out of the ground has at least, by the last triangle; 0 if it is not known. */
         public var needed:Number = 0;
 
+        /** The number of ways since <code>beginWays()</code>. */
+        public var wayCount:int = 0;
+
+        /** Whether there is a part of the last contact. */
+        public var hasPart:Boolean = false;
+
         private var _piece:ConvexTriangle;
         private var _faces:GroundFaces;
-        private var _edge:ContactPoint = new ContactPoint();
-        private var _against:ContactPoint = new ContactPoint();
-        private var _farthest:DeepestPoint = new DeepestPoint();
-        private var _place:Vector3D;
+        private var _part:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // The normals of the ways that were found.
-        private var _xs:Vector.<Number> = new Vector.<Number>();
-        private var _ys:Vector.<Number> = new Vector.<Number>();
-        private var _zs:Vector.<Number> = new Vector.<Number>();
-        private var _wayCount:int = 0;
+        private var _ways:Vector.<ContactPoint>;
 
         /**
          * @param piece the piece
@@ -56,31 +49,63 @@ package starlogo.terrain
             _faces = faces;
         }
 
-        /** Forgets all ways. */
-        public function forgetWays():void
+        /** Begins with a list of ways. */
+        public function beginWays(ways:Vector.<ContactPoint>):void
         {
-            _wayCount = 0;
+            _ways = ways;
+            wayCount = 0;
         }
 
-        /** Remembers a way. */
-        public function addWay(way:ContactPoint):void
+        /** Remembers the triangle as the part of the ground that the last contact is with. */
+        public function keepPart():void
         {
-            _xs[_wayCount] = way.normalX;
-            _ys[_wayCount] = way.normalY;
-            _zs[_wayCount] = way.normalZ;
-            _wayCount++;
+            for (var i:int = 0; i < 9; i++)
+            {
+                _part[i] = _faces.corners[i];
+            }
+            hasPart = true;
         }
 
-        /** Finds the depth behind the triangle's plane; Infinity if there was a way of nearly this direction. */
-        public function findWay():Number
+        /**
+         * Adds the way out of the triangle's plane, if the piece and the part of the last contact are behind it. Of ways with nearly the same
+         * direction, the shortest is kept.
+         */
+        public function addWay():void
         {
             _piece.findBehind(contact);
-            var isNew:Boolean = contact.depth >= -_piece.gap;
-            for (var i:int = 0; i < _wayCount && isNew; i++)
+            if (!(contact.depth >= -_piece.gap && (!hasPart || isPartBehind())))
             {
-                isNew = contact.normalX * _xs[i] + contact.normalY * _ys[i] + contact.normalZ * _zs[i] < SAME_WAY;
+                return;
             }
-            return isNew ? contact.depth : Infinity;
+            for (var i:int = 0; i < wayCount; i++)
+            {
+                var way:ContactPoint = _ways[i];
+                if (contact.normalX * way.normalX + contact.normalY * way.normalY + contact.normalZ * way.normalZ > SAME_WAY)
+                {
+                    if (contact.depth < way.depth)
+                    {
+                        way.copyFrom(contact);
+                    }
+                    return;
+                }
+            }
+            if (wayCount < MOST_WAYS)
+            {
+                if (wayCount == _ways.length)
+                {
+                    _ways[wayCount] = new ContactPoint();
+                }
+                _ways[wayCount].copyFrom(contact);
+                wayCount++;
+            }
+        }
+
+        private function isPartBehind():Boolean
+        {
+            contact.measure(_part, 0, 9);
+            var greatest:Number = contact.greatest;
+            contact.measure(_faces.corners, 0, 3);
+            return greatest <= contact.least + PART_GAPS * _piece.gap;
         }
 
         /**
@@ -99,86 +124,38 @@ package starlogo.terrain
             return needed >= NEEDED * contact.depth ? -contact.depth : Infinity;
         }
 
-        /**
-         * Finds the negative depth along the direction in which the piece and the triangle overlap least. If this direction does not lead out of
-         * the ground, it is the depth behind the triangle's plane.
-         */
-        public function findEdge(best:Number, grid:HeightGrid):Number
+        /** Finds the negative depth along the direction in which the piece and the triangle overlap least. */
+        public function findEdge(best:Number):Number
         {
-            var isUnder:Boolean = _piece.findBehind(contact);
+            _piece.findBehind(contact);
             if (!(contact.depth >= _piece.gap - best || best == 0) || !_piece.touches())
             {
                 return Infinity;
             }
             _piece.time = 0;
-            _piece.findContact(_edge);
-            if (isOutside(grid))
-            {
-                contact.copyFrom(_edge);
-                return -contact.depth;
-            }
-            return isUnder ? -contact.depth : Infinity;
-        }
-
-        // Whether the normal at an edge leads out of the ground: the ground on the other side of the edge is not above the plane of the contact.
-        // On a floor, the edges between its triangles have no normals other than the floor's.
-        private function isOutside(grid:HeightGrid):Boolean
-        {
-            var cosine:Number = contact.normalX * _edge.normalX + contact.normalY * _edge.normalY + contact.normalZ * _edge.normalZ;
-            var sine:Number = Math.sqrt(Math.max(0, 1 - cosine * cosine));
-            if (sine < Tolerances.DIRECTION)
-            {
-                // a normal that points into the ground has been replaced by that of the face
-                return _edge.depth >= contact.depth * (1 - Tolerances.DIRECTION) - _piece.gap;
-            }
-            // along the plane of the contact, away from the triangle, and a little out
-            var by:Number = BESIDE * grid.cellWidth + OF_PLACES * (Math.abs(_faces.origin.x) + Math.abs(_faces.origin.y) + Math.abs(_faces.origin.z));
-            var out:Number = by * (cosine / sine + OUT);
-            var back:Number = by / sine;
-            findEdgePlace(sine);
-            grid.placeX = _faces.origin.x + _place.x + out * _edge.normalX - back * contact.normalX;
-            grid.placeY = _faces.origin.y + _place.y + out * _edge.normalY - back * contact.normalY;
-            grid.findHeight();
-            return !(grid.height >= _faces.origin.z + _place.z + out * _edge.normalZ - back * contact.normalZ);
-        }
-
-        // Finds the place of the triangle that is farthest along the normal at the edge. If it is a corner, the place is a little way along the edge.
-        private function findEdgePlace(sine:Number):void
-        {
-            var p:Vector.<Number> = _faces.corners;
-            _against.setNormal(-_edge.normalX, -_edge.normalY, -_edge.normalZ);
-            _farthest.findOfCorners(p, 9, _against);
-            _place = _farthest.point;
-            _against.setNormal(_edge.normalY * contact.normalZ - _edge.normalZ * contact.normalY, _edge.normalZ * contact.normalX - _edge.normalX * contact.normalZ,
-                    _edge.normalX * contact.normalY - _edge.normalY * contact.normalX);
-            var along:Number = _against.normalX * (p[0] + p[3] + p[6]) + _against.normalY * (p[1] + p[4] + p[7]) + _against.normalZ * (p[2] + p[5] + p[8]);
-            _against.push(_place, FROM_END * (along / 3 - _against.along(_place)) / (sine * sine));
+            _piece.findContact(contact);
+            return -contact.depth;
         }
 
         // Finds how long any way out of the ground is at least, because the piece's deepest point has to get out.
         private function findNeeded(grid:HeightGrid):void
         {
             var depth:Number = contact.depth;
-            var reach:Number = depth / grid.cellWidth;
-            var width:Number = grid.isBlocky ? 0.5 : 0;
             needed = 0;
             grid.placeX = _faces.origin.x + contact.x - depth / 2 * contact.normalX;
             grid.placeY = _faces.origin.y + contact.y - depth / 2 * contact.normalY;
             grid.findHeight();
             var z:Number = _faces.origin.z + contact.z - depth / 2 * contact.normalZ;
-            var column:Number = (grid.placeX - grid.x) / grid.cellWidth;
-            var row:Number = (grid.placeY - grid.y) / grid.cellWidth;
-            if (!(grid.height > z) || column - reach < -width || row - reach < -width || column + reach > grid.columns - 1 + width
-                    || row + reach > grid.rows - 1 + width)
+            var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
+            var left:Number = Math.min(grid.placeX - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - grid.placeX);
+            var front:Number = Math.min(grid.placeY - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - grid.placeY);
+            if (!(grid.height > z) || Math.min(left, front) + border < depth)
             {
                 return;
             }
             var high:Number = grid.height;
-            var first:int = Math.floor(column - reach + width);
-            var firstRow:int = Math.floor(row - reach + width);
-            var last:int = Math.ceil(column + reach - width);
-            var lastRow:int = Math.ceil(row + reach - width);
-            grid.findAround(first, firstRow, last, lastRow);
+            grid.reachX = grid.reachY = depth;
+            grid.findAround();
             needed = grid.least - z;
             if (!grid.isBlocky)
             {

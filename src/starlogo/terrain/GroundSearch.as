@@ -271,11 +271,11 @@ package starlogo.terrain
             }
             else if (_goal == WAYS)
             {
-                found = _depths.findWay();
+                _depths.addWay();
             }
             else
             {
-                found = _goal == FACES ? _depths.findFace(_best, _grid) : _depths.findEdge(_best, _grid);
+                found = _goal == FACES ? _depths.findFace(_best, _grid) : _depths.findEdge(_best);
             }
             if (!(found < _best || found == _best && !_isFound && found < Infinity))
             {
@@ -299,8 +299,7 @@ package starlogo.terrain
             else
             {
                 _contact.copyFrom(_depths.contact);
-                var reach:Number = _goal == WAYS ? found : 0;
-                _faces.reach = reach;
+                _depths.keepPart();
                 if (_goal == FACES)
                 {
                     _faces.raise(-found);

@@ -78,6 +78,12 @@ package starlogo.terrain
         /** @copy #placeZ */
         public var inset:Number = 0;
 
+        /** How far from the place <code>findAround()</code> looks. */
+        public var reachX:Number = 0;
+
+        /** @copy #reachX */
+        public var reachY:Number = 0;
+
         /** How high the ground is at the place; NaN outside. */
         public var height:Number = 0;
 
@@ -321,15 +327,23 @@ package starlogo.terrain
         }
 
         /**
-         * Finds bounds of the heights of a range and of how much neighbours differ. A large range is extended to whole squares. Heights beyond the
-         * border do not count.
+         * Finds bounds of the heights that the ground has within the reach of the place along x and y, and of how much neighbours differ. A large
+         * range is extended to whole squares. Without ground there, the greatest is -Infinity.
          */
-        public function findAround(first:int, firstRow:int, last:int, lastRow:int):void
+        public function findAround():void
         {
-            first = Math.max(0, first);
-            firstRow = Math.max(0, firstRow);
-            last = Math.min(columns - 1, last);
-            lastRow = Math.min(rows - 1, lastRow);
+            var border:Number = isBlocky ? 0.5 : 0;
+            var toX:Number = (placeX - x) / cellWidth;
+            var toY:Number = (placeY - y) / cellWidth;
+            var first:int = Math.max(0, Math.floor(toX - reachX / cellWidth + border));
+            var firstRow:int = Math.max(0, Math.floor(toY - reachY / cellWidth + border));
+            var last:int = Math.min(columns - 1, Math.ceil(toX + reachX / cellWidth - border));
+            var lastRow:int = Math.min(rows - 1, Math.ceil(toY + reachY / cellWidth - border));
+            if (last - first <= MOST_SQUARES && lastRow - firstRow <= MOST_SQUARES)
+            {
+                findRange(first, firstRow, last, lastRow);
+                return;
+            }
             var level:int = 0;
             while (level < levels && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
             {
@@ -338,11 +352,6 @@ package starlogo.terrain
                 last >>= SHIFT;
                 lastRow >>= SHIFT;
                 level++;
-            }
-            if (level == 0)
-            {
-                findRange(first, firstRow, last, lastRow);
-                return;
             }
             joinBounds(begins[level], countSquares(columns, level), first, firstRow, last, lastRow);
             stepY = stepX;

@@ -87,17 +87,14 @@ package starlogo.terrain
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
-            var x:Number = extents.x[row] - grid.x;
-            var y:Number = extents.y[row] - grid.y;
             var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
             var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
             var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
-            var first:int = Math.max(0, (x - halfX) / width);
-            var firstRow:int = Math.max(0, (y - halfY) / width);
-            // A column extends half a cell beyond the place of its height.
-            var last:int = Math.min(grid.columns - 1, (x + halfX) / width + 1);
-            var lastRow:int = Math.min(grid.rows - 1, (y + halfY) / width + 1);
-            grid.findAround(first, firstRow, last, lastRow);
+            grid.placeX = extents.x[row];
+            grid.placeY = extents.y[row];
+            grid.reachX = halfX;
+            grid.reachY = halfY;
+            grid.findAround();
             if (extents.z[row] - halfZ > grid.greatest)
             {
                 return true;

@@ -83,6 +83,7 @@ package starlogo.terrain
         {
             var time:Number = motion.time;
             needed = 0;
+            _depths.hasPart = false;
             if (motion.x != 0 || motion.y != 0 || motion.z != 0)
             {
                 findImpact(motion, out);
@@ -111,46 +112,42 @@ package starlogo.terrain
         }
 
         /**
-         * Finds the triangle whose plane the standing structure around the model is least behind, and the contact that leads out of this plane.
+         * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
+         * that it is least behind.
          *
-         * @param isFirst whether the normal may be any. Otherwise it differs from those that were found since the first
-         * @param most the depth must be less
-         * @param out receives the contact
-         * @return whether there is one
+         * @param reach how far away triangles may be
+         * @param ways receives the contacts that lead out of the planes
+         * @return their number
          */
-        public function findWay(isFirst:Boolean, most:Number, out:ContactPoint):Boolean
+        public function findWays(reach:Number, ways:Vector.<ContactPoint>):int
         {
             _goal = WAYS;
-            _contact = out;
             _motion = RelativeMotion.NONE;
-            _best = most;
+            _best = reach;
             _isFound = false;
-            if (isFirst)
-            {
-                _depths.forgetWays();
-            }
+            _depths.beginWays(ways);
             meetStructure(_structure);
-            if (_isFound)
+            for (var i:int = 0; i < _depths.wayCount; i++)
             {
-                _depths.addWay(out);
-                moveToWorld(out);
+                moveToWorld(ways[i]);
             }
-            return _isFound;
+            return _depths.wayCount;
         }
 
-        /**
-         * Finds the contact that lifts the model from its lowest place up to the ground at the model's middle. There may be higher ground
-         * beside it.
-         */
+        /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
             placeBox(_structure);
             var middle:Vector3D = _faces.middle;
-            var low:Number = middle.z - _faces.half.z;
-            var height:Number = heightAt(middle.x, middle.y);
+            var half:Vector3D = _faces.half;
+            var low:Number = middle.z - half.z;
+            _grid.placeX = middle.x + _origin.x;
+            _grid.placeY = middle.y + _origin.y;
+            _grid.reachX = half.x;
+            _grid.reachY = half.y;
+            _grid.findAround();
             out.setNormal(0, 0, 1);
-            // The height may be NaN.
-            out.depth = height > low ? height - low : 0;
+            out.depth = Math.max(0, _grid.greatest - _origin.z - low);
             out.x = middle.x;
             out.y = middle.y;
             out.z = low + out.depth / 2;

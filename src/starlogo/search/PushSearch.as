@@ -1,0 +1,246 @@
+package starlogo.search
+{
+    import starlogo.intersection.contact.ContactPoint;
+
+    /**
+     * Finds the shortest push that leads out of several parts of a body, one after the other. Each part can be left by one of several
+     * contacts: a contact asks for a push of at least its depth along its normal.
+     *
+     * <p>Take the shortest push that is left, and add the pushes that also lead out of the contacts after it, until a push leads out of all parts.
+     * The pushes that are left are not shorter (branch and bound).</p>
+     */
+    internal final class PushSearch
+    {
+        // The most pushes that are kept.
+        private static const MOST:int = 256;
+
+        // What a push has: itself, its length, and for each contact that decides about it the normal, and how far the push has to go along that.
+        // Three contacts at most decide.
+        private static const LENGTH:int = 3;
+        private static const FIRST:int = 4;
+        private static const STRIDE:int = 16;
+
+        // Two planes are parallel if the squared sine of their angle is less than this. Three meet in no point if their volume is.
+        private static const PARALLEL:Number = 1e-6;
+
+        // How much less than asked a push may be along a normal, as a fraction of the lengths, because of rounding.
+        private static const ROUNDING:Number = 1e-12;
+
+        /** The current push. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        /** Its length. */
+        public var length:Number = 0;
+
+        /** How many contacts decide about the current push. */
+        public var deciding:int = 0;
+
+        // The pushes. The length of one that was taken is Infinity. The current one is -1 at first.
+        private var _pushes:Vector.<Number> = new Vector.<Number>(STRIDE * MOST, true);
+        private var _deciding:Vector.<int> = new Vector.<int>(MOST, true);
+        private var _count:int = 0;
+        private var _current:int = -1;
+
+        // The new contact and those that decide about the current push: the normals, and how far a push has to go along them.
+        private var _xs:Vector.<Number> = new Vector.<Number>(4, true);
+        private var _ys:Vector.<Number> = new Vector.<Number>(4, true);
+        private var _zs:Vector.<Number> = new Vector.<Number>(4, true);
+        private var _depths:Vector.<Number> = new Vector.<Number>(4, true);
+
+        // The push that is tried; the shortest one so far, and which of the contacts decide about it.
+        private var _tryX:Number = 0;
+        private var _tryY:Number = 0;
+        private var _tryZ:Number = 0;
+        private var _bestX:Number = 0;
+        private var _bestY:Number = 0;
+        private var _bestZ:Number = 0;
+        private var _best:Number = 0;
+        private var _second:int = 0;
+        private var _third:int = 0;
+
+        /** Begins without a push. */
+        public function PushSearch()
+        {
+        }
+
+        /** Begins again, with a push of length 0. */
+        public function begin():void
+        {
+            _count = deciding = 0;
+            _current = -1;
+            x = y = z = length = 0;
+        }
+
+        /** Goes on to the shortest push that is left. Returns false if there is none. */
+        public function next():Boolean
+        {
+            length = Infinity;
+            for (var i:int = 0; i < _count; i++)
+            {
+                if (_pushes[int(STRIDE * i + LENGTH)] < length)
+                {
+                    length = _pushes[int(STRIDE * i + LENGTH)];
+                    _current = i;
+                }
+            }
+            var at:int = STRIDE * _current;
+            if (length == Infinity)
+            {
+                return false;
+            }
+            x = _pushes[at];
+            y = _pushes[int(at + 1)];
+            z = _pushes[int(at + 2)];
+            _pushes[int(at + LENGTH)] = Infinity;
+            deciding = _deciding[_current];
+            return true;
+        }
+
+        /**
+         * Adds the push that also leads out of a contact, which was found after the current push.
+         *
+         * @param slack is added to the contact's depth; twice as much for each contact that decides about the current push
+         */
+        public function add(contact:ContactPoint, slack:Number):void
+        {
+            _xs[0] = contact.normalX;
+            _ys[0] = contact.normalY;
+            _zs[0] = contact.normalZ;
+            for (var i:int = 1; i <= deciding; i++)
+            {
+                var at:int = STRIDE * _current + 4 * i;
+                _xs[i] = _pushes[at];
+                _ys[i] = _pushes[int(at + 1)];
+                _zs[i] = _pushes[int(at + 2)];
+                _depths[i] = _pushes[int(at + 3)];
+                slack *= 2;
+            }
+            _depths[0] = contact.depth + slack + contact.normalX * x + contact.normalY * y + contact.normalZ * z;
+            findShortest();
+            if (_best < Infinity && _count < MOST && isNew(slack))
+            {
+                keep();
+            }
+        }
+
+        // Finds the shortest push. The current one does not lead out of the new contact, so the push lies in its plane.
+        private function findShortest():void
+        {
+            _best = Infinity;
+            _tryX = _depths[0] * _xs[0];
+            _tryY = _depths[0] * _ys[0];
+            _tryZ = _depths[0] * _zs[0];
+            keepShorter(0, 0);
+            for (var i:int = 1; i <= deciding; i++)
+            {
+                meetTwo(0, i);
+                for (var j:int = 1; j < i; j++)
+                {
+                    meetThree(0, j, i);
+                }
+            }
+        }
+
+        // Whether the shortest push differs from all others, except the current one, by more than the slack.
+        private function isNew(slack:Number):Boolean
+        {
+            for (var i:int = 0; i < _count; i++)
+            {
+                var at:int = STRIDE * i;
+                var off:Number = Math.abs(_pushes[at] - _bestX) + Math.abs(_pushes[int(at + 1)] - _bestY) + Math.abs(_pushes[int(at + 2)] - _bestZ);
+                if (off <= slack && i != _current)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private function keep():void
+        {
+            var at:int = STRIDE * _count;
+            _pushes[at] = _bestX;
+            _pushes[int(at + 1)] = _bestY;
+            _pushes[int(at + 2)] = _bestZ;
+            _pushes[int(at + LENGTH)] = _best;
+            _deciding[_count] = _third > 0 ? 3 : _second > 0 ? 2 : 1;
+            keepContact(at + FIRST, 0);
+            keepContact(at + FIRST + 4, _second);
+            keepContact(at + FIRST + 8, _third);
+            _count++;
+        }
+
+        private function keepContact(at:int, contact:int):void
+        {
+            _pushes[at] = _xs[contact];
+            _pushes[int(at + 1)] = _ys[contact];
+            _pushes[int(at + 2)] = _zs[contact];
+            _pushes[int(at + 3)] = _depths[contact];
+        }
+
+        // Tries the point of two planes that is nearest to the origin.
+        private function meetTwo(i:int, j:int):void
+        {
+            var cosine:Number = _xs[i] * _xs[j] + _ys[i] * _ys[j] + _zs[i] * _zs[j];
+            var squaredSine:Number = 1 - cosine * cosine;
+            if (squaredSine > PARALLEL)
+            {
+                var first:Number = (_depths[i] - cosine * _depths[j]) / squaredSine;
+                var second:Number = (_depths[j] - cosine * _depths[i]) / squaredSine;
+                _tryX = first * _xs[i] + second * _xs[j];
+                _tryY = first * _ys[i] + second * _ys[j];
+                _tryZ = first * _zs[i] + second * _zs[j];
+                keepShorter(j, 0);
+            }
+        }
+
+        // Tries the point of three planes.
+        private function meetThree(i:int, j:int, k:int):void
+        {
+            var volume:Number = _xs[i] * (_ys[j] * _zs[k] - _zs[j] * _ys[k]) + _ys[i] * (_zs[j] * _xs[k] - _xs[j] * _zs[k])
+                + _zs[i] * (_xs[j] * _ys[k] - _ys[j] * _xs[k]);
+            if (volume * volume > PARALLEL)
+            {
+                _tryX = _tryY = _tryZ = 0;
+                addCross(_depths[i] / volume, j, k);
+                addCross(_depths[j] / volume, k, i);
+                addCross(_depths[k] / volume, i, j);
+                keepShorter(j, k);
+            }
+        }
+
+        // Adds a multiple of the cross product of two normals.
+        private function addCross(factor:Number, i:int, j:int):void
+        {
+            _tryX += factor * (_ys[i] * _zs[j] - _zs[i] * _ys[j]);
+            _tryY += factor * (_zs[i] * _xs[j] - _xs[i] * _zs[j]);
+            _tryZ += factor * (_xs[i] * _ys[j] - _ys[i] * _xs[j]);
+        }
+
+        // Keeps the push that is tried if it is shorter and leads out of all contacts.
+        private function keepShorter(second:int, third:int):void
+        {
+            var tried:Number = Math.sqrt(_tryX * _tryX + _tryY * _tryY + _tryZ * _tryZ);
+            var isOut:Boolean = tried < _best;
+            for (var i:int = 0; i <= deciding && isOut; i++)
+            {
+                isOut = _tryX * _xs[i] + _tryY * _ys[i] + _tryZ * _zs[i] >= _depths[i] - ROUNDING * tried;
+            }
+            if (isOut)
+            {
+                _bestX = _tryX;
+                _bestY = _tryY;
+                _bestZ = _tryZ;
+                _best = tried;
+                _second = second;
+                _third = third;
+            }
+        }
+    }
+}

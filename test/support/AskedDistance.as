@@ -6,6 +6,7 @@ package support
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.queries.DistanceQuestions;
     import starlogo.search.AgentTable;
+    import starlogo.search.Body;
     import starlogo.search.ModelShapes;
     import starlogo.search.RowPairs;
     import starlogo.search.ShapeChoice;
@@ -24,6 +25,8 @@ package support
         private var _pairs:RowPairs;
         private var _distances:DistanceQuestions;
         private var _table:AgentTable;
+        private var _bodyA:Body = new Body();
+        private var _bodyB:Body = new Body();
 
         /** As a collider of these shapes and these settings sees agents. */
         public function AskedDistance(choice:ShapeChoice, pairs:RowPairs)
@@ -37,11 +40,10 @@ package support
         /** How far two agents are apart. */
         public function between(a:Agent, b:Agent):Number
         {
-            _table.readGuest(0, a);
-            _table.readGuest(1, b);
-            areTouching = _pairs.areTouching(_table, 0, 1);
-            _distances.measure(_pairs, _table, 0, 1, true);
-            _table.endGuests();
+            _table.bodyOfNow(a, _bodyA);
+            _table.bodyOfNow(b, _bodyB);
+            areTouching = _pairs.areTouching(_bodyA, _bodyB);
+            _distances.measure(_pairs, _bodyA, _bodyB, true);
             return closest.distance;
         }
 

@@ -14,11 +14,6 @@ package starlogo.broadphase
         internal var byNumber:Vector.<BinLevel> = new <BinLevel>[null];
         internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
 
-        /** Creates an object without levels. */
-        public function BinLevels()
-        {
-        }
-
         /**
          * Finds the level for a row's extents and its distance from the world's origin.
          *

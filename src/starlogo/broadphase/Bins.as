@@ -67,11 +67,6 @@ package starlogo.broadphase
         // The slots of the candidates of the present member.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
-        /** Creates empty bins. */
-        public function Bins()
-        {
-        }
-
         /**
          * Finds the pairs whose circles on the ground overlap, or nearly so. Each pair is passed to the sink once.
          *

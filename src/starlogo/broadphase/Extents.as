@@ -32,11 +32,6 @@ package starlogo.broadphase
         /** The number of the level of bins that fits; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        /** Creates columns without rows. */
-        public function Extents()
-        {
-        }
-
         /** Half the longest side of a row. */
         public function largestHalf(row:int):Number
         {

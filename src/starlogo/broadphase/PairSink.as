@@ -9,11 +9,6 @@ package starlogo.broadphase
      */
     public class PairSink
     {
-        /** For subclasses only. */
-        public function PairSink()
-        {
-        }
-
         /**
          * Takes the pairs of one member with all others whose circles on the ground overlap its own. All come in one call, because a call
          * for each pair would cost as much as its test.

@@ -10,6 +10,7 @@ package starlogo.collision
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
+    import starlogo.search.KeptPlaces;
     import starlogo.search.CollisionSearch;
     import starlogo.terrain.FixtureAgent;
     import starlogo.terrain.Terrain;
@@ -81,7 +82,7 @@ package starlogo.collision
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
             bytes.writeInt(agents.length);
-            table.writePositions(agents, bytes, keepsMotions);
+            KeptPlaces.write(table, agents, bytes, keepsMotions);
             writePairs(bytes, tracker, table, fixturesOf(terrain, bounds));
             if (terrain != null)
             {

@@ -47,11 +47,6 @@ package starlogo.intersection
         private var _corners:Vector.<Number> = new Vector.<Number>(24, true);
         private var _gaps:Vector.<Number> = new Vector.<Number>(24, true);
 
-        /** Creates a finder that has found nothing yet. */
-        public function BoxEdges()
-        {
-        }
-
         /** Finds the point of a's edges that is nearest to b. */
         public function findNearest(a:Box, b:Box):void
         {

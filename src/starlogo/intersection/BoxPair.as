@@ -38,11 +38,6 @@ package starlogo.intersection
         private var _depth:Number = Infinity;
         private var _best:Vector3D = new Vector3D();
 
-        /** Creates a kernel without a contact. */
-        public function BoxPair()
-        {
-        }
-
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {

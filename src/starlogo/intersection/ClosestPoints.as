@@ -64,11 +64,6 @@ package starlogo.intersection
         /** The size of both structures together. The rounding error of the gap is relative to it. */
         protected var size:Number = 0;
 
-        /** For subclasses only. */
-        public function ClosestPoints()
-        {
-        }
-
         /** Prepares two structures: computes everything that does not depend on the time. */
         protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {

@@ -40,11 +40,6 @@ package starlogo.intersection
         private var _h:Vector.<Number> = new Vector.<Number>(3, true);
         private var _foot:Number;
 
-        /** Creates a finder that has no pair yet. */
-        public function ClosestTriangles()
-        {
-        }
-
         /** Forgets all pairs. */
         public function begin():void
         {

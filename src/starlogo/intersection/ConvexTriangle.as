@@ -90,11 +90,6 @@ package starlogo.intersection
         private var _point:Vector3D = new Vector3D();
         private var _deepest:DeepestPoint = new DeepestPoint();
 
-        /** Creates a test without a shape. */
-        public function ConvexTriangle()
-        {
-        }
-
         /**
          * Begins with a structure.
          *

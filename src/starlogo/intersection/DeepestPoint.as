@@ -17,11 +17,6 @@ package starlogo.intersection
         /** The point. */
         public var point:Vector3D = new Vector3D();
 
-        /** Creates a finder. */
-        public function DeepestPoint()
-        {
-        }
-
         /** Finds the point of a box. */
         public function findOfBox(box:Box, normal:ContactPoint):void
         {

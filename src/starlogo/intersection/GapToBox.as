@@ -29,11 +29,6 @@ package starlogo.intersection
         private var _core:Vector3D = new Vector3D();
         private var _place:Vector3D = new Vector3D();
 
-        /** Creates a finder. */
-        public function GapToBox()
-        {
-        }
-
         /** Finds the direction and the gap. */
         public function find(structure:BoundingStructure):void
         {

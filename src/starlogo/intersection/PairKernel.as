@@ -13,11 +13,6 @@ package starlogo.intersection
      */
     public class PairKernel
     {
-        /** Creates a kernel, which has no state. */
-        public function PairKernel()
-        {
-        }
-
         /**
          * Finds when a moving structure first touches another one, and sets the motion's time to it.
          *

@@ -19,10 +19,5 @@ package starlogo.intersection
                 NONE, new SegmentSegment(), new SegmentBox(), NONE,
                 NONE, NONE, new BoxPair(), NONE,
                 NONE, NONE, NONE, NONE];
-
-        /** Not to be called, because the table is a constant. */
-        public function PairTable()
-        {
-        }
     }
 }

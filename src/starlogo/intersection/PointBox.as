@@ -20,11 +20,6 @@ package starlogo.intersection
         /** @copy #halfX */
         protected var halfZ:Number;
 
-        /** Creates a kernel that is not prepared for any pair yet. */
-        public function PointBox()
-        {
-        }
-
         override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             var sphere:Sphere = a as Sphere;

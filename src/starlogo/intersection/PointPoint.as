@@ -27,11 +27,6 @@ package starlogo.intersection
         /** Input of findEntry: the sum of the radii. */
         public var reach:Number = 0;
 
-        /** Creates a kernel that has swept no pair yet. */
-        public function PointPoint()
-        {
-        }
-
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {

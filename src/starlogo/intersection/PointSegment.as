@@ -15,11 +15,6 @@ package starlogo.intersection
         private var _axisY:Number;
         private var _axisZ:Number;
 
-        /** Creates a kernel that is not prepared for any pair yet. */
-        public function PointSegment()
-        {
-        }
-
         override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             var sphere:Sphere = a as Sphere;

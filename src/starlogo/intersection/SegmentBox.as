@@ -26,11 +26,6 @@ package starlogo.intersection
         private var _signY:Number = 1;
         private var _signZ:Number = 1;
 
-        /** Creates a kernel that is not prepared for any pair yet. */
-        public function SegmentBox()
-        {
-        }
-
         override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             var capsule:Capsule = a as Capsule;

@@ -21,11 +21,6 @@ package starlogo.intersection
         private var _vy:Number;
         private var _vz:Number;
 
-        /** Creates a kernel that is not prepared for any pair yet. */
-        public function SegmentSegment()
-        {
-        }
-
         override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             var capsule:Capsule = a as Capsule;

@@ -28,11 +28,6 @@ package starlogo.intersection
         private var _axisY:Number = 0;
         private var _axisZ:Number = 0;
 
-        /** Creates a test without a box. */
-        public function TriangleBox()
-        {
-        }
-
         /**
          * Whether a triangle touches the box, or the gap between them is at most the tolerance.
          *

@@ -8,7 +8,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
-    import starlogo.search.AskedStructure;
+    import starlogo.search.Body;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -312,7 +312,7 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            AskedStructure.require(structure);
+            Body.requireStructure(structure);
             return _touches.list(null, structure, filter, out);
         }
 
@@ -449,7 +449,7 @@ package starlogo.queries
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            AskedStructure.require(structure);
+            Body.requireStructure(structure);
             return _moves.cast(null, structure, dx, dy, dz, filter, hit);
         }
 
@@ -471,7 +471,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            AskedStructure.require(structure);
+            Body.requireStructure(structure);
             return _moves.castAll(null, structure, dx, dy, dz, filter, out);
         }
 

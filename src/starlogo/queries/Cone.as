@@ -55,9 +55,9 @@ package starlogo.queries
             var axisX:Number = _placement.r00;
             var axisY:Number = _placement.r10;
             var axisZ:Number = _placement.r20;
-            var toX:Number = _table.x[row] - _placement.x;
-            var toY:Number = _table.y[row] - _placement.y;
-            var toZ:Number = _table.z[row] - _placement.z;
+            var toX:Number = _table.now.x[row] - _placement.x;
+            var toY:Number = _table.now.y[row] - _placement.y;
+            var toZ:Number = _table.now.z[row] - _placement.z;
             var acrossX:Number = axisY * toZ - axisZ * toY;
             var acrossY:Number = axisZ * toX - axisX * toZ;
             var acrossZ:Number = axisX * toY - axisY * toX;

@@ -1,14 +1,13 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
+    import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.MovedRow;
     import starlogo.search.RowPairs;
     import starlogo.search.Separation;
 
@@ -62,9 +61,15 @@ package starlogo.queries
         private var _pairs:RowPairs;
         private var _separation:Separation;
         private var _table:AgentTable;
-        private var _row:int;
-        private var _moving:MovedRow = new MovedRow();
-        private var _standing:MovedRow = new MovedRow();
+
+        // The body that moves; the same where the last test had it, in its whole size or as its core; and another row, made smaller.
+        private var _body:Body;
+        private var _moving:Body = new Body();
+        private var _standing:Body = new Body();
+
+        // Where the moving body is in the last test, and which part of its size is taken off.
+        private var _at:Vector3D = new Vector3D();
+        private var _taken:Number = 0;
 
         // The number of rows that may be in the way. The largest extent of the row and those near it, and the greatest size of a cell of the ground.
         private var _count:int = 0;
@@ -89,13 +94,13 @@ package starlogo.queries
             _separation = new Separation(pairs);
         }
 
-        /** Begins with the row that moves. Call <code>end()</code> at the end. */
-        public function begin(table:AgentTable, row:int):void
+        /** Begins with the body that moves, and the table of the rows in its way. */
+        public function begin(table:AgentTable, body:Body):void
         {
             _table = table;
-            _row = row;
-            _moving.take(table, row);
-            _largest = 2 * _moving.largestHalf;
+            _body = body;
+            _at.x = NaN;
+            _largest = 2 * body.largestHalf;
             _cell = 0;
             _count = 0;
             isClear = false;
@@ -107,26 +112,18 @@ package starlogo.queries
             _count++;
             if (_table.forms[other] == ModelShape.GROUND)
             {
-                _cell = _table.extents.largestHalf(other);
+                _cell = _table.bodyOf(other).largestHalf;
             }
             else
             {
-                _largest = Math.max(_largest, 2 * _table.extents.largestHalf(other));
+                _largest = Math.max(_largest, 2 * _table.bodyOf(other).largestHalf);
             }
-        }
-
-        /** Puts the row back to its own place, in its whole size. */
-        public function end():void
-        {
-            _standing.giveBack();
-            _moving.giveBack();
-            _table = null;
         }
 
         /** Computes the slop of a motion. */
         public function beginMotion(at:Vector3D, motion:Vector3D):void
         {
-            slop = OF_EXTENT * 2 * _moving.largestHalf + OF_OTHERS * _largest
+            slop = OF_EXTENT * 2 * _body.largestHalf + OF_OTHERS * _largest
                 + OF_PLACES * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z) + _cell)
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             gap = slop / 4;
@@ -136,15 +133,15 @@ package starlogo.queries
         /** Whether the row touches another when it stands at a place. */
         public function touchesAt(other:int, at:Vector3D):Boolean
         {
-            _moving.put(at, 0);
-            return isNear(other, RelativeMotion.NONE, slop) && _pairs.areTouching(_table, _row, other);
+            put(at, 0);
+            return touches(_table.bodyOf(other));
         }
 
         /** Whether the row may touch another when it stands at a place: whether their extents come near each other. */
         public function isNearAt(other:int, at:Vector3D):Boolean
         {
-            _moving.put(at, _share);
-            return isNear(other, RelativeMotion.NONE, slop + SLIMMEST * _width);
+            put(at, _share);
+            return isNear(_table.bodyOf(other), RelativeMotion.NONE, slop + SLIMMEST * _width);
         }
 
         /** Whether the core touches another row when it stands at a place. Most rows are free even in their whole size, which they mostly have. */
@@ -154,8 +151,8 @@ package starlogo.queries
             {
                 return false;
             }
-            _moving.put(at, _share);
-            return _pairs.areTouching(_table, _row, other);
+            put(at, _share);
+            return _pairs.areTouching(_moving, _table.bodyOf(other));
         }
 
         /**
@@ -164,11 +161,10 @@ package starlogo.queries
          */
         public function overlapsAt(other:int, at:Vector3D):Boolean
         {
-            _standing.take(_table, other);
-            _standing.narrow(shareOf(_standing, slop));
-            var isOverlap:Boolean = touchesAt(other, at);
-            _standing.giveBack();
-            return isOverlap;
+            var body:Body = _table.bodyOf(other);
+            _standing.readPart(body, null, shareOf(body, slop));
+            put(at, 0);
+            return touches(_standing);
         }
 
         /**
@@ -198,11 +194,12 @@ package starlogo.queries
         public function findContact(other:int, at:Vector3D, out:ContactPoint, isSure:Boolean = false):Boolean
         {
             var shallow:Number = SHALLOW * extentWith(other);
-            _moving.put(at, 0);
-            _pairs.testsOf(_table, _row, other).findContact(_table, _row, other, RelativeMotion.NONE, out);
+            put(at, 0);
+            var body:Body = _table.bodyOf(other);
+            _pairs.testsOf(_moving, body).findContact(_moving, body, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
-                _separation.find(_table, _row, other, RelativeMotion.NONE, out);
+                _separation.find(_moving, body, RelativeMotion.NONE, out);
             }
             return out.depth <= shallow;
         }
@@ -226,8 +223,8 @@ package starlogo.queries
             {
                 return false;
             }
-            _moving.put(_end, _share);
-            if (!isNear(other, _motion, slop))
+            put(_end, _share);
+            if (!isNear(_table.bodyOf(other), _motion, slop))
             {
                 return false;
             }
@@ -251,19 +248,20 @@ package starlogo.queries
         private function isWholeClear(other:int):Boolean
         {
             wholeTime = NaN;
-            if (_count != 1 || _pairs.testsOf(_table, _row, other) !== _pairs.trees)
+            if (_count != 1 || _pairs.testsOf(_body, _table.bodyOf(other)) !== _pairs.trees)
             {
                 return false;
             }
-            _moving.put(_end, 0);
-            wholeTime = isNear(other, _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
+            put(_end, 0);
+            wholeTime = isNear(_table.bodyOf(other), _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
             return wholeTime == RelativeMotion.NEVER;
         }
 
         // When the row, which stands at its end, first meets another on the motion.
         private function impactOf(other:int, out:ContactPoint):Number
         {
-            _pairs.testsOf(_table, _row, other).findImpact(_table, _row, other, _motion, out);
+            var body:Body = _table.bodyOf(other);
+            _pairs.testsOf(_moving, body).findImpact(_moving, body, _motion, out);
             return _motion.time;
         }
 
@@ -277,11 +275,10 @@ package starlogo.queries
          */
         public function findWhole(other:int, along:Number, touch:ContactPoint):void
         {
-            var extents:Extents = _table.extents;
-            _moving.put(_end, 0);
-            var skin:Number = _share * (touch.normalX * (extents.x[_row] - (1 - time) * _motion.x - touch.x)
-                    + touch.normalY * (extents.y[_row] - (1 - time) * _motion.y - touch.y)
-                    + touch.normalZ * (extents.z[_row] - (1 - time) * _motion.z - touch.z));
+            put(_end, 0);
+            var skin:Number = _share * (touch.normalX * (_moving.x - (1 - time) * _motion.x - touch.x)
+                    + touch.normalY * (_moving.y - (1 - time) * _motion.y - touch.y)
+                    + touch.normalZ * (_moving.z - (1 - time) * _motion.z - touch.z));
             var early:Number = Math.max(0, Math.min(1, time + skin / along));
             if (isNaN(wholeTime))
             {
@@ -299,35 +296,49 @@ package starlogo.queries
         // The larger extent of the row and another. The ground's extents are those of a cell, and do not count.
         private function extentWith(other:int):Number
         {
-            var largest:Number = _table.forms[other] == ModelShape.GROUND ? 0 : _table.extents.largestHalf(other);
-            return 2 * Math.max(largest, _moving.largestHalf);
+            var largest:Number = _table.forms[other] == ModelShape.GROUND ? 0 : _table.bodyOf(other).largestHalf;
+            return 2 * Math.max(largest, _body.largestHalf);
         }
 
-        // Whether the extents of the row come this close to another's, anywhere on a motion that ends at the row's place in the table.
-        private function isNear(other:int, motion:RelativeMotion, distance:Number):Boolean
+        private function put(at:Vector3D, share:Number):void
         {
-            if (_table.forms[other] == ModelShape.GROUND)
+            if (share != _taken || at.x != _at.x || at.y != _at.y || at.z != _at.z)
+            {
+                _moving.readPart(_body, at, share);
+                _at.copyFrom(at);
+                _taken = share;
+            }
+        }
+
+        private function touches(other:Body):Boolean
+        {
+            return isNear(other, RelativeMotion.NONE, slop) && _pairs.areTouching(_moving, other);
+        }
+
+        // Whether the extents of the row come this close to another's, anywhere on a motion that ends where the row is.
+        private function isNear(other:Body, motion:RelativeMotion, distance:Number):Boolean
+        {
+            if (other.form == ModelShape.GROUND)
             {
                 return true;
             }
-            var extents:Extents = _table.extents;
             var x:Number = motion.x / 2;
             var y:Number = motion.y / 2;
             var z:Number = motion.z / 2;
-            return Math.abs(extents.x[_row] - x - extents.x[other]) <= extents.halfX[_row] + extents.halfX[other] + Math.abs(x) + distance
-                && Math.abs(extents.y[_row] - y - extents.y[other]) <= extents.halfY[_row] + extents.halfY[other] + Math.abs(y) + distance
-                && Math.abs(extents.z[_row] - z - extents.z[other]) <= extents.halfZ[_row] + extents.halfZ[other] + Math.abs(z) + distance;
+            return Math.abs(_moving.x - x - other.x) <= _moving.halfX + other.halfX + Math.abs(x) + distance
+                && Math.abs(_moving.y - y - other.y) <= _moving.halfY + other.halfY + Math.abs(y) + distance
+                && Math.abs(_moving.z - z - other.z) <= _moving.halfZ + other.halfZ + Math.abs(z) + distance;
         }
 
         private function setWidth(width:Number):void
         {
             _width = width;
-            _share = shareOf(_moving, width);
+            _share = shareOf(_body, width);
         }
 
-        private static function shareOf(row:MovedRow, width:Number):Number
+        private static function shareOf(body:Body, width:Number):Number
         {
-            var share:Number = width / Math.max(row.leastHalf, row.largestHalf / SLIMMEST);
+            var share:Number = width / Math.max(body.leastHalf, body.largestHalf / SLIMMEST);
             return share < MOST_SHARE ? share : MOST_SHARE;
         }
     }

@@ -4,13 +4,12 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.bounding.Sphere;
-    import starlogo.broadphase.Extents;
     import starlogo.collision.Collider;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
-    import starlogo.search.AgentTable;
+    import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.RowPairs;
 
@@ -49,21 +48,21 @@ package starlogo.queries
             {
                 throw new ArgumentError("the ground and the edges of the world have no distance from each other");
             }
-            var table:AgentTable = _seen.table;
-            var rowA:int = _seen.rowOfNow(a, 0);
-            var rowB:int = table.rowOf(b);
-            if (rowB < 0)
+            var rowB:int = _seen.rowOf(b);
+            if (rowB >= 0 && _seen.table.shapes[rowB] == null)
             {
-                rowB = _seen.rowOfNow(b, 1);
+                closest.distance = Infinity;
+                return;
             }
-            answer(rowA, rowB, pointA, pointB);
+            answer(_seen.bodyOf(a, _seen.asker), rowB < 0 ? _seen.bodyOf(b, _seen.other) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** Finds the distance between an agent and a point, and writes it to <code>closest</code>. See AgentQueries.distanceToPoint. */
         public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):void
         {
             _point.center.setTo(point.x, point.y, point.z);
-            answer(_seen.rowOfNow(agent, 1), _seen.rowOfEither(null, _point), out, null);
+            _seen.other.readStructure(_point);
+            answer(_seen.bodyOf(agent, _seen.asker), _seen.other, out, null);
             if (closest.distance == 0)
             {
                 // without the rounding of the point that was found
@@ -72,57 +71,53 @@ package starlogo.queries
         }
 
         /**
-         * Finds the distance between two rows of a table, and writes it to <code>closest</code>.
+         * Finds the distance between two bodies, and writes it to <code>closest</code>.
          *
-         * @param pairs tests whether rows touch
-         * @param table has both rows, with their shapes
+         * @param pairs tests whether bodies touch
          * @param withPoints whether the closest points are needed too
          */
-        public function measure(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        public function measure(pairs:RowPairs, a:Body, b:Body, withPoints:Boolean):void
         {
-            if (RowPairs.isSecondFirst(table, a, b))
+            if (RowPairs.isSecondFirst(a, b))
             {
-                measureInOrder(pairs, table, b, a, withPoints);
+                measureInOrder(pairs, b, a, withPoints);
                 closest.turn();
             }
             else
             {
-                measureInOrder(pairs, table, a, b, withPoints);
+                measureInOrder(pairs, a, b, withPoints);
             }
         }
 
-        private function measureInOrder(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        private function measureInOrder(pairs:RowPairs, a:Body, b:Body, withPoints:Boolean):void
         {
-            if (table.shapes[a].hierarchy == null && table.forms[b] < ModelShape.GROUND)
+            if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
             {
-                findClosest(table.structureOf(a), table.structureOf(b), closest);
-                var extents:Extents = table.extents;
-                var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
+                findClosest(a.structure(), b.structure(), closest);
+                var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
                 // boxes that are tested only by their faces may touch across a gap
                 var isNear:Boolean = pairs.structures.settings.boxFacesOnly || closest.distance <= Tolerances.APART * size;
-                closest.settle(isNear && pairs.areTouching(table, a, b));
+                closest.settle(isNear && pairs.areTouching(a, b));
                 return;
             }
-            var areTouching:Boolean = pairs.areTouching(table, a, b);
+            var areTouching:Boolean = pairs.areTouching(a, b);
             if (areTouching && !withPoints)
             {
                 closest.distance = 0;
                 return;
             }
-            pairs.testsOf(table, a, b).findClosest(table, a, b, areTouching, closest);
+            pairs.testsOf(a, b).findClosest(a, b, areTouching, closest);
         }
 
-        private function answer(rowA:int, rowB:int, pointA:Vector3D, pointB:Vector3D):void
+        private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):void
         {
-            var table:AgentTable = _seen.table;
             closest.distance = Infinity;
-            if (table.shapes[rowA] != null && table.shapes[rowB] != null)
+            if (a.shape != null && b.shape != null)
             {
-                measure(_seen.pairs, table, rowA, rowB, pointA != null || pointB != null);
+                measure(_seen.pairs, a, b, pointA != null || pointB != null);
                 write(pointA, closest.aX, closest.aY, closest.aZ);
                 write(pointB, closest.bX, closest.bY, closest.bZ);
             }
-            table.endGuests();
         }
 
         private static function write(out:Vector3D, x:Number, y:Number, z:Number):void

@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.search.AgentTable;
+    import starlogo.search.Body;
 
     use namespace engine;
 
@@ -33,7 +33,7 @@ package starlogo.queries
         private var _spare:Vector.<ShapeHit> = new Vector.<ShapeHit>();
         private var _single:Vector.<Agent> = new <Agent>[null];
 
-        // The first contact on the way, and the place where it stops the row.
+        // The first contact on the way, and the place where it stops the body.
         private var _first:ContactPoint = new ContactPoint();
         private var _firstAt:Vector3D = new Vector3D();
 
@@ -59,16 +59,15 @@ package starlogo.queries
         {
             // an agent that slides may go anywhere within the length of its way
             var reach:Number = ending == Mover.SLIDE ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 0;
-            var row:int = begin(agent, null, dx, dy, dz, filter, reach);
+            var body:Body = begin(agent, null, dx, dy, dz, filter, reach);
             if (ending == Mover.SLIDE)
             {
-                mover.move(_seen.table, row, agents, way, ending);
+                mover.move(_seen.table, body, agents, way, ending);
             }
             else
             {
-                findFirst(row, ending);
+                findFirst(body, ending);
             }
-            _seen.table.endGuests();
             if (contact != null)
             {
                 writeContact(contact);
@@ -98,9 +97,7 @@ package starlogo.queries
          */
         public function cast(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var row:int = begin(agent, structure, dx, dy, dz, filter);
-            findFirst(row, Mover.SHORT);
-            _seen.table.endGuests();
+            findFirst(begin(agent, structure, dx, dy, dz, filter), Mover.SHORT);
             return mover.hasContact ? write(hit || new ShapeHit()) : null;
         }
 
@@ -109,12 +106,12 @@ package starlogo.queries
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            var row:int = begin(agent, structure, dx, dy, dz, filter);
+            var body:Body = begin(agent, structure, dx, dy, dz, filter);
             _found.begin(FoundRows.ALL, Infinity, null, null);
             for (var i:int = 0; i < agents.length; i++)
             {
                 _single[0] = agents[i];
-                mover.move(_seen.table, row, _single, way, Mover.SHORT);
+                mover.move(_seen.table, body, _single, way, Mover.SHORT);
                 if (mover.hasContact)
                 {
                     _found.add(mover.contactRow, mover.part);
@@ -132,33 +129,32 @@ package starlogo.queries
                     hits[i] = _spare.pop() || new ShapeHit();
                 }
                 _single[0] = agents[i];
-                mover.move(_seen.table, row, _single, way, Mover.SHORT);
+                mover.move(_seen.table, body, _single, way, Mover.SHORT);
                 write(hits[i]);
             }
-            _seen.table.endGuests();
             return hits;
         }
 
         /**
-         * Finds the agents near a way, and returns the row that moves. Call endGuests() of the table afterwards.
+         * Finds the agents near a way, and returns the body that moves.
          *
-         * @param reach how far the row may go in any direction. If it is 0, the row goes only along the motion
+         * @param reach how far the body may go in any direction. If it is 0, the body goes only along the motion
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
          */
         public function begin(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, reach:Number = 0,
-                up:Number = 0, down:Number = 0):int
+                up:Number = 0, down:Number = 0):Body
         {
             requireInWorld("a motion", dx, dy, dz);
             if (structure == null)
             {
                 _seen.placeOf(agent);
             }
-            var row:int = _seen.rowOfEither(agent, structure);
+            var body:Body = _seen.bodyOfEither(agent, structure);
             _found.begin(FoundRows.ALL, Infinity, agent, filter);
-            if (_seen.table.shapes[row] != null)
+            if (body.shape != null)
             {
-                _seen.beginWay(_search, row);
+                _seen.beginWay(_search, body);
                 _search.widen(reach, up, down);
                 if (reach == 0)
                 {
@@ -166,7 +162,6 @@ package starlogo.queries
                 }
                 findNear();
             }
-            _seen.table.endGuests();
             // the filter may ask other questions, so all that they share is set afterwards
             _found.list(agents);
             way.setTo(dx, dy, dz);
@@ -174,23 +169,23 @@ package starlogo.queries
             {
                 mover = new Mover(_seen.pairs);
             }
-            return _seen.rowOfEither(agent, structure);
+            return _seen.bodyOfEither(agent, structure);
         }
 
-        // Finds the agent that stops the row first, each as if the others were not there. If several stop it at the same time, it is the first of
+        // Finds the agent that stops the body first, each as if the others were not there. If several stop it at the same time, it is the first of
         // them in the list.
-        private function findFirst(row:int, ending:int):void
+        private function findFirst(body:Body, ending:int):void
         {
             var first:int = -1;
             var part:Number = 1;
             if (agents.length == 0)
             {
-                mover.move(_seen.table, row, agents, way, ending);
+                mover.move(_seen.table, body, agents, way, ending);
             }
             for (var i:int = 0; i < agents.length && (first < 0 || part > 0); i++)
             {
                 _single[0] = agents[i];
-                mover.move(_seen.table, row, _single, way, ending);
+                mover.move(_seen.table, body, _single, way, ending);
                 if (mover.hasContact && (first < 0 || mover.part < part))
                 {
                     first = mover.contactRow;

@@ -6,6 +6,7 @@ package starlogo.queries
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
+    import starlogo.search.Body;
     import starlogo.search.RowPairs;
 
     use namespace engine;
@@ -108,30 +109,29 @@ package starlogo.queries
         }
 
         /**
-         * Computes where a row ends. Afterwards the row is back at its own place.
+         * Computes where a body ends.
          *
-         * @param table has the row
-         * @param row the row that moves
-         * @param others the agents in its way, which are in the same table
+         * @param table has the agents in its way
+         * @param body the body that moves. It stays where it is
+         * @param others the agents in its way
          * @param motion the whole motion
          * @param ending TOUCH, SHORT or SLIDE
          */
-        public function move(table:AgentTable, row:int, others:Vector.<Agent>, motion:Vector3D, ending:int):void
+        public function move(table:AgentTable, body:Body, others:Vector.<Agent>, motion:Vector3D, ending:int):void
         {
-            begin(table, row, others);
+            begin(table, body, others);
             go(motion, ending);
             if (ending == SLIDE && !_sweep.isClear)
             {
                 leaveTouches();
             }
-            end();
         }
 
-        /** Takes a row and other agents, as move() does, for several motions. Call <code>end()</code> afterwards. */
-        public function begin(table:AgentTable, row:int, others:Vector.<Agent>):void
+        /** Takes a body and other agents, as move() does, for several motions. */
+        public function begin(table:AgentTable, body:Body, others:Vector.<Agent>):void
         {
-            at.setTo(table.x[row], table.y[row], table.z[row]);
-            _sweep.begin(table, row);
+            at.setTo(body.placement.x, body.placement.y, body.placement.z);
+            _sweep.begin(table, body);
             _ranks = table.ranks;
             _all = 0;
             for (var i:int = 0; i < others.length; i++)
@@ -145,12 +145,6 @@ package starlogo.queries
                 }
             }
             _count = _all;
-        }
-
-        /** Puts the row back. */
-        public function end():void
-        {
-            _sweep.end();
         }
 
         /**

@@ -6,7 +6,7 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
-    import starlogo.search.AgentTable;
+    import starlogo.search.Body;
 
     use namespace engine;
 
@@ -112,17 +112,15 @@ package starlogo.queries
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
             var at:Placement = _seen.placeOf(agent);
-            var row:int = _seen.rowOfNow(agent);
-            var table:AgentTable = _seen.table;
-            if (table.shapes[row] == null)
+            var body:Body = _seen.bodyOf(agent, _seen.asker);
+            if (body.shape == null)
             {
                 out.setTo(at.x, at.y, at.z);
             }
             else
             {
-                out.setTo(table.extents.x[row], table.extents.y[row], table.extents.z[row]);
+                out.setTo(body.x, body.y, body.z);
             }
-            table.endGuests();
         }
 
         // The middles between which canSee looks may be a little outside of the world, the origin of a ray not.

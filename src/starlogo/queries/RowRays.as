@@ -6,11 +6,11 @@ package starlogo.queries
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.search.AgentTable;
+    import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.TreePairs;
     import starlogo.solid.SolidRay;
     import starlogo.terrain.HeightGrid;
-    import starlogo.terrain.FixtureAgent;
 
     use namespace engine;
 
@@ -45,7 +45,6 @@ package starlogo.queries
         private var _line:Ray = new Ray();
         private var _inModel:Ray = new Ray();
         private var _solid:SolidRay = new SolidRay();
-        private var _placement:Placement = new Placement();
 
         /** Begins without a ray. */
         public function RowRays()
@@ -81,11 +80,11 @@ package starlogo.queries
             triangle = -1;
             if (shape.form == ModelShape.GROUND)
             {
-                var ground:FixtureAgent = FixtureAgent(_table.agents[row]);
-                var grid:HeightGrid = ground.terrain.grid;
+                var grid:HeightGrid = shape.fixture.terrain.grid;
                 return grid.rays.find(grid, ray);
             }
-            var placement:Placement = _table.placementOf(row, _placement);
+            var body:Body = _table.bodyOf(row);
+            var placement:Placement = body.placement;
             var line:Ray = _line;
             var toX:Number = placement.x - ray.x;
             var toY:Number = placement.y - ray.y;
@@ -105,7 +104,7 @@ package starlogo.queries
             // this end is too large by rounding errors; rows beyond the exact end are left out below
             found.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
             found.faceBack();
-            if (!found.isFinite || !meetsShape(row, shape, found))
+            if (!found.isFinite || !meetsShape(body, found))
             {
                 return false;
             }
@@ -123,11 +122,12 @@ package starlogo.queries
             return true;
         }
 
-        private function meetsShape(row:int, shape:ModelShape, found:Ray):Boolean
+        private function meetsShape(body:Body, found:Ray):Boolean
         {
+            var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var isMet:Boolean = _solid.find(shape.hierarchy, _trees.depthOf(_table, row), _trees.exact, found);
+                var isMet:Boolean = _solid.find(shape.hierarchy, _trees.depthOf(body), _trees.exact, found);
                 triangle = _solid.triangle;
                 return isMet;
             }

@@ -11,7 +11,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.search.AgentTable;
-    import starlogo.search.AskedStructure;
+    import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.ModelShapes;
     import starlogo.search.RowList;
@@ -38,12 +38,17 @@ package starlogo.queries
         /** The number of questions under way that are calling a filter's accepts. Meanwhile the list must not change. */
         public var asking:int = 0;
 
+        /** The bodies of the agents or the structure that ask. A question makes them if it needs them. */
+        public var asker:Body = new Body();
+
+        /** @copy #asker */
+        public var other:Body = new Body();
+
         private var _source:Object;
         private var _system:Object;
         private var _terrain:Terrain = null;
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
-        private var _structure:AskedStructure = null;
 
         /**
          * @param source a Collision, or one of the engine's colliders
@@ -85,7 +90,7 @@ package starlogo.queries
             var collider:Collider = findCollider();
             var next:AgentTable = collider === _system ? table : tableFor(collider);
             next.check(agents);
-            next.readGuest(RowList.GROUND, terrain == null ? null : terrain.agent);
+            next.readFixture(RowList.GROUND, terrain == null ? null : terrain.agent);
             next.read(agents);
             table = next;
             pairs = collider.pairs;
@@ -99,7 +104,7 @@ package starlogo.queries
         {
             requireQuiet("moved");
             var row:int = rowOf(agent);
-            if (row < RowList.GUESTS)
+            if (row < RowList.LISTED)
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
@@ -149,7 +154,7 @@ package starlogo.queries
         {
             if (_places.isStale)
             {
-                _places.build(table.rows, table.count, table.x, table.y, table.z);
+                _places.build(table.rows, table.count, table.now.x, table.now.y, table.now.z);
             }
             return _places;
         }
@@ -165,13 +170,11 @@ package starlogo.queries
             return _extents;
         }
 
-        /** Begins a search for rows whose extents are near the extents of one row. */
-        public function beginWay(search:WaySearch, row:int):void
+        /** Begins a search for rows whose extents are near the extents of a body. */
+        public function beginWay(search:WaySearch, body:Body):void
         {
-            var tree:RowTree = findExtents();
-            var of:Extents = table.extents;
-            search.begin(tree, of.x[row], of.y[row], of.z[row], of.halfX[row], of.halfY[row], of.halfZ[row]);
-            if (table.forms[row] >= ModelShape.GROUND)
+            search.begin(findExtents(), body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ);
+            if (body.form >= ModelShape.GROUND)
             {
                 // the ground and the edges of the world are near all rows
                 search.widen(4 * Agent.LARGEST_COORDINATE);
@@ -179,32 +182,26 @@ package starlogo.queries
         }
 
         /**
-         * A row with an agent as it is now: its own row if that is still right, and else a guest's row. The row's shape is null while the
-         * agent's model is loading. Call <code>table.endGuests()</code> afterwards.
+         * The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
          *
-         * @param guest the row for a guest, 0 or 1
-         * @throws ArgumentError if the agent's model is unknown or lacks data that is needed
+         * @param made <code>asker</code> or <code>other</code>, which becomes this body if the agent has changed since the last update
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
          */
-        public function rowOfNow(asker:Agent, guest:int = 0):int
+        public function bodyOf(agent:Agent, made:Body):Body
         {
-            var row:int = rowOf(asker);
-            if (row >= 0 && table.isOfNow(row))
-            {
-                return row;
-            }
-            table.readGuest(guest, asker);
-            return guest;
+            requireAgent(agent);
+            return table.bodyOfNow(agent, made);
         }
 
-        /** A row with a structure, or with an agent as <code>rowOfNow()</code> has it if the structure is null. */
-        public function rowOfEither(agent:Agent, structure:BoundingStructure):int
+        /** The body of a structure, or of an agent as it is now if the structure is null. */
+        public function bodyOfEither(agent:Agent, structure:BoundingStructure):Body
         {
             if (structure == null)
             {
-                return rowOfNow(agent);
+                return bodyOf(agent, asker);
             }
-            _structure ||= new AskedStructure();
-            return _structure.readInto(table, structure);
+            asker.readStructure(structure);
+            return asker;
         }
 
         private function findCollider():Collider

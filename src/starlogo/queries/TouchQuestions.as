@@ -5,7 +5,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
-    import starlogo.search.MovedRow;
+    import starlogo.search.Body;
     import starlogo.search.RowList;
     import starlogo.terrain.WorldBounds;
 
@@ -21,8 +21,8 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
-        private var _moved:MovedRow = new MovedRow();
         private var _place:Vector3D = new Vector3D();
+        private var _moved:Body = new Body();
 
         /** @param seen the agents that questions are about */
         public function TouchQuestions(seen:SeenAgents)
@@ -60,46 +60,39 @@ package starlogo.queries
             {
                 throw new ArgumentError("bounds must not be null");
             }
-            var table:AgentTable = _seen.table;
-            var row:int = _seen.rowOfNow(agent);
-            table.readGuest(1, bounds.agent);
-            var touches:Boolean = table.shapes[row] != null && _seen.pairs.areTouching(table, row, 1);
-            table.endGuests();
-            return touches;
+            var body:Body = _seen.bodyOf(agent, _seen.asker);
+            return body.shape != null && _seen.pairs.areTouching(body, _seen.bodyOf(bounds.agent, _seen.other));
         }
 
         // Finds the rows that touch an agent or a structure, or would touch the agent at a place if there is one.
         private function find(agent:Agent, structure:BoundingStructure, place:Vector3D, most:int, filter:AgentFilter):void
         {
-            var table:AgentTable = _seen.table;
-            var row:int = _seen.rowOfEither(agent, structure);
+            var body:Body = _seen.bodyOfEither(agent, structure);
             _found.begin(most, Infinity, agent, filter);
-            if (table.shapes[row] != null)
+            if (body.shape != null)
             {
                 if (place != null)
                 {
-                    _moved.take(table, row);
-                    _moved.put(place, 0);
+                    _moved.readPart(body, place, 0);
+                    body = _moved;
                 }
-                collectNear(row);
-                _moved.giveBack();
+                collectNear(body);
             }
-            table.endGuests();
         }
 
-        // Collects the rows that count and touch a row. Each gets its distance from the row's place.
-        private function collectNear(row:int):void
+        // Collects the rows that count and touch a body. Each gets its distance from the body's place.
+        private function collectNear(body:Body):void
         {
             var table:AgentTable = _seen.table;
             var found:FoundRows = _found;
-            _seen.beginWay(_search, row);
+            _seen.beginWay(_search, body);
             for (var other:int = _search.next(); other >= 0 && found.count < found.most; other = _search.next())
             {
-                if (table.shapes[other] != null && found.wants(other) && _seen.pairs.areTouching(table, row, other))
+                if (table.shapes[other] != null && found.wants(other) && _seen.pairs.areTouching(body, table.bodyOf(other)))
                 {
-                    var toX:Number = table.x[other] - table.x[row];
-                    var toY:Number = table.y[other] - table.y[row];
-                    var toZ:Number = table.z[other] - table.z[row];
+                    var toX:Number = table.now.x[other] - body.placement.x;
+                    var toY:Number = table.now.y[other] - body.placement.y;
+                    var toZ:Number = table.now.z[other] - body.placement.z;
                     // the ground has no place, so it comes last
                     found.add(other, other == RowList.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.AgentTable;
+    import starlogo.search.Body;
 
     use namespace engine;
 
@@ -91,7 +92,7 @@ package starlogo.queries
             var pieces:int = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
             // on the steepest slope the way is this long
             var reach:Number = whole / cosine + slide / 2;
-            var row:int = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, pieces * asked.stepHeight, pieces * asked.snap + asked.fall);
+            var body:Body = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, pieces * asked.stepHeight, pieces * asked.snap + asked.fall);
             var table:AgentTable = _seen.table;
             // the filter may have asked for other walks, which set these fields
             _options = asked;
@@ -102,13 +103,11 @@ package starlogo.queries
             _whole = whole / pieces;
             _slide = slide;
             _isInAir = false;
-            _extent = 2 * table.extents.largestHalf(row);
+            _extent = 2 * body.largestHalf;
             _close = CLOSE * _extent;
             _mover = _moves.mover;
-            _mover.begin(table, row, _moves.agents);
-            var stands:Boolean = go(row, pieces);
-            _mover.end();
-            table.endGuests();
+            _mover.begin(table, body, _moves.agents);
+            var stands:Boolean = go(body, pieces);
             _moves.put(agent);
             var footing:Footing = out || new Footing();
             footing.part = _part;
@@ -122,15 +121,14 @@ package starlogo.queries
             return footing;
         }
 
-        // Goes all pieces, and falls if the row does not stand. Returns whether it stands at the end.
-        private function go(row:int, pieces:int):Boolean
+        // Goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
+        private function go(body:Body, pieces:int):Boolean
         {
-            var table:AgentTable = _seen.table;
             var at:Vector3D = _mover.at;
             var x:Number = at.x;
             var y:Number = at.y;
             var stands:Boolean = false;
-            _bottom = table.extents.z[row] - table.extents.halfZ[row] - at.z;
+            _bottom = body.z - body.halfZ - at.z;
             for (var i:int = 0; i < pieces; i++)
             {
                 _start.copyFrom(at);
@@ -139,7 +137,7 @@ package starlogo.queries
             x = at.x - x;
             y = at.y - y;
             _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (pieces * _whole)) : 1;
-            stands ||= table.shapes[row] != null && fall();
+            stands ||= body.shape != null && fall();
             _mover.leaveTouches();
             return stands;
         }

@@ -1,9 +1,11 @@
 package starlogo.search
 {
-    import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
@@ -11,42 +13,63 @@ package starlogo.search
 
     /**
      * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. RowList says which agent
-     * has which row. It has columns because with thousands of agents reading memory takes most of the time.
+     * has which row. It has columns because with thousands of agents reading memory takes most of the time. Each row has a body for tests.
      *
      * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
-     * lists the changes that make a part of a row void. The rows of guests are for agents that a question has to see as they are now.</p>
+     * lists the changes that make a part of a row void.</p>
      *
      * @private
      */
-    public final class AgentTable extends ShapedRows
+    public final class AgentTable
     {
-        // In place of a number of changed rows: the rows belong to other agents.
-        private static const OTHERS:int = -1;
+        // In place of a revision: the value has to be computed again.
+        private static const STALE:int = -1;
 
-        // The rows of the agents, in the order of the list.
+        // See RowList.
         engine var rows:Vector.<int>;
+        engine var ranks:Vector.<int>;
+        engine var agents:Vector.<Agent>;
 
-        /** See RowList.ranks. */
-        public var ranks:Vector.<int>;
+        // By row: the shape of the agent's model, which is null while the model is loading; the shape's form; and the body, which is as old as its
+        // revision.
+        engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        engine var forms:Vector.<int> = new Vector.<int>();
+        private var _bodies:Vector.<Body> = new Vector.<Body>();
 
-        // By row: the agent's place in the search before the last one.
-        internal var lastX:Vector.<Number> = new Vector.<Number>();
-        internal var lastY:Vector.<Number> = new Vector.<Number>();
-        internal var lastZ:Vector.<Number> = new Vector.<Number>();
+        // The places in the last search, in the one before, and those that are being read. They take effect only after the whole list has turned
+        // out to be valid.
+        engine var now:RowPlaces = new RowPlaces();
+        internal var last:RowPlaces = new RowPlaces();
+        private var _next:RowPlaces = new RowPlaces();
 
-        private var _lastRevisions:Vector.<int> = new Vector.<int>();
+        /** By row: the extents of the shape. */
+        engine var extents:Extents = new Extents();
 
-        // By row: the place that is being read, and the agent's revision. They take effect only after the whole list has turned out to be valid.
-        private var _nextX:Vector.<Number> = new Vector.<Number>();
-        private var _nextY:Vector.<Number> = new Vector.<Number>();
-        private var _nextZ:Vector.<Number> = new Vector.<Number>();
-        private var _nextRevisions:Vector.<int> = new Vector.<int>();
+        // By row: the way from the agent's place to the middle of its extents.
+        private var _offsetX:Vector.<Number> = new Vector.<Number>();
+        private var _offsetY:Vector.<Number> = new Vector.<Number>();
+        private var _offsetZ:Vector.<Number> = new Vector.<Number>();
 
-        private var _list:RowList;
+        // By row: the agent's revisions at which its extents and its shape were read.
+        private var _extentsRevisions:Vector.<int> = new Vector.<int>();
+        private var _shapeRevisions:Vector.<int> = new Vector.<int>();
+
+        // By row: the structure of the body if it is a box that is tested alone, and else null; and the revision at which it was placed. This
+        // column is typed, so the most frequent slow test needs no casts.
+        internal var boxes:Vector.<Box> = new Vector.<Box>();
+        internal var placedRevisions:Vector.<int> = new Vector.<int>();
+
+        // The number of rows read last whose models are still loading.
+        engine var loadingCount:int = 0;
+
+        // The rows whose extents have to be computed again, and the new shapes of rows whose shape has changed.
+        private var _changed:Vector.<int> = new Vector.<int>();
+        private var _changedCount:int = 0;
+        private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+
+        private var _modelShapes:ModelShapes;
+        private var _list:RowList = new RowList();
         private var _bins:Bins;
-
-        // The number of the list after which rows were last freed.
-        private var _freedList:int = 0;
 
         /**
          * @param shapes has the shape of each model
@@ -54,12 +77,11 @@ package starlogo.search
          */
         public function AgentTable(shapes:ModelShapes, bins:Bins)
         {
-            var list:RowList = new RowList();
-            super(list.agents, shapes);
-            _list = list;
+            _modelShapes = shapes;
             _bins = bins;
-            rows = list.rows;
-            ranks = list.ranks;
+            agents = _list.agents;
+            rows = _list.rows;
+            ranks = _list.ranks;
             makeRows();
         }
 
@@ -69,7 +91,7 @@ package starlogo.search
             return _list.count;
         }
 
-        /** See RowList.isOf. */
+        /** Whether the rows belong to the agents of a list, in its order. */
         public function isListed(list:Vector.<Agent>):Boolean
         {
             return _list.isOf(list);
@@ -95,23 +117,30 @@ package starlogo.search
         public function read(list:Vector.<Agent>):void
         {
             forgetReplaced();
-            changedCount = count == list.length ? readPositions(list) : OTHERS;
-            if (changedCount == OTHERS)
+            _changedCount = count == list.length ? readPlaces(list) : RowPlaces.OTHERS;
+            if (_changedCount == RowPlaces.OTHERS)
             {
                 _list.read(list);
-                addRows();
-                changedCount = readPositions(list);
+                makeRows();
+                for (var i:int = 0; i < _list.addedCount; i++)
+                {
+                    _extentsRevisions[_list.added[i]] = STALE;
+                }
+                _changedCount = readPlaces(list);
             }
             findShapes();
             takeShapes();
-            takePositions();
-            if (_freedList != _list.number)
-            {
-                freeRows();
-                _freedList = _list.number;
-            }
+            // the oldest columns are used for the next reading
+            var spare:RowPlaces = last;
+            last = now;
+            now = _next;
+            _next = spare;
+            _list.freeOthers(shapes);
             moveAllExtents();
-            fitChanged();
+            for (i = 0; i < _changedCount; i++)
+            {
+                fit(_changed[i]);
+            }
         }
 
         /**
@@ -133,7 +162,7 @@ package starlogo.search
                 var row:int = rowOf(list[i]);
                 if (row < 0 || needsShape(row))
                 {
-                    modelShapes.shapeOf(list[i]);
+                    _modelShapes.shapeOf(list[i]);
                 }
             }
         }
@@ -147,193 +176,105 @@ package starlogo.search
         {
             forgetReplaced();
             var agent:Agent = agents[row];
-            changedCount = 0;
-            if (agent.placement.extentsRevision != extentsRevisions[row])
+            _changedCount = 0;
+            if (agent.placement.extentsRevision != _extentsRevisions[row])
             {
-                changed[0] = row;
-                changedCount = 1;
+                _changed[0] = row;
+                _changedCount = 1;
                 findShapes();
                 takeShapes();
             }
-            revisions[row] = agent.revision;
-            x[row] = agent.placement.x;
-            y[row] = agent.placement.y;
-            z[row] = agent.placement.z;
+            now.put(row, agent);
             moveExtents(row);
         }
 
-        /**
-         * Reads an agent as it is now into a row that is no row of the list: of a guest, of the ground or of the edges of the world. The
-         * agent's own row, if it has one, does not change. Call <code>endGuests()</code> after a question. The ground and the edges are read
-         * before the list, and stay.
-         *
-         * @param guest the row: 0 or 1, RowList.GROUND or RowList.EDGES. Its shape is null while the agent's model is loading
-         * @param agent the agent; null to empty the row
-         * @param shape the shape; null for the shape of the agent's model
-         * @throws ArgumentError as readRow does
-         */
-        public function readGuest(guest:int, agent:Agent, shape:ModelShape = null):void
+        /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. Call it before <code>read()</code>. */
+        public function readFixture(row:int, agent:Agent):void
         {
-            if (agents[guest] !== agent || shape != null)
+            if (agents[row] !== agent)
             {
-                agents[guest] = agent;
-                shapes[guest] = null;
-                extentsRevisions[guest] = STALE;
-            }
-            if (shape != null)
-            {
-                setShape(guest, shape);
-            }
-            if (agent != null)
-            {
-                readRow(guest);
-            }
-        }
-
-        /** Lets go of the guests. */
-        public function endGuests():void
-        {
-            agents[0] = agents[1] = null;
-            shapes[0] = shapes[1] = null;
-        }
-
-        /**
-         * Writes the place of each agent in the last search, and whether its motion begins there.
-         *
-         * @param list the list of the last search, or an empty list
-         * @param keepsMotions false to write that no agent has a motion
-         */
-        public function writePositions(list:Vector.<Agent>, bytes:ByteArray, keepsMotions:Boolean):void
-        {
-            for (var i:int = 0; i < list.length; i++)
-            {
-                var row:int = rows[i];
-                bytes.writeBoolean(keepsMotions && shapes[row] != null && agents[row].jumpRevision <= revisions[row]);
-                bytes.writeDouble(x[row]);
-                bytes.writeDouble(y[row]);
-                bytes.writeDouble(z[row]);
-            }
-        }
-
-        /**
-         * Reads a list of agents as if the last search had seen them at the places that writePositions has written.
-         *
-         * @param bytes written for the same number of agents
-         * @throws ArgumentError as <code>read()</code> does
-         */
-        public function restorePositions(list:Vector.<Agent>, bytes:ByteArray):void
-        {
-            read(list);
-            for (var i:int = 0; i < count; i++)
-            {
-                var row:int = rows[i];
-                var seen:int = bytes.readBoolean() ? revisions[row] : NOT_SEEN;
-                var seenX:Number = bytes.readDouble();
-                var seenY:Number = bytes.readDouble();
-                var seenZ:Number = bytes.readDouble();
-                if (x[row] != seenX || y[row] != seenY || z[row] != seenZ)
+                agents[row] = agent;
+                shapes[row] = null;
+                if (agent != null)
                 {
-                    // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
-                    agents[row].revision++;
-                    x[row] = seenX;
-                    y[row] = seenY;
-                    z[row] = seenZ;
-                    moveExtents(row);
+                    setShape(row, _modelShapes.shapeOf(agent));
+                    findExtents(row);
+                    now.put(row, agent);
+                    last.put(row, agent);
+                    _next.put(row, agent);
                 }
-                revisions[row] = seen;
-                placedRevisions[row] = STALE;
             }
+        }
+
+        /**
+         * The body of an agent as it is now: that of its row, if the agent has not changed since, and else a body that is made. Its shape is null
+         * while the agent's model is loading.
+         */
+        public function bodyOfNow(agent:Agent, made:Body):Body
+        {
+            forgetReplaced();
+            var row:int = rowOf(agent);
+            if (row >= 0 && agent.revision == now.revisions[row] && agent.placement.extentsRevision == _extentsRevisions[row])
+            {
+                return bodyOf(row);
+            }
+            made.readAgent(agent, _modelShapes.shapeOf(agent));
+            return made;
+        }
+
+        /** The body of a row whose model is not loading, as the last search has read it. */
+        public function bodyOf(row:int):Body
+        {
+            var body:Body = _bodies[row];
+            var places:RowPlaces = now;
+            if (body.revision != places.revisions[row])
+            {
+                body.revision = places.revisions[row];
+                var at:Placement = body.placement;
+                at.x = places.x[row];
+                at.y = places.y[row];
+                at.z = places.z[row];
+                body.settle();
+            }
+            return body;
+        }
+
+        /** Puts the box of a row to its place. A test does this only when it needs the box, because few of thousands of agents have others near. */
+        internal function placeBox(row:int):void
+        {
+            bodyOf(row).structure();
+            placedRevisions[row] = now.revisions[row];
         }
 
         /** Lets no agent have a motion from its position in the last search. */
         public function forgetMotions():void
         {
-            for (var row:int = 0; row < revisions.length; row++)
+            for (var row:int = 0; row < now.revisions.length; row++)
             {
-                revisions[row] = NOT_SEEN;
-                placedRevisions[row] = STALE;
+                now.revisions[row] = RowPlaces.NOT_SEEN;
             }
         }
 
         /** Whether the agent of a row has a motion between the last two searches: it was in both of them, and has not jumped. */
         public function hasMotion(row:int):Boolean
         {
-            return agents[row].jumpRevision <= _lastRevisions[row];
+            return agents[row].jumpRevision <= last.revisions[row];
         }
 
-        // Lets the numbers that were read take effect. The oldest columns are used for the next reading.
-        private function takePositions():void
+        private function readPlaces(list:Vector.<Agent>):int
         {
-            var spare:Vector.<Number> = lastX;
-            lastX = x;
-            x = _nextX;
-            _nextX = spare;
-            spare = lastY;
-            lastY = y;
-            y = _nextY;
-            _nextY = spare;
-            spare = lastZ;
-            lastZ = z;
-            z = _nextZ;
-            _nextZ = spare;
-            var spareRevisions:Vector.<int> = _lastRevisions;
-            _lastRevisions = revisions;
-            revisions = _nextRevisions;
-            _nextRevisions = spareRevisions;
-            // the ground and the edges of the world were read before the list
-            for (var row:int = 0; row < RowList.GUESTS; row++)
-            {
-                x[row] = lastX[row];
-                y[row] = lastY[row];
-                z[row] = lastZ[row];
-                revisions[row] = _lastRevisions[row];
-            }
-        }
-
-        // Reads the places of the agents, and lists the rows with changes in more than the place. Returns the number of these rows, or OTHERS if
-        // the rows do not belong to the agents.
-        private function readPositions(list:Vector.<Agent>):int
-        {
-            var listed:Vector.<Agent> = agents;
-            var listedRows:Vector.<int> = rows;
-            var knownRevisions:Vector.<int> = extentsRevisions;
-            var read:Vector.<int> = _nextRevisions;
-            var readX:Vector.<Number> = _nextX;
-            var readY:Vector.<Number> = _nextY;
-            var readZ:Vector.<Number> = _nextZ;
-            var end:int = count;
-            var found:int = 0;
-            for (var i:int = 0; i < end; i++)
-            {
-                var row:int = listedRows[i];
-                var agent:Agent = list[i];
-                if (listed[row] !== agent)
-                {
-                    return OTHERS;
-                }
-                var placement:Placement = agent.placement;
-                if (placement.extentsRevision != knownRevisions[row])
-                {
-                    changed[found] = row;
-                    found++;
-                }
-                read[row] = agent.revision;
-                readX[row] = placement.x;
-                readY[row] = placement.y;
-                readZ[row] = placement.z;
-            }
-            return found;
+            return _next.read(list, rows, agents, _extentsRevisions, _changed);
         }
 
         private function moveAllExtents():void
         {
             var listedRows:Vector.<int> = rows;
-            var xs:Vector.<Number> = x;
-            var ys:Vector.<Number> = y;
-            var zs:Vector.<Number> = z;
-            var fromX:Vector.<Number> = offsetX;
-            var fromY:Vector.<Number> = offsetY;
-            var fromZ:Vector.<Number> = offsetZ;
+            var xs:Vector.<Number> = now.x;
+            var ys:Vector.<Number> = now.y;
+            var zs:Vector.<Number> = now.z;
+            var fromX:Vector.<Number> = _offsetX;
+            var fromY:Vector.<Number> = _offsetY;
+            var fromZ:Vector.<Number> = _offsetZ;
             var middleX:Vector.<Number> = extents.x;
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
@@ -355,52 +296,152 @@ package starlogo.search
             }
         }
 
-        // Finds the levels of rows whose extents have changed.
-        private function fitChanged():void
-        {
-            for (var i:int = 0; i < changedCount; i++)
-            {
-                fit(changed[i]);
-            }
-        }
-
         private function fit(row:int):void
         {
             if (_bins != null && shapes[row] != null && _bins.levels.fit(extents, row))
             {
                 // the row needs a finer level when its agent comes back, so every search computes its extents until then
-                extentsRevisions[row] = STALE;
+                _extentsRevisions[row] = STALE;
             }
         }
 
-        private function addRows():void
+        // Makes as many rows as there are agents.
+        private function makeRows():void
         {
-            makeRows();
-            for (var i:int = 0; i < _list.addedCount; i++)
-            {
-                var row:int = _list.added[i];
-                extentsRevisions[row] = STALE;
-            }
-        }
-
-        private function freeRows():void
-        {
-            var first:int = _list.freeCount;
-            _list.freeOthers();
-            for (var i:int = first; i < _list.freeCount; i++)
-            {
-                shapes[_list.free[i]] = null;
-            }
-        }
-
-        override protected function makeRows():void
-        {
-            super.makeRows();
             var length:int = agents.length;
-            if (length > lastX.length)
+            if (length > shapes.length)
             {
-                lastX.length = lastY.length = lastZ.length = _nextX.length = _nextY.length = _nextZ.length = length;
-                _lastRevisions.length = _nextRevisions.length = length;
+                shapes.length = boxes.length = _bodies.length = length;
+                forms.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
+                _offsetX.length = _offsetY.length = _offsetZ.length = length;
+                extents.grow(length);
+                now.grow(length);
+                last.grow(length);
+                _next.grow(length);
+            }
+        }
+
+        private function forgetReplaced():void
+        {
+            if (!_modelShapes.forgetReplaced())
+            {
+                return;
+            }
+            for (var row:int = 0; row < shapes.length; row++)
+            {
+                if (shapes[row] != null && shapes[row].isVoid)
+                {
+                    _extentsRevisions[row] = STALE;
+                }
+            }
+        }
+
+        /** Finds the extents of a row again after its place has changed. */
+        internal function moveExtents(row:int):void
+        {
+            extents.x[row] = now.x[row] + _offsetX[row];
+            extents.y[row] = now.y[row] + _offsetY[row];
+            extents.z[row] = now.z[row] + _offsetZ[row];
+        }
+
+        // Finds the shapes of agents that have changed. All shapes are found before any row changes, because an error must change no row.
+        private function findShapes():void
+        {
+            if (_changedCount > _changedShapes.length)
+            {
+                _changedShapes.length = _changedCount;
+            }
+            for (var i:int = 0; i < _changedCount; i++)
+            {
+                var row:int = _changed[i];
+                if (needsShape(row))
+                {
+                    _changedShapes[i] = _modelShapes.shapeOf(agents[row]);
+                }
+            }
+        }
+
+        // Gives the changed rows the shapes that findShapes has found, and finds their extents.
+        private function takeShapes():void
+        {
+            loadingCount = 0;
+            for (var i:int = 0; i < _changedCount; i++)
+            {
+                var row:int = _changed[i];
+                if (needsShape(row))
+                {
+                    setShape(row, _changedShapes[i]);
+                    _changedShapes[i] = null;
+                }
+                if (shapes[row] == null)
+                {
+                    // a row whose model is loading is read again in every search
+                    loadingCount++;
+                }
+                else
+                {
+                    findExtents(row);
+                }
+            }
+        }
+
+        private function needsShape(row:int):Boolean
+        {
+            var shape:ModelShape = shapes[row];
+            return shape == null || shape.isVoid || agents[row].shapeRevision != _shapeRevisions[row];
+        }
+
+        private function setShape(row:int, shape:ModelShape):void
+        {
+            var before:ModelShape = shapes[row];
+            if (before == null || shape == null || shape.model != before.model)
+            {
+                now.revisions[row] = RowPlaces.NOT_SEEN;
+            }
+            shapes[row] = shape;
+            boxes[row] = null;
+            _shapeRevisions[row] = agents[row].shapeRevision;
+            if (shape == null)
+            {
+                // it is read again in the next search
+                _extentsRevisions[row] = STALE;
+                return;
+            }
+            forms[row] = shape.form;
+        }
+
+        private function findExtents(row:int):void
+        {
+            var agent:Agent = agents[row];
+            var shape:ModelShape = shapes[row];
+            var body:Body = _bodies[row];
+            if (body == null)
+            {
+                body = _bodies[row] = new Body();
+            }
+            body.readShape(agent, shape);
+            _offsetX[row] = body.offsetX;
+            _offsetY[row] = body.offsetY;
+            _offsetZ[row] = body.offsetZ;
+            extents.halfX[row] = body.halfX;
+            extents.halfY[row] = body.halfY;
+            extents.halfZ[row] = body.halfZ;
+            extents.radius[row] = body.radius;
+            if (shape.form == BoundingStructure.BOX && shape.outer == null && boxes[row] == null)
+            {
+                boxes[row] = Box(body.structure());
+            }
+            _extentsRevisions[row] = agent.placement.extentsRevision;
+            setStale(row);
+        }
+
+        /** Lets a row's body be placed again. */
+        internal function setStale(row:int):void
+        {
+            placedRevisions[row] = STALE;
+            if (_bodies[row] != null)
+            {
+                _bodies[row].revision = STALE;
             }
         }
     }

@@ -17,7 +17,7 @@ package starlogo.search
      * rows that are near each other (thesis §3.7). RowPairs tests which of them touch. Agents that sweep are tested along their motions since
      * the last search.
      *
-     * <p>A question about two agents reads them as guests of the table, so it does not change anything that a search keeps.</p>
+     * <p>A question about two agents makes bodies of them as they are now, so it does not change anything that a search keeps.</p>
      *
      * @private
      */
@@ -31,6 +31,8 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _motions:Motions;
         private var _held:HeldFixtures = new HeldFixtures();
+        private var _bodyA:Body = new Body();
+        private var _bodyB:Body = new Body();
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
 
@@ -66,11 +68,9 @@ package starlogo.search
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            readGuests(a, b);
-            var shapes:Vector.<ModelShape> = table.shapes;
-            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(table, 0, 1);
-            table.endGuests();
-            return areTouching;
+            var bodyA:Body = table.bodyOfNow(a, _bodyA);
+            var bodyB:Body = table.bodyOfNow(b, _bodyB);
+            return bodyA.shape != null && bodyB.shape != null && _pairs.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -91,7 +91,7 @@ package starlogo.search
         {
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                table.readGuest(row, fixtures == null ? null : fixtures[row - RowList.GROUND]);
+                table.readFixture(row, fixtures == null ? null : fixtures[row - RowList.GROUND]);
             }
             table.read(agents);
             _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
@@ -130,10 +130,10 @@ package starlogo.search
             return _motions.approachSpeed;
         }
 
-        /** See AgentTable.restorePositions. */
+        /** See KeptPlaces.restore. */
         public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
         {
-            table.restorePositions(agents, bytes);
+            KeptPlaces.restore(table, agents, bytes);
             _isSwept = false;
         }
 
@@ -151,6 +151,13 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
+            if (Breeds.isReserved(a.breedNumber))
+            {
+                // the ground and the edges are the second body of a pair
+                var time:Number = findContact(b, a, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                return time;
+            }
             var rowA:int = table.rowOf(a);
             var rowB:int = table.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
@@ -160,16 +167,14 @@ package starlogo.search
                 _held.exchange();
                 return ofFrame;
             }
-            readGuests(a, b);
-            var loading:Agent = table.shapes[0] == null ? a : b;
-            if (table.shapes[0] == null || table.shapes[1] == null)
+            var bodyA:Body = table.bodyOfNow(a, _bodyA);
+            var bodyB:Body = table.bodyOfNow(b, _bodyB);
+            if (bodyA.shape == null || bodyB.shape == null)
             {
-                table.endGuests();
+                var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            var time:Number = _motions.findContact(table, 0, 1, false, out);
-            table.endGuests();
-            return time;
+            return _motions.findStanding(bodyA, bodyB, out);
         }
 
         /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */
@@ -182,12 +187,6 @@ package starlogo.search
         public function releaseFixtures():void
         {
             _held.release();
-        }
-
-        private function readGuests(a:Agent, b:Agent):void
-        {
-            table.readGuest(0, a);
-            table.readGuest(1, b);
         }
 
         /** @inheritDoc */

@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
@@ -12,13 +11,13 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests whether a row touches the edges of the world, when it touches them, and how. The edges are the second row of each pair. Motions
-     * end where the first row is.
+     * Tests whether a body touches the edges of the world, when it touches them, and how. The edges are the second body of each pair. Motions
+     * end where the first body is.
      *
-     * <p>An edge is a plane, so a row touches it if the farthest point of its shape does. Spheres, capsules and boxes reach to the ends of
+     * <p>An edge is a plane, so a body touches it if the farthest point of its shape does. Spheres, capsules and boxes reach to the ends of
      * their extents. A tree may reach less far.</p>
      *
-     * <p>A row that touches several edges has one contact. Its depth is the length of the shortest way back from all of them. Its normal is
+     * <p>A body that touches several edges has one contact. Its depth is the length of the shortest way back from all of them. Its normal is
      * the direction of that way.</p>
      *
      * @private
@@ -27,8 +26,8 @@ package starlogo.search
     {
         private var _pairs:RowPairs;
 
-        // By edge: the direction out of the world, the edge's place in this direction, how far the row is beyond it (less than 0 if the row is
-        // before it), and how far the row's motion goes towards it. _nearest is the edge that the row of the last contact is furthest beyond.
+        // By edge: the direction out of the world, the edge's place in this direction, how far the body is beyond it (less than 0 if the body is
+        // before it), and how far the body's motion goes towards it. _nearest is the edge that the body of the last contact is furthest beyond.
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
         private var _places:Vector.<Number> = new Vector.<Number>(6, true);
@@ -36,7 +35,7 @@ package starlogo.search
         private var _come:Vector.<Number> = new Vector.<Number>(6, true);
         private var _nearest:int = 0;
 
-        // Half of the row's largest extent, and the largest gap between the row and an edge that still counts as a touch.
+        // Half of the body's largest extent, and the largest gap between the body and an edge that still counts as a touch.
         private var _largest:Number = 0;
         private var _margin:Number = 0;
 
@@ -50,9 +49,9 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        override public function areTouching(a:Body, b:Body):Boolean
         {
-            read(table, a, b, RelativeMotion.NONE);
+            read(a, b, RelativeMotion.NONE);
             for (var edge:int = 0; edge < 6; edge++)
             {
                 if (_beyond[edge] + _margin >= 0)
@@ -64,9 +63,9 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            read(table, a, b, motion);
+            read(a, b, motion);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
             {
@@ -86,11 +85,11 @@ package starlogo.search
         /**
          * @inheritDoc
          *
-         * <p>If the row touches no edge, it is the contact with the nearest edge, with a depth of 0.</p>
+         * <p>If the body touches no edge, it is the contact with the nearest edge, with a depth of 0.</p>
          */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            read(table, a, b, motion, true);
+            read(a, b, motion, true);
             var left:Number = 1 - motion.time;
             _nearest = 0;
             for (var edge:int = 0; edge < 6; edge++)
@@ -98,7 +97,7 @@ package starlogo.search
                 _beyond[edge] -= left * _come[edge];
                 _nearest = _beyond[edge] > _beyond[_nearest] ? edge : _nearest;
             }
-            _farthest.setTo(table, a, _pairs.trees);
+            _farthest.setTo(a, _pairs.trees);
             _farthest.findPoint(_outwards[_nearest], _largest);
             out.x = _farthest.point.x - left * motion.x;
             out.y = _farthest.point.y - left * motion.y;
@@ -118,9 +117,9 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPair):void
         {
-            findOuterContact(table, a, b, _touch);
+            findOuterContact(a, b, _touch);
             var gap:Number = -_beyond[_nearest];
             out.aX = _touch.x + gap / 2 * _touch.normalX;
             out.aY = _touch.y + gap / 2 * _touch.normalY;
@@ -132,24 +131,23 @@ package starlogo.search
             out.settle(areTouching);
         }
 
-        // Finds how far the row is beyond each edge. A tree's own reach is found only if its extents come to the edge, or for all edges.
-        private function read(table:AgentTable, row:int, edges:int, motion:RelativeMotion, isForAll:Boolean = false):void
+        // Finds how far the body is beyond each edge. A tree's own reach is found only if its extents come to the edge, or for all edges.
+        private function read(body:Body, edges:Body, motion:RelativeMotion, isForAll:Boolean = false):void
         {
-            var extents:Extents = table.extents;
-            var fixture:FixtureAgent = FixtureAgent(table.agents[edges]);
-            _largest = extents.largestHalf(row);
-            _margin = table.marginOf(row) + Tolerances.ROUNDING * _largest;
+            var fixture:FixtureAgent = edges.shape.fixture;
+            _largest = body.largestHalf;
+            _margin = body.margin + Tolerances.ROUNDING * _largest;
             for (var edge:int = 0; edge < 6; edge++)
             {
                 // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
                 _places[edge] = along(edge, 1, 1, 1) * fixture.edges[edge];
-                var reach:Number = Math.abs(along(edge, extents.halfX[row], extents.halfY[row], extents.halfZ[row]));
-                var beyond:Number = reach + (along(edge, extents.x[row], extents.y[row], extents.z[row]) - _places[edge]);
+                var reach:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
+                var beyond:Number = reach + (along(edge, body.x, body.y, body.z) - _places[edge]);
                 _beyond[edge] = beyond;
                 _come[edge] = along(edge, motion.x, motion.y, motion.z);
-                if (table.forms[row] == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - _come[edge] >= -_margin))
+                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - _come[edge] >= -_margin))
                 {
-                    _farthest.setTo(table, row, _pairs.trees);
+                    _farthest.setTo(body, _pairs.trees);
                     _farthest.find(_outwards[edge]);
                     _beyond[edge] = _farthest.reach - _places[edge];
                 }

@@ -14,7 +14,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Finds the farthest point of a row's shape in a direction. Of a tree, these are the nodes that a test visits last, or the triangles if they
+     * Finds the farthest point of a body's shape in a direction. Of a tree, these are the nodes that a test visits last, or the triangles if they
      * decide. Such a node counts as far as all nodes above it reach too, because a test visits it only if these touch.
      *
      * <p>It takes the time of a few branches of the tree: a branch that cannot reach farther than the best node so far is left out.</p>
@@ -31,7 +31,6 @@ package starlogo.search
 
         private var _shape:ModelShape;
         private var _placement:Placement;
-        private var _scratch:Placement = new Placement();
         private var _depth:int;
         private var _isExact:Boolean;
 
@@ -48,26 +47,21 @@ package starlogo.search
         private var _added:Vector3D = new Vector3D();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
 
-        /** Begins without a row. */
-        public function FarthestPoint()
-        {
-        }
-
         /**
-         * Sets the row.
+         * Sets the body.
          *
-         * @param trees knows how deep trees are visited; null if no row is a tree
+         * @param trees knows how deep trees are visited; null if no body is a tree
          */
-        public function setTo(table:AgentTable, row:int, trees:TreePairs):void
+        public function setTo(body:Body, trees:TreePairs):void
         {
-            _shape = table.shapes[row];
-            _placement = table.placementOf(row, _scratch);
+            _shape = body.shape;
+            _placement = body.placement;
             var tree:SolidHierarchy = _shape.hierarchy;
             _isExact = tree != null && trees.exact && tree.hasTriangles;
-            _depth = _isExact ? int.MAX_VALUE : tree == null ? 0 : trees.depthOf(table, row);
+            _depth = _isExact ? int.MAX_VALUE : tree == null ? 0 : trees.depthOf(body);
         }
 
-        /** Finds how far the row reaches in a direction, which is a unit vector in the world. */
+        /** Finds how far the body reaches in a direction, which is a unit vector in the world. */
         public function find(direction:Vector3D):void
         {
             var at:Placement = _placement;
@@ -89,7 +83,7 @@ package starlogo.search
         /**
          * Finds the farthest point too.
          *
-         * @param half half of the row's largest extent. Points are equally far if their distances differ by less than a small part of it
+         * @param half half of the body's largest extent. Points are equally far if their distances differ by less than a small part of it
          */
         public function findPoint(direction:Vector3D, half:Number):void
         {

@@ -1,19 +1,18 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
+    import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.FixtureAgent;
     import starlogo.terrain.HeightGrid;
     import starlogo.terrain.TerrainPair;
 
     use namespace engine;
 
     /**
-     * Tests a row and the ground, which is the second row of each pair: whether they touch, when they touch, and how.
+     * Tests a body and the ground, which is the second body of each pair: whether they touch, when they touch, and how.
      *
      * @private
      */
@@ -21,10 +20,11 @@ package starlogo.search
     {
         private var _pairs:RowPairs;
 
-        // A list with one member.
-        private var _row:Vector.<int> = new Vector.<int>(1, true);
-        private var _member:Vector.<int> = new Vector.<int>(1, true);
-        private var _placement:Placement = new Placement();
+        // The columns of one body, and a list with it as its only member.
+        private var _extents:Extents = new Extents();
+        private var _forms:Vector.<int> = new Vector.<int>(1, true);
+        private var _rows:Vector.<int> = new Vector.<int>(1, true);
+        private var _members:Vector.<int> = new Vector.<int>(1, true);
         private var _farthest:FarthestPoint = new FarthestPoint();
         private var _inwards:Vector3D = new Vector3D();
 
@@ -32,29 +32,44 @@ package starlogo.search
         public function GroundPairs(pairs:RowPairs)
         {
             _pairs = pairs;
+            _extents.grow(1);
         }
 
         /** @inheritDoc */
-        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        override public function areTouching(a:Body, b:Body):Boolean
         {
-            if (table.sizes[b] != 1)
+            var grid:HeightGrid = gridOf(b);
+            if (b.placement.size == 1)
             {
-                return pairOf(table, a, b).areOverlapping();
+                _extents.x[0] = a.x;
+                _extents.y[0] = a.y;
+                _extents.z[0] = a.z;
+                _extents.halfX[0] = a.halfX;
+                _extents.halfY[0] = a.halfY;
+                _extents.halfZ[0] = a.halfZ;
+                _forms[0] = a.form;
+                _members[0] = 0;
+                if (grid.look.keepNear(grid, _extents, _forms, _rows, _members, 1) == 0)
+                {
+                    return false;
+                }
+                if (grid.look.isTouching[0])
+                {
+                    return true;
+                }
             }
-            _row[0] = a;
-            _member[0] = 0;
-            return keepMembers(table, _row, _member, 1, b) == 1;
+            return pairOf(a, b).areOverlapping();
         }
 
         /** @inheritDoc */
-        override public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:int):int
+        override public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:Body):int
         {
-            var grid:HeightGrid = gridOf(table, b);
+            var grid:HeightGrid = gridOf(b);
             var near:int = grid.look.keepNear(grid, table.extents, table.forms, rows, members, count);
             var kept:int = 0;
             for (var i:int = 0; i < near; i++)
             {
-                if (grid.look.isTouching[i] || pairOf(table, rows[members[i]], b).areOverlapping())
+                if (grid.look.isTouching[i] || pairOf(table.bodyOf(rows[members[i]]), b).areOverlapping())
                 {
                     members[kept] = members[i];
                     kept++;
@@ -64,77 +79,76 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            pairOf(table, a, b).findTime(motion);
+            pairOf(a, b).findTime(motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var pair:TerrainPair = pairOf(table, a, b);
+            var pair:TerrainPair = pairOf(a, b);
             pair.findContact(motion, out);
             needed = pair.needed;
         }
 
         /** @inheritDoc */
-        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            pairOf(table, a, b).findImpact(motion, out);
+            pairOf(a, b).findImpact(motion, out);
         }
 
         /** @inheritDoc */
-        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            pairOf(table, a, b).findOuterContact(out);
+            pairOf(a, b).findOuterContact(out);
         }
 
         /** @inheritDoc */
-        override public function findWays(table:AgentTable, a:int, b:int, ways:Vector.<ContactPoint>):int
+        override public function findWays(a:Body, b:Body, ways:Vector.<ContactPoint>):int
         {
-            var count:int = pairOf(table, a, b).findWays(reach, ways);
-            if (table.forms[a] == ModelShape.TREE)
+            var count:int = pairOf(a, b).findWays(reach, ways);
+            if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)
                 {
-                    measure(table, a, ways[i]);
+                    measure(a, ways[i]);
                 }
             }
             return count;
         }
 
         /** @inheritDoc */
-        override public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPair):void
         {
-            pairOf(table, a, b).findClosest(areTouching, out);
+            pairOf(a, b).findClosest(areTouching, out);
         }
 
         // Changes a contact's depth behind a plane from the depth of the structure around a tree to that of the tree itself.
-        private function measure(table:AgentTable, a:int, way:ContactPoint):void
+        private function measure(a:Body, way:ContactPoint):void
         {
             var plane:Number = way.normalX * way.x + way.normalY * way.y + way.normalZ * way.z + way.depth / 2;
             _inwards.setTo(-way.normalX, -way.normalY, -way.normalZ);
-            _farthest.setTo(table, a, _pairs.trees);
+            _farthest.setTo(a, _pairs.trees);
             _farthest.find(_inwards);
             way.depth = plane + _farthest.reach;
         }
 
-        private static function gridOf(table:AgentTable, ground:int):HeightGrid
+        private static function gridOf(ground:Body):HeightGrid
         {
-            var fixture:FixtureAgent = FixtureAgent(table.agents[ground]);
-            return fixture.terrain.grid;
+            return ground.shape.fixture.terrain.grid;
         }
 
-        // The test of the ground, set to a row. If the ground is made narrower, its size in the table is smaller.
-        private function pairOf(table:AgentTable, a:int, b:int):TerrainPair
+        // The test of the ground, set to a body. If the ground is made narrower, its size is smaller.
+        private function pairOf(a:Body, b:Body):TerrainPair
         {
-            var shape:ModelShape = table.shapes[a];
-            var grid:HeightGrid = gridOf(table, b);
+            var shape:ModelShape = a.shape;
+            var grid:HeightGrid = gridOf(b);
             var trees:TreePairs = _pairs.trees;
             var pair:TerrainPair = grid.pair;
-            var inset:Number = (1 - table.sizes[b]) * grid.cellWidth / 2;
-            var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(table, a);
-            pair.setTo(grid, inset, shape.hierarchy, shape.structure, table.placementOf(a, _placement), depth, trees != null && trees.exact);
+            var inset:Number = (1 - b.placement.size) * grid.cellWidth / 2;
+            var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(a);
+            pair.setTo(grid, inset, shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
             return pair;
         }
     }

@@ -15,11 +15,6 @@ package starlogo.search
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
 
-        /** Begins empty. */
-        public function IdTable()
-        {
-        }
-
         /**
          * The value of an id, or -1 if it has none.
          *

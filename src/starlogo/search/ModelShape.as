@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.solid.SolidHierarchy;
+    import starlogo.terrain.FixtureAgent;
 
     use namespace engine;
 
@@ -50,6 +51,9 @@ package starlogo.search
          * model.
          */
         engine var meetsTriangles:Boolean = false;
+
+        /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
+        engine var fixture:FixtureAgent = null;
 
         /** @private The slightly wider structures that are tested first; null if there are none. */
         internal var outer:OuterStructures = null;

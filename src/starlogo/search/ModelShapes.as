@@ -118,11 +118,13 @@ package starlogo.search
         // The shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: one cell, or nothing.
         private static function shapeOfFixture(agent:Agent):ModelShape
         {
-            var ground:Terrain = FixtureAgent(agent).terrain;
+            var fixture:FixtureAgent = FixtureAgent(agent);
+            var ground:Terrain = fixture.terrain;
             var half:Number = ground == null ? 0 : ground.cellWidth / 2;
             var shape:ModelShape = new ModelShape(agent.shape, Agent.ANY_KIND, 0);
             shape.structure = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half);
             shape.form = ground == null ? ModelShape.EDGES : ModelShape.GROUND;
+            shape.fixture = fixture;
             shape.isUpright = true;
             return shape;
         }

@@ -19,13 +19,13 @@ package starlogo.search
     {
         // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
         // ground and the edges of the world do not move.
-        internal var x:Vector.<Number> = new <Number>[0, 0, 0, 0];
-        internal var y:Vector.<Number> = new <Number>[0, 0, 0, 0];
-        internal var z:Vector.<Number> = new <Number>[0, 0, 0, 0];
-        internal var isSweeping:Vector.<Boolean> = new <Boolean>[false, false, false, false];
+        internal var x:Vector.<Number> = new <Number>[0, 0];
+        internal var y:Vector.<Number> = new <Number>[0, 0];
+        internal var z:Vector.<Number> = new <Number>[0, 0];
+        internal var isSweeping:Vector.<Boolean> = new <Boolean>[false, false];
         internal var extents:Extents = new Extents();
 
-        // How far the first row moved against the normal, in the last pair whose contact was found.
+        // How far the first body moved against the normal, in the last pair whose contact was found.
         internal var approachSpeed:Number = 0;
 
         private var _pairs:RowPairs;
@@ -68,9 +68,9 @@ package starlogo.search
             {
                 var row:int = table.rows[i];
                 var hasMotion:Boolean = table.hasMotion(row);
-                var motionX:Number = hasMotion ? table.x[row] - table.lastX[row] : 0;
-                var motionY:Number = hasMotion ? table.y[row] - table.lastY[row] : 0;
-                var motionZ:Number = hasMotion ? table.z[row] - table.lastZ[row] : 0;
+                var motionX:Number = hasMotion ? table.now.x[row] - table.last.x[row] : 0;
+                var motionY:Number = hasMotion ? table.now.y[row] - table.last.y[row] : 0;
+                var motionZ:Number = hasMotion ? table.now.z[row] - table.last.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
                 isSweeping[row] = hasMotion && table.agents[row].isSweeping;
@@ -112,12 +112,19 @@ package starlogo.search
             {
                 // two that sweep alike touch from the beginning on; two that do not sweep or have not moved touch where they are now
                 var found:Number = isSwept && (x[a] != 0 || y[a] != 0 || z[a] != 0) ? 0 : 1;
-                motion.time = _pairs.areTouching(table, a, b) ? found : RelativeMotion.NEVER;
+                motion.time = _pairs.areTouching(table.bodyOf(a), table.bodyOf(b)) ? found : RelativeMotion.NEVER;
             }
             else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))
             {
                 _pairs.sweptPairs++;
-                _pairs.testsOf(table, a, b).findTime(table, a, b, motion);
+                if (areSpheres)
+                {
+                    _pairs.spheres.findTimeOfRows(table, a, b, motion);
+                    return;
+                }
+                var bodyA:Body = table.bodyOf(a);
+                var bodyB:Body = table.bodyOf(b);
+                _pairs.testsOf(bodyA, bodyB).findTime(bodyA, bodyB, motion);
             }
         }
 
@@ -130,46 +137,48 @@ package starlogo.search
         /**
          * Finds the contact of two rows.
          *
+         * @param b may be the ground or the edges of the world
          * @param isSwept whether the motions are those of the table
          * @param out receives the contact. Its normal points from b to a
          * @return the time of the contact in their motions; 1 if neither row sweeps
          */
         public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
         {
-            if (table.forms[a] >= ModelShape.GROUND && table.forms[b] < ModelShape.GROUND)
-            {
-                // the ground and the edges are the second row of a pair
-                var ofOther:Number = findContact(table, b, a, isSwept, out);
-                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-                return ofOther;
-            }
-            var motion:RelativeMotion = _motion;
-            var isPassing:Boolean = isSwept && (isSweeping[a] || isSweeping[b]);
-            if (isPassing)
+            if (isSwept && (isSweeping[a] || isSweeping[b]))
             {
                 findTime(table, null, a, b);
-                isPassing = motion.time != RelativeMotion.NEVER;
+                var time:Number = _motion.time;
+                if (time != RelativeMotion.NEVER)
+                {
+                    separate(table.bodyOf(a), table.bodyOf(b), out);
+                    // the motion was relative to b at its present place, so the point is moved back to where b was at that time
+                    out.x -= (1 - time) * x[b];
+                    out.y -= (1 - time) * y[b];
+                    out.z -= (1 - time) * z[b];
+                    return time;
+                }
             }
-            if (!isPassing)
+            return findStanding(table.bodyOf(a), table.bodyOf(b), out);
+        }
+
+        /** Finds the contact of two bodies where they are. The parameters are those of <code>findContact()</code>. */
+        public function findStanding(a:Body, b:Body, out:ContactPoint):Number
+        {
+            _motion.endAfter(0, 0, 0);
+            _motion.time = 1;
+            separate(a, b, out);
+            return 1;
+        }
+
+        private function separate(a:Body, b:Body, out:ContactPoint):void
+        {
+            var motion:RelativeMotion = _motion;
+            _pairs.testsOf(a, b).findContact(a, b, motion, out);
+            if (b.form != ModelShape.EDGES)
             {
-                motion.endAfter(0, 0, 0);
-                motion.time = 1;
-            }
-            var time:Number = motion.time;
-            _pairs.testsOf(table, a, b).findContact(table, a, b, motion, out);
-            if (table.forms[b] != ModelShape.EDGES)
-            {
-                _separation.find(table, a, b, motion, out);
+                _separation.find(a, b, motion, out);
             }
             approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
-            if (isPassing)
-            {
-                // the motion was relative to b at its present place, so the point is moved back to where b was at that time
-                out.x -= (1 - time) * x[b];
-                out.y -= (1 - time) * y[b];
-                out.z -= (1 - time) * z[b];
-            }
-            return time;
         }
 
         private function makeRows(length:int):void

@@ -30,14 +30,11 @@ package starlogo.search
         // The most halvings. After 53 a Number has no more bits to halve.
         protected static const MOST_STEPS:int = 60;
 
-        protected var _moved:MovedRow = new MovedRow();
-
-        // The pair under way, its tests, the place of its first row when they touch, the larger extent of the two, and the gap across which
+        // The pair under way, with the first body where it is moved to; its tests, the place of its first body when they touch, the larger extent of the two, and the gap across which
         // they touch because their places are rounded.
-        protected var _table:AgentTable;
         protected var _tests:PairTests;
-        protected var _a:int;
-        protected var _b:int;
+        protected var _a:Body = new Body();
+        protected var _b:Body;
         protected var _x:Number = 0;
         protected var _y:Number = 0;
         protected var _z:Number = 0;
@@ -53,20 +50,15 @@ package starlogo.search
         protected var _free:Number = 0;
         protected var _step:Number = 0;
 
-        // How far the first row is moved along the direction. This is a field because V8 makes an object for each Number that is passed.
+        // How far the first body is moved along the direction. This is a field because V8 makes an object for each Number that is passed.
         protected var _distance:Number = 0;
 
         // The sweep back, and the contact at its end.
         protected var _back:RelativeMotion = new RelativeMotion();
         protected var _left:ContactPoint = new ContactPoint();
 
-        /** Begins without rows. */
-        public function Parting()
-        {
-        }
-
         // Sweeps back from the free distance. If the contact is not shallow, improves the direction. Then the point becomes the middle between the
-        // place where the two part and the matching place on the first row.
+        // place where the two part and the matching place on the first body.
         protected function refine(out:ContactPoint):void
         {
             sweepBack(out);
@@ -130,7 +122,7 @@ package starlogo.search
             displace();
             var way:Number = _touching - _free;
             _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            _tests.findImpact(_table, _a, _b, _back, _left);
+            _tests.findImpact(_a, _b, _back, _left);
             var time:Number = Math.min(_back.time, 1);
             out.normalX = _alongX;
             out.normalY = _alongY;
@@ -193,13 +185,13 @@ package starlogo.search
         protected function touch():Boolean
         {
             displace();
-            return _tests.areTouching(_table, _a, _b);
+            return _tests.areTouching(_a, _b);
         }
 
         protected function displace():void
         {
             _place.setTo(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ);
-            _moved.put(_place, 0);
+            _a.moveTo(_place);
         }
     }
 }

@@ -64,11 +64,6 @@ package starlogo.search
         private var _second:int = 0;
         private var _third:int = 0;
 
-        /** Begins without a push. */
-        public function PushSearch()
-        {
-        }
-
         /** Begins again, with a push of length 0. */
         public function begin():void
         {

@@ -13,14 +13,14 @@ package starlogo.search
      */
     public final class RowList
     {
-        /** The first rows belong to no list: two for guests, and two for fixtures (the ground and the edges of the world). */
-        public static const GUESTS:int = 4;
-
-        /** The row of the ground, the first fixture. The number of a fixture's breed gives its row. */
-        public static const GROUND:int = 2;
+        /** The row of the ground, the first of the fixtures, which belong to no list. The number of a fixture's breed gives its row. */
+        public static const GROUND:int = 0;
 
         /** The row of the edges of the world. */
-        public static const EDGES:int = 3;
+        public static const EDGES:int = 1;
+
+        /** The first row for agents of a list. */
+        public static const LISTED:int = 2;
 
         /** The rows of the agents, in the order of the list. */
         public var rows:Vector.<int> = new Vector.<int>();
@@ -32,10 +32,10 @@ package starlogo.search
         public var number:int = 0;
 
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
-        public var ranks:Vector.<int> = new <int>[0, 0, 0, 0];
+        public var ranks:Vector.<int> = new <int>[0, 0];
 
         /** By row: the agent, or null. */
-        public var agents:Vector.<Agent> = new <Agent>[null, null, null, null];
+        public var agents:Vector.<Agent> = new <Agent>[null, null];
 
         /** The rows that the last read has added; the list may be longer than <code>addedCount</code>. */
         public var added:Vector.<int> = new Vector.<int>();
@@ -43,27 +43,21 @@ package starlogo.search
         /** The number of rows that the last read has added. */
         public var addedCount:int = 0;
 
-        /** The free rows; the list may be longer than <code>freeCount</code>. */
-        public var free:Vector.<int> = new Vector.<int>();
-
-        /** The number of free rows. */
-        public var freeCount:int = 0;
+        // The free rows, and their number; and the number of the list after which rows were last freed.
+        private var _free:Vector.<int> = new Vector.<int>();
+        private var _freeCount:int = 0;
+        private var _freedNumber:int = 0;
 
         // By row: the number of the last list in which the agent was.
-        private var _lists:Vector.<int> = new <int>[0, 0, 0, 0];
+        private var _lists:Vector.<int> = new <int>[0, 0];
 
         private var _rowsById:IdTable = new IdTable();
 
         // All rows below it are in use or free.
-        private var _end:int = GUESTS;
+        private var _end:int = LISTED;
 
         // The indices of the agents in a list that is being checked.
         private var _checked:IdTable = new IdTable();
-
-        /** Begins with no agents. */
-        public function RowList()
-        {
-        }
 
         /** The row of an agent; -1 if it is not listed. */
         public function rowOf(agent:Agent):int
@@ -151,14 +145,20 @@ package starlogo.search
             }
         }
 
-        /** Frees the rows of all agents that are not in the last list. They stand at the end of <code>free</code>. */
-        public function freeOthers():void
+        /** Frees the rows of all agents that are not in the last list, and empties these rows in a column. */
+        public function freeOthers(shapes:Vector.<ModelShape>):void
         {
-            for (var row:int = GUESTS; row < _end; row++)
+            if (_freedNumber == number)
+            {
+                return;
+            }
+            _freedNumber = number;
+            for (var row:int = LISTED; row < _end; row++)
             {
                 if (_lists[row] != number && agents[row] != null)
                 {
                     release(row);
+                    shapes[row] = null;
                 }
             }
         }
@@ -176,10 +176,10 @@ package starlogo.search
         private function add(agent:Agent):int
         {
             var row:int = _end;
-            if (freeCount > 0)
+            if (_freeCount > 0)
             {
-                freeCount--;
-                row = free[freeCount];
+                _freeCount--;
+                row = _free[_freeCount];
             }
             else
             {
@@ -201,8 +201,8 @@ package starlogo.search
         {
             _rowsById.remove(agents[row].number);
             agents[row] = null;
-            free[freeCount] = row;
-            freeCount++;
+            _free[_freeCount] = row;
+            _freeCount++;
         }
 
         private static function isNoAgent(index:int, agent:Agent):Error

@@ -10,8 +10,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two rows of a table by their forms: whether they touch, when they touch, and how. Each collider has one such object, with its
-     * settings.
+     * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider has one such object, with its settings.
      *
      * @private
      */
@@ -26,7 +25,9 @@ package starlogo.search
         /** Tests pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairs = null;
 
-        private var _spheres:SpherePairs = new SpherePairs();
+        /** Tests pairs of spheres. */
+        public var spheres:SpherePairs = new SpherePairs();
+
         private var _ground:GroundPairs;
         private var _edges:EdgePairs;
 
@@ -62,7 +63,7 @@ package starlogo.search
             var radius:Number = radii[slot];
             var slack:Number = bins.slack;
             var kept:int = 0;
-            _spheres.tests += count;
+            spheres.tests += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
@@ -79,7 +80,7 @@ package starlogo.search
                     {
                         continue;
                     }
-                    if (!_spheres.areTouching(table, bins.rowAt[slot], bins.rowAt[other]))
+                    if (!spheres.areRowsTouching(table, bins.rowAt[slot], bins.rowAt[other]))
                     {
                         continue;
                     }
@@ -105,7 +106,8 @@ package starlogo.search
             var form:int = forms[row];
             if (form >= ModelShape.GROUND)
             {
-                return testsOf(table, row, row).keepMembers(table, rows, others, count, row);
+                var fixture:Body = table.bodyOf(row);
+                return testsOf(fixture, fixture).keepMembers(table, rows, others, count, fixture);
             }
             if (form == ModelShape.TREE)
             {
@@ -117,18 +119,19 @@ package starlogo.search
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
-            var revisions:Vector.<int> = table.revisions;
+            var revisions:Vector.<int> = table.now.revisions;
             var atX:Number = xs[row];
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
             var reachZ:Number = halfZs[row] + bins.slack;
             var box:Box = structures.settings.boxFacesOnly ? null : boxes[row];
+            var body:Body = null;
             var boxTests:int = 0;
             var sphereTests:int = 0;
             var kept:int = 0;
             if (box != null && placed[row] != revisions[row])
             {
-                table.place(row);
+                table.placeBox(row);
             }
             for (var i:int = 0; i < count; i++)
             {
@@ -151,7 +154,7 @@ package starlogo.search
                     boxTests++;
                     if (placed[otherRow] != revisions[otherRow])
                     {
-                        table.place(otherRow);
+                        table.placeBox(otherRow);
                     }
                     if (!boxBox(box, otherBox))
                     {
@@ -164,12 +167,12 @@ package starlogo.search
                     var x:Number = xs[otherRow] - atX;
                     var y:Number = ys[otherRow] - atY;
                     reach = halfZs[row] + halfZs[otherRow];
-                    if (x * x + y * y + distance * distance > reach * reach && !_spheres.areTouching(table, row, otherRow))
+                    if (x * x + y * y + distance * distance > reach * reach && !spheres.areRowsTouching(table, row, otherRow))
                     {
                         continue;
                     }
                 }
-                else if (!areNear(table.extents, bins, row, otherRow) || !areTouching(table, row, otherRow))
+                else if (!areNear(table.extents, bins, row, otherRow) || !areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
                 {
                     continue;
                 }
@@ -177,34 +180,34 @@ package starlogo.search
                 kept++;
             }
             structures.tests[1 << BoundingStructure.BOX] += boxTests;
-            _spheres.tests += sphereTests;
+            spheres.tests += sphereTests;
             return kept;
         }
 
-        /** Whether two rows touch. */
-        public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        /** Whether two bodies touch. */
+        public function areTouching(a:Body, b:Body):Boolean
         {
-            var forms:int = table.forms[a] | table.forms[b];
+            var forms:int = a.form | b.form;
             if (forms == BoundingStructure.SPHERE)
             {
-                _spheres.tests++;
-                return _spheres.areTouching(table, a, b);
+                spheres.tests++;
+                return spheres.areTouching(a, b);
             }
             if (forms < ModelShape.TREE)
             {
-                return structures.areTouching(table, a, b);
+                return structures.areTouching(a, b);
             }
-            if (table.forms[a] >= ModelShape.GROUND)
+            if (a.form >= ModelShape.GROUND)
             {
-                return table.forms[b] < ModelShape.GROUND && areTouching(table, b, a);
+                return b.form < ModelShape.GROUND && areTouching(b, a);
             }
-            return testsOf(table, a, b).areTouching(table, a, b);
+            return testsOf(a, b).areTouching(a, b);
         }
 
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            sweptPairs = _spheres.tests = 0;
+            sweptPairs = spheres.tests = 0;
             structures.resetCounts();
             if (trees != null)
             {
@@ -217,7 +220,7 @@ package starlogo.search
         {
             out.sweptPairs = sweptPairs;
             structures.writeCounts(out);
-            out.sphereSphereTests += _spheres.tests;
+            out.sphereSphereTests += spheres.tests;
             if (trees != null)
             {
                 trees.writeCounts(out);
@@ -225,22 +228,22 @@ package starlogo.search
         }
 
         /**
-         * Whether tests take the second of two rows first, so that rounding errors are the same in either order. A tree comes before a
-         * structure. Of two trees or two structures, the agent with the lower number comes first. The ground and the edges of the world come
+         * Whether tests take the second of two bodies first, so that rounding errors are the same in either order. A tree comes before a
+         * structure. Of two trees or two structures, the body with the lower number comes first. The ground and the edges of the world come
          * last.
          */
-        public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
+        public static function isSecondFirst(a:Body, b:Body):Boolean
         {
-            if (table.forms[a] >= ModelShape.GROUND || table.forms[b] >= ModelShape.GROUND)
+            if (a.form >= ModelShape.GROUND || b.form >= ModelShape.GROUND)
             {
-                return table.forms[a] >= ModelShape.GROUND;
+                return a.form >= ModelShape.GROUND;
             }
-            var isTree:Boolean = table.forms[a] == ModelShape.TREE;
-            if (isTree != (table.forms[b] == ModelShape.TREE))
+            var isTree:Boolean = a.form == ModelShape.TREE;
+            if (isTree != (b.form == ModelShape.TREE))
             {
                 return !isTree;
             }
-            return table.agents[a].number > table.agents[b].number;
+            return a.number > b.number;
         }
 
         /**
@@ -267,10 +270,10 @@ package starlogo.search
             return distance <= reach && distance >= -reach;
         }
 
-        /** The tests for two rows, by their forms. The ground or the edges of the world are the second of the two. */
-        public function testsOf(table:AgentTable, a:int, b:int):PairTests
+        /** The tests for two bodies, by their forms. The ground or the edges of the world are the second of the two. */
+        public function testsOf(a:Body, b:Body):PairTests
         {
-            var forms:int = table.forms[a] | table.forms[b];
+            var forms:int = a.form | b.form;
             if (forms >= ModelShape.GROUND)
             {
                 return forms >= ModelShape.EDGES ? _edges : _ground;
@@ -279,7 +282,7 @@ package starlogo.search
             {
                 return trees;
             }
-            return forms == BoundingStructure.SPHERE ? _spheres : structures;
+            return forms == BoundingStructure.SPHERE ? spheres : structures;
         }
     }
 }

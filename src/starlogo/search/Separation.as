@@ -8,8 +8,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Finds a normal and a depth for a contact that separate its two rows. If the first row moves along the normal by the depth, no part of it
-     * touches the second row any more.
+     * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, no part of it
+     * touches the second one any more.
      *
      * <p>It begins with a push along the given normal. If the two still touch after a push, their contact there is added, and the next push is
      * the shortest one out of all contacts so far (PushSearch). So a box in a corner of floor and wall goes out of both at once.</p>
@@ -18,7 +18,7 @@ package starlogo.search
      * short as that, it is taken. Otherwise the deepest part of the ground that an agent touches can be left over each side of the ground that this
      * part is behind (<code>PairTests.findWays()</code>). Each is the beginning of a push, and the shortest push that leads out is taken.</p>
      *
-     * <p>If no push is found, the shortest way out of the structures around both rows gives the direction (Parting).</p>
+     * <p>If no push is found, the shortest way out of the structures around both bodies gives the direction (Parting).</p>
      *
      * @private
      */
@@ -38,7 +38,7 @@ package starlogo.search
         private static const MOST_COSINE:Number = 0.8;
 
         // How much room there is beyond a push out of several contacts, as a fraction of the larger extent. Less room is a gap between parts of the
-        // second row.
+        // second body.
         private static const ROOM:Number = 100 * Tolerances.SEPARATION;
 
         // How much farther than needed a push leads out of each contact, as a fraction of SEPARATION.
@@ -60,30 +60,29 @@ package starlogo.search
         private var _pushes:PushSearch = new PushSearch();
         private var _ways:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        /** @param pairs tests which rows touch, and when */
+        /** @param pairs tests which bodies touch, and when */
         public function Separation(pairs:RowPairs)
         {
             _pairs = pairs;
         }
 
         /**
-         * Changes a contact's normal and depth so that they separate the two rows.
+         * Changes a contact's normal and depth so that they separate the two bodies.
          *
-         * @param motion the motion of the first row relative to the second, with the time at which they touch. It ends where the first row is in
-         *     the table
+         * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
          * @param out the contact of two parts that touch at that time
          */
-        public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _tests = _pairs.testsOf(table, a, b);
-            if (_tests.hasExactContact(table, a, b))
+            _tests = _pairs.testsOf(a, b);
+            if (_tests.hasExactContact(a, b))
             {
-                OverlapMiddle.setAlong(table, a, b, out);
+                OverlapMiddle.setAlong(a, b, out);
                 return;
             }
-            begin(table, a, b, motion);
+            begin(a, b, motion);
             _distance = 0;
-            // only a row that moves may have been stopped just before the touch
+            // only a body that moves may have been stopped just before the touch
             if (!isComing(motion) || touch())
             {
                 findLeast(motion, out);
@@ -94,35 +93,32 @@ package starlogo.search
             }
             _distance = 0;
             displace();
-            OverlapMiddle.setAlong(table, a, b, out);
-            OverlapMiddle.keepWithin(table.extents, a, out);
-            if (table.forms[b] != ModelShape.GROUND)
+            OverlapMiddle.setAlong(_a, b, out);
+            OverlapMiddle.keepWithin(_a, out);
+            if (b.form != ModelShape.GROUND)
             {
-                OverlapMiddle.keepWithin(table.extents, b, out);
+                OverlapMiddle.keepWithin(b, out);
             }
-            _moved.giveBack();
-            _table = null;
         }
 
-        private function begin(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        private function begin(a:Body, b:Body, motion:RelativeMotion):void
         {
             var time:Number = motion.time;
-            _table = table;
-            _a = a;
             _b = b;
-            _moved.take(table, a);
-            _x = table.x[a] + (motion.startX + time * motion.x);
-            _y = table.y[a] + (motion.startY + time * motion.y);
-            _z = table.z[a] + (motion.startZ + time * motion.z);
-            var share:Number = table.forms[b] == ModelShape.GROUND ? CELL_SHARE : 1;
-            var half:Number = Math.max(share * table.extents.largestHalf(b), _moved.largestHalf);
-            _rounding = table.marginOf(a) + table.marginOf(b);
+            _x = a.placement.x + (motion.startX + time * motion.x);
+            _y = a.placement.y + (motion.startY + time * motion.y);
+            _z = a.placement.z + (motion.startZ + time * motion.z);
+            _place.setTo(_x, _y, _z);
+            _a.readPart(a, _place, 0);
+            var share:Number = b.form == ModelShape.GROUND ? CELL_SHARE : 1;
+            var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
+            _rounding = a.margin + b.margin;
             // two points have no extent. Then it is the gap across which they still touch
             _extent = Math.max(2 * half, Math.max(_rounding, LEAST_EXTENT));
         }
 
-        // Handles two rows that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
-        // two touch if the row moves a little against the given normal.
+        // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
+        // two touch if the first one moves a little against the given normal.
         private function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;
@@ -134,7 +130,7 @@ package starlogo.search
             }
         }
 
-        // Whether the first row moves, and touches the second only after the motion's beginning.
+        // Whether the first body moves, and touches the second only after the motion's beginning.
         private static function isComing(motion:RelativeMotion):Boolean
         {
             return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
@@ -147,7 +143,7 @@ package starlogo.search
             _first.copyFrom(out);
             _isFirstLost = false;
             out.depth = Infinity;
-            if (_table.forms[_b] == ModelShape.GROUND)
+            if (_b.form == ModelShape.GROUND)
             {
                 findWayOfGround(out);
                 return;
@@ -178,12 +174,12 @@ package starlogo.search
             }
         }
 
-        // Tries to go straight along the shortest way out of the structures around both rows.
+        // Tries to go straight along the shortest way out of the structures around both bodies.
         private function tryOuter(out:ContactPoint):void
         {
             _distance = 0;
             displace();
-            _tests.findOuterContact(_table, _a, _b, _left);
+            _tests.findOuterContact(_a, _b, _left);
             if (out.depth == Infinity)
             {
                 goOutAlong(_left);
@@ -212,7 +208,7 @@ package starlogo.search
             {
                 _distance = 0;
                 displace();
-                _tests.findOuterContact(_table, _a, _b, _left);
+                _tests.findOuterContact(_a, _b, _left);
                 if (reach > _left.depth)
                 {
                     goOutAlong(_left);
@@ -233,7 +229,7 @@ package starlogo.search
             displace();
             if (reach > 0 && _isFirstLost)
             {
-                _tests.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
+                _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
             }
             while (tries > 0)
             {
@@ -263,7 +259,7 @@ package starlogo.search
         private function addWays(reach:Number, slack:Number):void
         {
             _tests.reach = reach;
-            var count:int = _tests.findWays(_table, _a, _b, _ways);
+            var count:int = _tests.findWays(_a, _b, _ways);
             for (var i:int = 0; i < count; i++)
             {
                 _pushes.add(_ways[i], slack);
@@ -284,13 +280,13 @@ package starlogo.search
         // or again in that of the push. Returns whether it may be a corner.
         private function findCorner():Boolean
         {
-            var isGround:Boolean = _table.forms[_b] == ModelShape.GROUND;
+            var isGround:Boolean = _b.form == ModelShape.GROUND;
             if (!isGround && _pushes.length > LARGEST_CORNER * _extent)
             {
                 return false;
             }
             _isFirstLost = true;
-            _tests.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
+            _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
             var cosine:Number = _left.normalX * _alongX + _left.normalY * _alongY + _left.normalZ * _alongZ;
             return isGround || cosine > LEAST_COSINE && cosine < MOST_COSINE;
         }

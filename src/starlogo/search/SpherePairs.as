@@ -12,7 +12,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two rows that are spheres. A sphere has the same width as its extents, so it needs no structure in the world.
+     * Tests two bodies that are spheres. A sphere has the same width as its extents, so it needs no structure in the world.
      *
      * @private
      */
@@ -21,75 +21,105 @@ package starlogo.search
         /** The number of tests. */
         public var tests:int = 0;
 
+        // The way from the second middle to the first, and the largest distance of the two at which the spheres touch.
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+        private var _reach:Number = 0;
+
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
         private var _points:PointPoint = new PointPoint();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
-        /** Begins with a count of 0. */
-        public function SpherePairs()
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
         {
+            setTo(a, b);
+            return areOverlapping();
         }
 
         /** @inheritDoc */
-        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            var extents:Extents = table.extents;
-            var x:Number = extents.x[a] - extents.x[b];
-            var y:Number = extents.y[a] - extents.y[b];
-            var z:Number = extents.z[a] - extents.z[b];
-            findReach(table, a, b);
-            return x * x + y * y + z * z <= _points.reach * _points.reach;
+            setTo(a, b);
+            sweep(motion);
+        }
+
+        /** Whether two rows touch. It reads the columns of the table, because a search asks this of most pairs of spheres. */
+        public function areRowsTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            setToRows(table, a, b);
+            return areOverlapping();
+        }
+
+        /** Finds the time at which two rows first touch, as <code>findTime()</code> does for bodies. */
+        public function findTimeOfRows(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        {
+            setToRows(table, a, b);
+            sweep(motion);
         }
 
         /** @inheritDoc */
-        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            tests++;
-            var extents:Extents = table.extents;
-            _points.x = extents.x[a] - extents.x[b] + motion.startX;
-            _points.y = extents.y[a] - extents.y[b] + motion.startY;
-            _points.z = extents.z[a] - extents.z[b] + motion.startZ;
-            findReach(table, a, b);
-            // the motion's own rounding errors are added too
-            _points.reach += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _points.findEntry(motion);
-            // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
-            {
-                motion.time = 1;
-            }
-        }
-
-        /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
-        {
-            readSphere(table.extents, a, _sphereA);
-            readSphere(table.extents, b, _sphereB);
+            readSphere(a, _sphereA);
+            readSphere(b, _sphereB);
             _displacement.stopAt(motion);
             _points.findContact(_sphereA, _sphereB, _displacement, out);
         }
 
         /** @inheritDoc */
-        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        override public function hasExactContact(a:Body, b:Body):Boolean
         {
             return true;
         }
 
-        // Finds the largest distance of the middles at which two rows touch.
-        private function findReach(table:AgentTable, a:int, b:int):void
+        private function setTo(a:Body, b:Body):void
         {
-            var halfX:Vector.<Number> = table.extents.halfX;
-            _points.reach = (halfX[a] + halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
+            _x = a.x - b.x;
+            _y = a.y - b.y;
+            _z = a.z - b.z;
+            _reach = (a.halfX + b.halfX) * Tolerances.TOUCHING + (a.margin + b.margin);
         }
 
-        private static function readSphere(extents:Extents, row:int, sphere:Sphere):void
+        private function setToRows(table:AgentTable, a:int, b:int):void
         {
-            var center:Vector3D = sphere.center;
-            center.x = extents.x[row];
-            center.y = extents.y[row];
-            center.z = extents.z[row];
-            sphere.radius = extents.halfX[row];
+            var extents:Extents = table.extents;
+            var places:RowPlaces = table.now;
+            var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
+            var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
+            _x = extents.x[a] - extents.x[b];
+            _y = extents.y[a] - extents.y[b];
+            _z = extents.z[a] - extents.z[b];
+            _reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
+        }
+
+        private function areOverlapping():Boolean
+        {
+            return _x * _x + _y * _y + _z * _z <= _reach * _reach;
+        }
+
+        private function sweep(motion:RelativeMotion):void
+        {
+            tests++;
+            _points.x = _x + motion.startX;
+            _points.y = _y + motion.startY;
+            _points.z = _z + motion.startZ;
+            // the motion's own rounding errors are added too
+            _points.reach = _reach + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _points.findEntry(motion);
+            // rounding can miss a touch at the end of the motion
+            if (motion.time == RelativeMotion.NEVER && areOverlapping())
+            {
+                motion.time = 1;
+            }
+        }
+
+        private static function readSphere(body:Body, sphere:Sphere):void
+        {
+            sphere.center.setTo(body.x, body.y, body.z);
+            sphere.radius = body.halfX;
         }
     }
 }

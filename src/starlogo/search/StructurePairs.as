@@ -17,7 +17,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two rows that are structures, but not both spheres: whether they touch, when, and how (thesis §3.6).
+     * Tests two bodies that are structures, but not both spheres: whether they touch, when, and how (thesis §3.6).
      *
      * @private
      */
@@ -34,14 +34,9 @@ package starlogo.search
         // The reversed motion.
         private var _back:RelativeMotion = new RelativeMotion();
 
-        // The extents of two rows.
+        // The extents of two bodies.
         private var _extentsA:Box = newBox();
         private var _extentsB:Box = newBox();
-
-        /** Begins with the settings that a new collider has. */
-        public function StructurePairs()
-        {
-        }
 
         /** Sets all counts to 0. */
         public function resetCounts():void
@@ -64,61 +59,61 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        override public function areTouching(a:Body, b:Body):Boolean
         {
-            var structureA:BoundingStructure = table.structureOf(a);
-            var structureB:BoundingStructure = table.structureOf(b);
-            if (haveOuter(table, a, b) && !areOuterTouching(table, a, b))
+            var structureA:BoundingStructure = a.structure();
+            var structureB:BoundingStructure = b.structure();
+            if (haveOuter(a, b) && !areOuterTouching(a, b))
             {
                 return false;
             }
             noteTest(structureA, structureB);
-            if (isByFaces(table, a, b))
+            if (isByFaces(a, b))
             {
-                readExtents(table, a, b);
+                readExtents(a, b);
                 return boxBox(Box(structureA), Box(structureB), true) && boxBox(_extentsA, _extentsB);
             }
             return intersects(structureA, structureB);
         }
 
         /** @inheritDoc */
-        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            var structureA:BoundingStructure = table.structureOf(a);
-            var structureB:BoundingStructure = table.structureOf(b);
+            var structureA:BoundingStructure = a.structure();
+            var structureB:BoundingStructure = b.structure();
             noteTest(structureA, structureB);
-            var byFaces:Boolean = isByFaces(table, a, b);
+            var byFaces:Boolean = isByFaces(a, b);
             findTimeOfStructures(structureA, structureB, byFaces, motion);
             if (motion.time != RelativeMotion.NEVER && byFaces)
             {
                 _back.reverse(motion);
                 findTimeOfStructures(structureA, structureB, byFaces, _back);
-                findTimeOfBoth(table, a, b, motion);
+                findTimeOfBoth(a, b, motion);
             }
             // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
+            if (motion.time == RelativeMotion.NEVER && areTouching(a, b))
             {
                 motion.time = 1;
             }
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _finder.displacement.stopAt(motion);
-            _finder.find(table.structureOf(a), table.structureOf(b), out);
+            _finder.find(a.structure(), b.structure(), out);
         }
 
         /** @inheritDoc */
-        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        override public function hasExactContact(a:Body, b:Body):Boolean
         {
-            return !isByFaces(table, a, b);
+            return !isByFaces(a, b);
         }
 
-        private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean
+        private function areOuterTouching(a:Body, b:Body):Boolean
         {
-            var outerA:OuterStructures = table.outer[a];
-            var outerB:OuterStructures = table.outer[b];
+            var outerA:OuterStructures = a.outer;
+            var outerB:OuterStructures = b.outer;
             if (settings.spheresFirst)
             {
                 noteTest(outerA.sphere, outerB.sphere);
@@ -127,7 +122,7 @@ package starlogo.search
                     return false;
                 }
             }
-            if (settings.capsulesFirst && isOneBox(table, a, b))
+            if (settings.capsulesFirst && isOneBox(a, b))
             {
                 noteTest(outerA.capsule, outerB.capsule);
                 return capsuleCapsule(outerA.capsule, outerB.capsule);
@@ -147,11 +142,11 @@ package starlogo.search
 
         // Finds the first time at which the faces and the extents of two boxes touch at once. Each touches during one interval of time. The
         // motion and the reversed motion already have the times of the faces.
-        private function findTimeOfBoth(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        private function findTimeOfBoth(a:Body, b:Body, motion:RelativeMotion):void
         {
             var first:Number = motion.time;
             var last:Number = 1 - _back.time;
-            readExtents(table, a, b);
+            readExtents(a, b);
             findTimeOfImpact(_extentsA, _extentsB, motion);
             findTimeOfImpact(_extentsA, _extentsB, _back);
             first = Math.max(first, motion.time);
@@ -165,15 +160,15 @@ package starlogo.search
 
         // Whether two boxes are tested by their faces. Then their extents are tested too, because the test of the faces alone finds touches of
         // boxes that are far from each other.
-        private function isByFaces(table:AgentTable, a:int, b:int):Boolean
+        private function isByFaces(a:Body, b:Body):Boolean
         {
-            return settings.boxFacesOnly && table.forms[a] == BoundingStructure.BOX && table.forms[b] == BoundingStructure.BOX;
+            return settings.boxFacesOnly && a.form == BoundingStructure.BOX && b.form == BoundingStructure.BOX;
         }
 
-        private function readExtents(table:AgentTable, a:int, b:int):void
+        private function readExtents(a:Body, b:Body):void
         {
-            table.readExtents(a, _extentsA);
-            table.readExtents(b, _extentsB);
+            a.writeExtents(_extentsA);
+            b.writeExtents(_extentsB);
         }
 
         private static function newBox():Box
@@ -181,14 +176,14 @@ package starlogo.search
             return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         }
 
-        private static function haveOuter(table:AgentTable, a:int, b:int):Boolean
+        private static function haveOuter(a:Body, b:Body):Boolean
         {
-            return table.shapes[a].outer != null && table.shapes[b].outer != null;
+            return a.shape.outer != null && b.shape.outer != null;
         }
 
-        private static function isOneBox(table:AgentTable, a:int, b:int):Boolean
+        private static function isOneBox(a:Body, b:Body):Boolean
         {
-            return table.forms[a] == BoundingStructure.BOX || table.forms[b] == BoundingStructure.BOX;
+            return a.form == BoundingStructure.BOX || b.form == BoundingStructure.BOX;
         }
     }
 }

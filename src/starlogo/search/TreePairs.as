@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -14,7 +13,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two rows of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6).
+     * Tests two bodies of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6).
      *
      * @private
      */
@@ -35,26 +34,18 @@ package starlogo.search
         private var _tests:int = 0;
         private var _pair:TreePair = new TreePair();
 
-        // The motion under way: the given motion, or its opposite if the two rows are tested in the other order.
+        // The motion under way: the given motion, or its opposite if the two bodies are tested in the other order.
         private var _motion:RelativeMotion;
         private var _turned:RelativeMotion = new RelativeMotion();
-        private var _placementA:Placement = new Placement();
-        private var _placementB:Placement = new Placement();
-
-        /** Begins with the settings that a new collider has. */
-        public function TreePairs()
-        {
-        }
 
         /** See RowPairs.keepTouching. The row is a tree. */
         public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var shapes:Vector.<ModelShape> = table.shapes;
-            var agents:Vector.<Agent> = table.agents;
-            var tree:SolidHierarchy = shapes[row].hierarchy;
-            var number:int = agents[row].number;
-            var placement:Placement = table.placementOf(row, _placementA);
-            var depth:int = depthOf(table, row);
+            var body:Body = table.bodyOf(row);
+            var tree:SolidHierarchy = body.shape.hierarchy;
+            var number:int = body.number;
+            var placement:Placement = body.placement;
+            var depth:int = depthOf(body);
             var isExact:Boolean = exact;
             var pair:TreePair = _pair;
             var kept:int = 0;
@@ -66,13 +57,14 @@ package starlogo.search
                     continue;
                 }
                 _tests++;
-                var other:SolidHierarchy = shapes[otherRow].hierarchy;
-                var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
-                var otherDepth:int = depthOf(table, otherRow);
+                var otherBody:Body = table.bodyOf(otherRow);
+                var other:SolidHierarchy = otherBody.shape.hierarchy;
+                var otherPlacement:Placement = otherBody.placement;
+                var otherDepth:int = depthOf(otherBody);
                 var isTouching:Boolean;
-                if (other == null || agents[otherRow].number > number)
+                if (other == null || otherBody.number > number)
                 {
-                    isTouching = pair.areOverlapping(tree, placement, depth, other, shapes[otherRow].structure, otherPlacement, otherDepth, isExact && other != null);
+                    isTouching = pair.areOverlapping(tree, placement, depth, other, otherBody.shape.structure, otherPlacement, otherDepth, isExact && other != null);
                 }
                 else
                 {
@@ -88,31 +80,30 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        override public function areTouching(a:Body, b:Body):Boolean
         {
-            if (RowPairs.isSecondFirst(table, a, b))
+            if (RowPairs.isSecondFirst(a, b))
             {
-                return areTouching(table, b, a);
+                return areTouching(b, a);
             }
             _tests++;
-            var shapeB:ModelShape = table.shapes[b];
-            return _pair.areOverlapping(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy, shapeB.structure,
-                    table.placementOf(b, _placementB), depthOf(table, b), areExact(shapeB));
+            var shapeB:ModelShape = b.shape;
+            return _pair.areOverlapping(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), areExact(shapeB));
         }
 
         /** @inheritDoc */
-        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
             _tests++;
-            setMovingPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b));
+            setMovingPair(a, b, motion, RowPairs.isSecondFirst(a, b));
             _pair.findTime(_motion);
             motion.time = _motion.time;
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            setMovingPair(table, a, b, motion, table.forms[a] != ModelShape.TREE);
+            setMovingPair(a, b, motion, a.form != ModelShape.TREE);
             _pair.findContact(_motion, out);
             // two leaves overlap by the depth at least
             needed = exact && !byLeaves ? 0 : out.depth;
@@ -123,10 +114,10 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _tests++;
-            setMovingPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b));
+            setMovingPair(a, b, motion, RowPairs.isSecondFirst(a, b));
             _pair.findImpact(_motion, out);
             motion.time = _motion.time;
             if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
@@ -136,23 +127,22 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            _pair.findOuterContact(table.shapes[a].structure, table.placementOf(a, _placementA), table.shapes[b].structure,
-                    table.placementOf(b, _placementB), out);
+            _pair.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
         }
 
         /** @inheritDoc */
-        override public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPair):void
         {
-            setPair(table, a, b);
+            setPair(a, b);
             _pair.findClosest(areTouching, out);
         }
 
-        /** The number of levels that a test visits in a row's tree. */
-        public function depthOf(table:AgentTable, row:int):int
+        /** The number of levels that a test visits in a body's tree. */
+        public function depthOf(body:Body):int
         {
-            var depth:int = table.depths[row] == 0 ? maxDepth : table.depths[row];
+            var depth:int = body.depth == 0 ? maxDepth : body.depth;
             return exact || depth > HierarchyNode.LARGEST_DEPTH ? HierarchyNode.LARGEST_DEPTH : depth;
         }
 
@@ -171,14 +161,14 @@ package starlogo.search
             out.triangleTests = _pair.triangleTests;
         }
 
-        // Whether triangles decide about a tree and the second row of a pair.
+        // Whether triangles decide about a tree and the second body of a pair.
         private function areExact(shapeB:ModelShape):Boolean
         {
             return exact && !byLeaves && (shapeB.hierarchy != null || shapeB.meetsTriangles);
         }
 
-        // Sets the two rows in this order or the opposite order, and the motion of the row that is then first.
-        private function setMovingPair(table:AgentTable, a:int, b:int, motion:RelativeMotion, isTurned:Boolean):void
+        // Sets the two bodies in this order or the opposite order, and the motion of the body that is then first.
+        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isTurned:Boolean):void
         {
             _motion = motion;
             if (isTurned)
@@ -186,15 +176,14 @@ package starlogo.search
                 _motion = _turned;
                 _turned.turn(motion);
             }
-            setPair(table, isTurned ? b : a, isTurned ? a : b);
+            setPair(isTurned ? b : a, isTurned ? a : b);
         }
 
-        // Sets two rows. The first one is a tree.
-        private function setPair(table:AgentTable, a:int, b:int):void
+        // Sets two bodies. The first one is a tree.
+        private function setPair(a:Body, b:Body):void
         {
-            var shapeB:ModelShape = table.shapes[b];
-            _pair.setTo(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy, shapeB.structure,
-                    table.placementOf(b, _placementB), depthOf(table, b), areExact(shapeB));
+            var shapeB:ModelShape = b.shape;
+            _pair.setTo(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), areExact(shapeB));
         }
     }
 }

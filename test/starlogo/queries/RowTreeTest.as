@@ -97,14 +97,14 @@ package starlogo.queries
 
         private function makeWorld(world:int):void
         {
-            _x = new Vector.<Number>(RowList.GUESTS);
-            _y = new Vector.<Number>(RowList.GUESTS);
-            _z = new Vector.<Number>(RowList.GUESTS);
+            _x = new Vector.<Number>(RowList.LISTED);
+            _y = new Vector.<Number>(RowList.LISTED);
+            _z = new Vector.<Number>(RowList.LISTED);
             _sizes = new Extents();
-            _sizes.grow(RowList.GUESTS + MOST_ROWS);
+            _sizes.grow(RowList.LISTED + MOST_ROWS);
             _rows = new Vector.<int>();
             var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, MOST_ROWS);
-            for (var row:int = RowList.GUESTS; row < RowList.GUESTS + count; row++)
+            for (var row:int = RowList.LISTED; row < RowList.LISTED + count; row++)
             {
                 _x[row] = coordinate(world);
                 _y[row] = coordinate(world);
@@ -112,7 +112,7 @@ package starlogo.queries
                 _sizes.halfX[row] = _sizes.halfY[row] = _random.logBetween(0.01, 10);
                 _sizes.halfZ[row] = _random.pick([0, 0.5, 2]);
             }
-            for (row = RowList.GUESTS + count - 1; row >= RowList.GUESTS; row--)
+            for (row = RowList.LISTED + count - 1; row >= RowList.LISTED; row--)
             {
                 if (row % 5 > 0 || count < 10)
                 {

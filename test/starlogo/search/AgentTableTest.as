@@ -78,18 +78,6 @@ package starlogo.search
             assertHasOnly(_agents);
         }
 
-        [Test]
-        public function letsGoOfTheAgentsOfAQuestion():void
-        {
-            var row:int = _table.rowOf(_agents[0]);
-            _table.readGuest(0, _agents[0]);
-            _table.readGuest(1, new Agent("cube"));
-            assertTrue(_table.agents[0] === _agents[0] && _table.agents[1] != null);
-            assertEquals(row, _table.rowOf(_agents[0]));
-            _table.endGuests();
-            assertHasOnly(_agents);
-        }
-
         // An agent has a row if it is listed, and only then.
         private function assertHasOnly(listed:Vector.<Agent>):void
         {

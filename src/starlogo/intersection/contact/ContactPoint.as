@@ -47,11 +47,6 @@ package starlogo.intersection.contact
         /** Input of <code>place()</code>: how far the first structure's surface is from its core. */
         public var radius:Number = 0;
 
-        /** Creates a contact at the origin with an upward normal. */
-        public function ContactPoint()
-        {
-        }
-
         /** Copies all fields of another contact. */
         public function copyFrom(other:ContactPoint):void
         {

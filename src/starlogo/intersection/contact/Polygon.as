@@ -37,11 +37,6 @@ package starlogo.intersection.contact
         private var _end:int = 0;
         private var _clipped:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
 
-        /** Creates a polygon without points. */
-        public function Polygon()
-        {
-        }
-
         /** Removes all points. */
         public function clear():void
         {

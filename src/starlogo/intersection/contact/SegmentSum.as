@@ -35,11 +35,6 @@ package starlogo.intersection.contact
 
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
 
-        /** Creates an empty sum. */
-        public function SegmentSum()
-        {
-        }
-
         /**
          * Sets the sum to a structure.
          *

@@ -46,11 +46,6 @@ package starlogo.intersection.distance
         /** Input of separate: how far the second shape's surface is from its core. */
         public var radiusB:Number = 0;
 
-        /** Creates a pair at the origin with distance 0. */
-        public function ClosestPair()
-        {
-        }
-
         /**
          * Sets the distance and the points from the gap between the cores and from the radii. If the shapes overlap, both points lie on the
          * line through the cores' closest points, in the middle of the part inside of both shapes. The inputs are fields, because V8 would

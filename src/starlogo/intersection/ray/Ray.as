@@ -60,11 +60,6 @@ package starlogo.intersection.ray
         /** Where the line leaves the shape. Input of narrow. */
         public var far:Number = 0;
 
-        /** Creates a ray without a direction. */
-        public function Ray()
-        {
-        }
-
         /** Sets the line to another ray's line, transformed into a model's space. The part has to be set after that. */
         public function bringInto(placement:Placement, line:Ray):void
         {

@@ -48,11 +48,6 @@ package starlogo.intersection.ray
         private var _gap:Number = 0;
         private var _sliver:Number = 0;
 
-        /** Creates a test without a ray. */
-        public function TriangleRay()
-        {
-        }
-
         /**
          * Begins with a ray.
          *

@@ -116,11 +116,6 @@ package starlogo.intersection.sweep
 
         private var _times:TouchingTimes = new TouchingTimes();
 
-        /** Creates a sweep that is not prepared. */
-        public function BoxSweep()
-        {
-        }
-
         /** Prepares what many pairs have in common. The axes of b must be set. */
         public function prepare():void
         {

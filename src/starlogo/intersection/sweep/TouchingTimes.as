@@ -34,11 +34,6 @@ package starlogo.intersection.sweep
         // The beginning of the interval, with the gap included.
         private var _first:Number = 0;
 
-        /** Creates an empty interval. */
-        public function TouchingTimes()
-        {
-        }
-
         /** Begins again with no axis tried. <code>last</code> must be the latest time to look at. */
         public function reset():void
         {

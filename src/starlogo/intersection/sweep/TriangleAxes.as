@@ -49,11 +49,6 @@ package starlogo.intersection.sweep
          */
         protected var height:Number = 0;
 
-        /** Creates a test without triangles. */
-        public function TriangleAxes()
-        {
-        }
-
         /**
          * Sets the two triangles.
          *

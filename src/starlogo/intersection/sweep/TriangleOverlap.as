@@ -28,11 +28,6 @@ package starlogo.intersection.sweep
         private var _y:Number;
         private var _z:Number;
 
-        /** Creates a test without triangles. */
-        public function TriangleOverlap()
-        {
-        }
-
         /**
          * Finds the contact of the two triangles that were set by <code>relate()</code>.
          *

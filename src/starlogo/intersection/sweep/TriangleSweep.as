@@ -21,11 +21,6 @@ package starlogo.intersection.sweep
         private var _edgeA:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
         private var _edgeB:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
 
-        /** Creates a test without triangles. */
-        public function TriangleSweep()
-        {
-        }
-
         /**
          * Finds when the two triangles that were set by <code>relate()</code> first touch. If both triangles have no area, their longest
          * edges are compared.

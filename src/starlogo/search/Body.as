@@ -1,0 +1,333 @@
+package starlogo.search
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.requireInWorld;
+
+    use namespace engine;
+
+    /**
+     * A shape at a place in the world: what tests take. Each row of a table has a body. A question makes bodies: of an agent as it is now, of a
+     * structure, or of another body at another place.
+     *
+     * <p>Change the placement's x, y and z only, and call <code>settle()</code> afterwards.</p>
+     *
+     * @private
+     */
+    public final class Body
+    {
+        private static const UPRIGHT:Placement = new Placement();
+
+        // The middle and half of the lengths of extents.
+        private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /** The shape; null while the agent's model is loading. */
+        public var shape:ModelShape = null;
+
+        /** The shape's form. */
+        public var form:int = 0;
+
+        /** The shape's place, rotation and size in the world. */
+        public var placement:Placement = new Placement();
+
+        /** The agent's number. It is 0 if the body belongs to no agent. */
+        public var number:int = 0;
+
+        /** The agent's own limit for the levels of its tree, or 0. */
+        public var depth:int = 0;
+
+        /** Half of the length of the extents along x. */
+        public var halfX:Number = 0;
+
+        /** @copy #halfX */
+        public var halfY:Number = 0;
+
+        /** @copy #halfX */
+        public var halfZ:Number = 0;
+
+        // The way from the place to the middle of the extents.
+        internal var offsetX:Number = 0;
+        internal var offsetY:Number = 0;
+        internal var offsetZ:Number = 0;
+
+        // For the body of a row: the row's revision at which it was settled.
+        internal var revision:int = 0;
+
+        // The structure in the world, and whether it is at the place; the structures that are tested before it; by kind, structures of other shapes
+        // that the body had; and the shapes for structures that belong to no model.
+        private var _placed:BoundingStructure = null;
+        private var _isPlaced:Boolean = false;
+        private var _outer:OuterStructures = null;
+        private var _spares:Vector.<BoundingStructure> = null;
+        private var _ownShapes:Vector.<ModelShape> = null;
+
+        /** Takes an agent's shape, rotation and size. The place does not change. */
+        public function readShape(agent:Agent, shape:ModelShape):void
+        {
+            var size:Number = agent.placement.size;
+            if (shape.form >= ModelShape.GROUND)
+            {
+                // the structures of the ground and of the edges are not scaled
+                size = 1;
+            }
+            number = agent.number;
+            depth = agent.depthLimit;
+            if (shape.isUpright && shape === this.shape && size == placement.size)
+            {
+                // another turn changes nothing
+                _isPlaced = false;
+                return;
+            }
+            takeShape(shape);
+            placement.copyRotation(shape.isUpright ? UPRIGHT : agent.worldPlacement());
+            placement.size = size;
+            shape.structure.turnedExtentsInto(placement, sExtents);
+            takeExtents();
+        }
+
+        /** Becomes the body of an agent as it is now. While the model is loading, the shape is null, and only the place counts. */
+        public function readAgent(agent:Agent, shape:ModelShape):void
+        {
+            placement.x = agent.placement.x;
+            placement.y = agent.placement.y;
+            placement.z = agent.placement.z;
+            if (shape == null)
+            {
+                this.shape = null;
+                return;
+            }
+            readShape(agent, shape);
+        }
+
+        /**
+         * Becomes the body of a structure, which triangles meet in exact mode.
+         *
+         * @throws ArgumentError if it is null, or not a sphere, box or capsule
+         * @throws RangeError if it is not in the world
+         */
+        public function readStructure(structure:BoundingStructure):void
+        {
+            requireStructure(structure);
+            var found:Vector.<Number> = sExtents;
+            structure.turnedExtentsInto(UPRIGHT, found);
+            requireInWorld("half of a structure's length", found[3], found[4], found[5]);
+            requireInWorld("a structure's middle", found[0], found[1], found[2]);
+            _ownShapes ||= new Vector.<ModelShape>(3, true);
+            var own:ModelShape = _ownShapes[structure.kind];
+            if (own == null)
+            {
+                own = _ownShapes[structure.kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
+                own.isUpright = own.meetsTriangles = true;
+            }
+            // the shape's structure has its middle at the origin
+            placement.copyFrom(UPRIGHT);
+            placement.x = -found[0];
+            placement.y = -found[1];
+            placement.z = -found[2];
+            own.setStructure(structure.place(placement, own.structure));
+            placement.x = found[0];
+            placement.y = found[1];
+            placement.z = found[2];
+            takeShape(own);
+            number = depth = 0;
+            own.structure.turnedExtentsInto(placement, found);
+            takeExtents();
+            settle();
+        }
+
+        /**
+         * Becomes a part of another body, at another place: smaller about the middle of its extents.
+         *
+         * @param whole the other body
+         * @param place where the other body's place would be; null for where it is
+         * @param share the part of the size that is taken off, from 0 to 1
+         */
+        public function readPart(whole:Body, place:Vector3D, share:Number):void
+        {
+            var factor:Number = 1 - share;
+            takeShape(whole.shape);
+            number = whole.number;
+            depth = whole.depth;
+            placement.copyFrom(whole.placement);
+            placement.size *= factor;
+            if (place != null)
+            {
+                placement.x = place.x;
+                placement.y = place.y;
+                placement.z = place.z;
+            }
+            placement.x += share * whole.offsetX;
+            placement.y += share * whole.offsetY;
+            placement.z += share * whole.offsetZ;
+            offsetX = factor * whole.offsetX;
+            offsetY = factor * whole.offsetY;
+            offsetZ = factor * whole.offsetZ;
+            halfX = factor * whole.halfX;
+            halfY = factor * whole.halfY;
+            halfZ = factor * whole.halfZ;
+            settle();
+        }
+
+        /** Moves the body to a place. */
+        public function moveTo(place:Vector3D):void
+        {
+            if (place.x != placement.x || place.y != placement.y || place.z != placement.z)
+            {
+                placement.x = place.x;
+                placement.y = place.y;
+                placement.z = place.z;
+                settle();
+            }
+        }
+
+        /** Call this after a change of the place. */
+        public function settle():void
+        {
+            _isPlaced = false;
+        }
+
+        /** The middle of the extents. */
+        public function get x():Number
+        {
+            return placement.x + offsetX;
+        }
+
+        /** @copy #x */
+        public function get y():Number
+        {
+            return placement.y + offsetY;
+        }
+
+        /** @copy #x */
+        public function get z():Number
+        {
+            return placement.z + offsetZ;
+        }
+
+        /** The body's part of the gap across which shapes touch, because their places are rounded. */
+        public function get margin():Number
+        {
+            return Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+        }
+
+        /** The sphere, capsule or box in the world, widened by the margin. It is placed only when a test needs it. */
+        public function structure():BoundingStructure
+        {
+            if (!_isPlaced)
+            {
+                place();
+            }
+            return _placed;
+        }
+
+        /** The structures that are tested before the structure, which must be placed; null if there are none. */
+        internal function get outer():OuterStructures
+        {
+            return shape.outer == null ? null : _outer;
+        }
+
+        /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
+        internal function get radius():Number
+        {
+            if (form == BoundingStructure.SPHERE)
+            {
+                return halfX;
+            }
+            return Math.sqrt(halfX * halfX + halfY * halfY);
+        }
+
+        /** Half of the largest extent. */
+        public function get largestHalf():Number
+        {
+            return Math.max(halfX, Math.max(halfY, halfZ));
+        }
+
+        /** Half of the smallest extent. */
+        public function get leastHalf():Number
+        {
+            return Math.min(halfX, Math.min(halfY, halfZ));
+        }
+
+        /** Sets an axis-aligned box to the extents, with a margin larger than rounding errors. */
+        internal function writeExtents(box:Box):void
+        {
+            var by:Number = Tolerances.EXTENTS_GAPS * margin;
+            box.center.x = x;
+            box.center.y = y;
+            box.center.z = z;
+            box.halfX = halfX * Tolerances.OUTER + by;
+            box.halfY = halfY * Tolerances.OUTER + by;
+            box.halfZ = halfZ * Tolerances.OUTER + by;
+        }
+
+        /** Throws an ArgumentError if a structure is null, or not a sphere, box or capsule. */
+        public static function requireStructure(structure:BoundingStructure):void
+        {
+            if (structure == null || structure.kind > BoundingStructure.BOX)
+            {
+                throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
+            }
+        }
+
+        private function takeShape(shape:ModelShape):void
+        {
+            // writing an object to a field costs Adobe's VM more than comparing it first
+            if (this.shape !== shape)
+            {
+                this.shape = shape;
+                form = shape.form;
+            }
+        }
+
+        private function takeExtents():void
+        {
+            offsetX = sExtents[0];
+            offsetY = sExtents[1];
+            offsetZ = sExtents[2];
+            halfX = sExtents[3];
+            halfY = sExtents[4];
+            halfZ = sExtents[5];
+            _isPlaced = false;
+        }
+
+        private function place():void
+        {
+            var by:Number = margin;
+            if (form == BoundingStructure.SPHERE)
+            {
+                // the test of two placed spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another
+                // structure have one
+                by += (Tolerances.TOUCHING - 1) * halfX;
+            }
+            if (_placed == null || _placed.kind != form)
+            {
+                changeKind();
+            }
+            shape.structure.place(placement, _placed);
+            _placed.widen(by);
+            if (shape.outer != null)
+            {
+                _outer ||= new OuterStructures(shape.structure);
+                // the corners of a box that is wider by a margin are farther out by its diagonal
+                _outer.place(shape.outer, placement, 2 * by);
+            }
+            _isPlaced = true;
+        }
+
+        private function changeKind():void
+        {
+            if (_placed != null)
+            {
+                _spares ||= new Vector.<BoundingStructure>(3, true);
+                _spares[_placed.kind] = _placed;
+                _placed = _spares[form];
+            }
+            _placed ||= shape.structure.clone();
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package starlogo.search
+{
+    import flash.utils.ByteArray;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * Writes and reads the part of a snapshot that belongs to a table: the place of each agent in the last search, and whether the agent's
+     * motion begins there.
+     *
+     * @private
+     */
+    public final class KeptPlaces
+    {
+        /**
+         * Writes the places.
+         *
+         * @param list the list of the last search, or an empty list
+         * @param keepsMotions false to write that no agent has a motion
+         */
+        public static function write(table:AgentTable, list:Vector.<Agent>, bytes:ByteArray, keepsMotions:Boolean):void
+        {
+            var places:RowPlaces = table.now;
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var row:int = table.rows[i];
+                bytes.writeBoolean(keepsMotions && table.shapes[row] != null && table.agents[row].jumpRevision <= places.revisions[row]);
+                bytes.writeDouble(places.x[row]);
+                bytes.writeDouble(places.y[row]);
+                bytes.writeDouble(places.z[row]);
+            }
+        }
+
+        /**
+         * Reads a list of agents into a table as if the last search had seen them at the places that were written.
+         *
+         * @param bytes written for the same number of agents
+         * @throws ArgumentError as <code>AgentTable.read()</code> does
+         */
+        public static function restore(table:AgentTable, list:Vector.<Agent>, bytes:ByteArray):void
+        {
+            table.read(list);
+            var places:RowPlaces = table.now;
+            for (var i:int = 0; i < table.count; i++)
+            {
+                var row:int = table.rows[i];
+                var seen:int = bytes.readBoolean() ? places.revisions[row] : RowPlaces.NOT_SEEN;
+                var x:Number = bytes.readDouble();
+                var y:Number = bytes.readDouble();
+                var z:Number = bytes.readDouble();
+                if (places.x[row] != x || places.y[row] != y || places.z[row] != z)
+                {
+                    // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
+                    table.agents[row].revision++;
+                    places.x[row] = x;
+                    places.y[row] = y;
+                    places.z[row] = z;
+                    table.moveExtents(row);
+                }
+                places.revisions[row] = seen;
+                table.setStale(row);
+            }
+        }
+    }
+}

@@ -5,15 +5,13 @@ package starlogo.collision
     /** The contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts
     {
-        private static const SIZE:int = 9;
-
         private var _system:BaseCollider = null;
 
-        // Indexed by the pairs' numbers. There may be more entries than pairs. Each contact is SIZE numbers.
+        // Indexed by the pairs' numbers. There may be more entries than pairs.
+        private var _contacts:Vector.<Contact> = new Vector.<Contact>();
         private var _areKnown:Vector.<Boolean> = new Vector.<Boolean>();
-        private var _numbers:Vector.<Number> = new Vector.<Number>();
 
-        // The contact passed to handlers.
+        // The contact passed to handlers, which may change it.
         private var _given:Contact = new Contact();
 
         /** Begins a frame with pairs that the collision system has found. */
@@ -35,22 +33,11 @@ package starlogo.collision
         /** Computes the contact of a pair. */
         public function find(pair:int, first:Agent, second:Agent):void
         {
-            var at:int = SIZE * pair;
-            if (_numbers.length < at + SIZE)
+            while (_contacts.length <= pair)
             {
-                // grows by an eighth, because a vector that grows by one element is copied each time
-                _numbers.length = at + (at >> 3) + SIZE;
+                _contacts.push(new Contact());
             }
-            var found:Contact = _system.contactOf(first, second, _given);
-            _numbers[at] = found.time;
-            _numbers[int(at + 1)] = found.depth;
-            _numbers[int(at + 2)] = found.approachSpeed;
-            _numbers[int(at + 3)] = found.point.x;
-            _numbers[int(at + 4)] = found.point.y;
-            _numbers[int(at + 5)] = found.point.z;
-            _numbers[int(at + 6)] = found.normal.x;
-            _numbers[int(at + 7)] = found.normal.y;
-            _numbers[int(at + 8)] = found.normal.z;
+            _system.contactOf(first, second, _contacts[pair]);
             _areKnown[pair] = true;
         }
 
@@ -69,13 +56,16 @@ package starlogo.collision
             {
                 find(pair, first, second);
             }
-            var at:int = SIZE * pair;
-            var sign:Number = isBack ? -1 : 1;
-            _given.time = _numbers[at];
-            _given.depth = _numbers[int(at + 1)];
-            _given.approachSpeed = _numbers[int(at + 2)];
-            _given.point.setTo(_numbers[int(at + 3)], _numbers[int(at + 4)], _numbers[int(at + 5)]);
-            _given.normal.setTo(sign * _numbers[int(at + 6)], sign * _numbers[int(at + 7)], sign * _numbers[int(at + 8)]);
+            var known:Contact = _contacts[pair];
+            _given.time = known.time;
+            _given.depth = known.depth;
+            _given.approachSpeed = known.approachSpeed;
+            _given.point.copyFrom(known.point);
+            _given.normal.copyFrom(known.normal);
+            if (isBack)
+            {
+                _given.normal.negate();
+            }
             return _given;
         }
     }

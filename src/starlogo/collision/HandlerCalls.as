@@ -152,80 +152,89 @@ package starlogo.collision
                 if (handler.kind == CollisionHandler.END && !handler.isRemoved)
                 {
                     count++;
+                    // a local, so that the handler is not called as a method of its CollisionHandler
+                    var toCall:Function = handler.handler;
                     var isBack:Boolean = _next > forwardCount;
-                    call(handler, isBack ? touch.second : touch.first, isBack ? touch.first : touch.second, null);
+                    var collider:Agent = isBack ? touch.second : touch.first;
+                    var collidee:Agent = isBack ? touch.first : touch.second;
+                    if (handler.takesContact)
+                    {
+                        toCall(collider, collidee, null);
+                    }
+                    else
+                    {
+                        toCall(collider, collidee);
+                    }
                 }
             }
         }
 
+        // A touch that begins now has handlers for starts. They are called before the others.
         private function takePair(firstAt:int, secondAt:int):void
         {
-            var first:Agent = agentAt(firstAt);
-            var second:Agent = agentAt(secondAt);
+            var listed:Vector.<Agent> = _listed;
+            var first:Agent = listed[firstAt];
+            var second:Agent = secondAt < listed.length ? listed[secondAt] : fixtures[secondAt - listed.length];
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
             }
-            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-            var forwardCount:int = _handlers.forwardCount;
-            var touch:Touch = _handlers.tracksTouches ? touchOf(firstAt, secondAt) : null;
-            if (_handlers.tracksTouches && touch == null)
+            var ofPair:PairHandlers = _handlers;
+            var handlers:Vector.<CollisionHandler> = ofPair.handlers;
+            var forwardCount:int = ofPair.forwardCount;
+            var end:int = handlers.length;
+            var tracksTouches:Boolean = ofPair.tracksTouches;
+            var isStarting:Boolean = false;
+            if (tracksTouches)
             {
-                return;
-            }
-            var isStarting:Boolean = touch != null && touch.beganIn == tracker.frame;
-            while (_next < handlers.length)
-            {
-                var handler:CollisionHandler = handlers[_next];
-                if (handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
+                var touch:Touch = _touches[_turn];
+                if (touch == null)
                 {
-                    _next++;
+                    if (!areListed(firstAt, secondAt))
+                    {
+                        return;
+                    }
+                    touch = _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
+                }
+                isStarting = touch.beganIn == tracker.frame;
+            }
+            var next:int = _next;
+            while (next < end)
+            {
+                var handler:CollisionHandler = handlers[next];
+                if (tracksTouches && handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
+                {
+                    next++;
                     continue;
                 }
                 if (!areListed(firstAt, secondAt))
                 {
                     break;
                 }
-                _next++;
+                next++;
                 if (handler.isRemoved)
                 {
                     continue;
                 }
+                _next = next;
                 count++;
-                var isBack:Boolean = _next > forwardCount;
-                var contact:Contact = handler.takesContact ? _contacts.contactFor(_turn, first, second, isBack) : null;
-                call(handler, isBack ? second : first, isBack ? first : second, contact);
+                var toCall:Function = handler.handler;
+                var isBack:Boolean = next > forwardCount;
+                var collider:Agent = isBack ? second : first;
+                var collidee:Agent = isBack ? first : second;
+                if (handler.takesContact)
+                {
+                    toCall(collider, collidee, _contacts.contactFor(_turn, first, second, isBack));
+                }
+                else
+                {
+                    toCall(collider, collidee);
+                }
             }
-            if (isStarting && (_next > forwardCount || _next == handlers.length))
+            if (isStarting && (next > forwardCount || next == end))
             {
                 touch.isBothWays = true;
             }
-        }
-
-        private static function call(handler:CollisionHandler, collider:Agent, collidee:Agent, contact:Contact):void
-        {
-            // a local, so that the handler is not called as a method of its CollisionHandler
-            var toCall:Function = handler.handler;
-            if (handler.takesContact)
-            {
-                toCall(collider, collidee, contact);
-            }
-            else
-            {
-                toCall(collider, collidee);
-            }
-        }
-
-        // The touch of the pair whose turn it is. It may begin now. It does not begin if an agent has left the list; the result is null then.
-        private function touchOf(firstAt:int, secondAt:int):Touch
-        {
-            if (_touches[_turn] == null && areListed(firstAt, secondAt))
-            {
-                var first:Agent = agentAt(firstAt);
-                var second:Agent = agentAt(secondAt);
-                _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
-            }
-            return _touches[_turn];
         }
 
         private function agentAt(index:int):Agent

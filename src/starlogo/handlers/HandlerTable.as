@@ -1,5 +1,6 @@
 package starlogo.handlers
 {
+    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.textOf;
@@ -29,11 +30,9 @@ package starlogo.handlers
         // By the number of the collider's breed: its handlers.
         private var _ofBreeds:Vector.<Vector.<CollisionHandler>>;
 
-        // By the numbers of the two breeds: what was found since the last handler was added. The pair of breeds that was looked up last.
+        // By the numbers of the two breeds: what was found since the last handler was added. Breeds that no handler names share what belongs
+        // to OTHERS.
         private var _pairs:Vector.<Vector.<PairHandlers>>;
-        private var _lastBreed:int;
-        private var _lastOther:int;
-        private var _lastPair:PairHandlers;
 
         /**
          * Adds a handler of a kind.
@@ -83,7 +82,7 @@ package starlogo.handlers
         /** Begins a frame: takes the handlers as they are now. */
         public function begin():void
         {
-            if (_count == _handlers.length)
+            if (_count == _handlers.length && _pairs.length == Breeds.count + 1)
             {
                 return;
             }
@@ -98,8 +97,7 @@ package starlogo.handlers
             {
                 enter(_handlers[_count]);
             }
-            _pairs = new Vector.<Vector.<PairHandlers>>(interests.breedCount, true);
-            _lastPair = null;
+            _pairs = new Vector.<Vector.<PairHandlers>>(Breeds.count + 1, true);
         }
 
         /**
@@ -110,31 +108,46 @@ package starlogo.handlers
          */
         public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            if (_lastPair == null || breed != _lastBreed || otherBreed != _lastOther)
+            var length:int = _pairs.length - 1;
+            if (breed < length && otherBreed < length)
             {
-                _lastPair = find(interests.indexOfNumber(breed), interests.indexOfNumber(otherBreed));
-                _lastBreed = breed;
-                _lastOther = otherBreed;
+                var ofBreed:Vector.<PairHandlers> = _pairs[int(breed + 1)];
+                if (ofBreed != null)
+                {
+                    var found:PairHandlers = ofBreed[int(otherBreed + 1)];
+                    if (found != null)
+                    {
+                        return found;
+                    }
+                }
             }
-            return _lastPair;
+            // a pair for the first time, or a handler has made a new breed
+            return find(breed, otherBreed);
         }
 
         private function find(breed:int, otherBreed:int):PairHandlers
         {
-            if (!interests.includes(breed, otherBreed))
+            var index:int = interests.indexOfNumber(breed);
+            var otherIndex:int = interests.indexOfNumber(otherBreed);
+            if (!interests.includes(index, otherIndex))
             {
                 return NONE;
             }
-            var ofBreed:Vector.<PairHandlers> = _pairs[breed];
-            if (ofBreed == null)
+            if (_pairs[index] == null)
             {
-                ofBreed = _pairs[breed] = new Vector.<PairHandlers>(_pairs.length, true);
+                _pairs[index] = new Vector.<PairHandlers>(_pairs.length, true);
             }
-            if (ofBreed[otherBreed] == null)
+            var ofBreed:Vector.<PairHandlers> = _pairs[index];
+            if (ofBreed[otherIndex] == null)
             {
-                ofBreed[otherBreed] = new PairHandlers(between(breed, otherBreed), between(otherBreed, breed));
+                ofBreed[otherIndex] = new PairHandlers(between(index, otherIndex), between(otherIndex, index));
             }
-            return ofBreed[otherBreed];
+            if (breed + 1 < _pairs.length && otherBreed + 1 < _pairs.length)
+            {
+                _pairs[breed + 1] = ofBreed;
+                ofBreed[otherBreed + 1] = ofBreed[otherIndex];
+            }
+            return ofBreed[otherIndex];
         }
 
         private function enter(handler:CollisionHandler):void

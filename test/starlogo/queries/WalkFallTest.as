@@ -77,7 +77,7 @@ package starlogo.queries
                     _options.slopeDegrees = 45;
                     _options.fall = 0.5;
                     land(_random.between(-3, 3), _random.between(-3, 3));
-                    for (var i:int = 0; i < 60; i++)
+                    for (var i:int = 0; i < Effort.choose(60, 90); i++)
                     {
                         _queries.walk(_walker, 0, 0, _options, _footing);
                     }

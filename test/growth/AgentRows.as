@@ -5,10 +5,12 @@ package growth
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
+    import starlogo.collision.CombinationCollider;
+    import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
-    import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.terrain.WorldBounds;
 
     /** A frame of agents, and handlers. */
     public final class AgentRows
@@ -17,21 +19,31 @@ package growth
         public static function get all():Array
         {
             return [
-                    new GrowthRow("agents: handlers of breeds", "breeds", 25, 4000, beginHandlers),
-                    new GrowthRow("agents: models", "models", 25, 4000, beginModels),
-                    new GrowthRow("agents: points among spheres", "agents", 100, 40000, beginPoints),
-                    new GrowthRow("agents: sizes over many orders", "agents", 100, 40000, beginSizes),
+                    new GrowthRow("agents: handlers of breeds", "breeds", 25, 64000, beginHandlers),
+                    new GrowthRow("agents: handlers of breeds added and taken out", "breeds", 25, 64000, beginRemoved),
+                    new GrowthRow("agents: models", "models", 25, 16000, beginModels),
+                    new GrowthRow("agents: a frame", "agents", 100, 400000, beginMoving("ball", false, false)),
+                    new GrowthRow("agents: a frame of trees and triangles", "agents", 25, 40000, beginMoving("cube", false, true)),
+                    new GrowthRow("agents: a frame of sweeps", "agents", 100, 400000, beginMoving("ball", true, false)),
+                    new GrowthRow("agents: a frame at the edges", "agents", 100, 400000, beginEdges),
+                    new GrowthRow("agents: points among spheres", "agents", 100, 400000, beginPoints),
+                    new GrowthRow("agents: sizes over many orders", "agents", 100, 400000, beginSizes),
+                    new GrowthRow("agents: sizes over many orders, moving", "agents", 100, 400000, beginMovingSizes),
+                    new GrowthRow("agents: one very large, one very long", "agents", 100, 400000, beginLarge),
+                    new GrowthRow("agents: rows of agents over many orders of distance", "agents", 100, 400000, beginFarApart),
+                    new GrowthRow("agents: all leave and others come", "agents", 100, 400000, beginChanging),
+                    new GrowthRow("agents: snapshots", "agents", 100, 400000, beginSnapshots),
                     new GrowthRow("agents: hierarchies of rows", "vertices", 200, 40000, beginHierarchies)];
         }
 
         // A handler for each breed, and one frame with an agent of each.
         private static function beginHandlers(n:int, row:GrowthRow):Function
         {
-            var greatLand:GreatLand = land();
+            var greatLand:GreatLand = GrowthGame.land();
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < n; i++)
             {
-                agents.push(agentAt("ball", "growth" + i, 2 * i, 0));
+                agents.push(GrowthGame.agentAt("ball", "growth" + i, 2 * i, 0));
             }
             return function():Object
             {
@@ -45,6 +57,26 @@ package growth
             };
         }
 
+        // All handlers are there at once, and then none is.
+        private static function beginRemoved(n:int, row:GrowthRow):Function
+        {
+            return function():Object
+            {
+                var collision:Collision = new Collision(new BinCollider(new GreatLand()));
+                for (var k:int = 1; k < n; k++)
+                {
+                    collision.onCollisionStart("growth" + (k - 1), Collision.ANY_BREED, pass);
+                    collision.onCollision("growth" + (k - 1), "growth" + k, pass);
+                }
+                for (k = 1; k < n; k++)
+                {
+                    collision.removeHandler("growth" + (k - 1), "growth" + k, pass);
+                    collision.removeHandler("growth" + (k - 1), Collision.ANY_BREED, pass);
+                }
+                return collision;
+            };
+        }
+
         private static function beginModels(n:int, row:GrowthRow):Function
         {
             var greatLand:GreatLand = new GreatLand();
@@ -52,36 +84,135 @@ package growth
             for (var i:int = 0; i < n; i++)
             {
                 greatLand.addModel(new Model("m" + i, new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]));
-                agents.push(agentAt("m" + i, "turtles", 2 * i, 0));
+                agents.push(GrowthGame.agentAt("m" + i, "turtles", 2 * i, 0));
             }
             return beginFrame(new TightestFitCollider(greatLand), agents);
         }
 
+        // A frame with handlers of starts, contacts and ends, after all agents have moved. A third of them touch.
+        private static function beginMoving(shape:String, areSweeping:Boolean, areTrees:Boolean):Function
+        {
+            return function(n:int, row:GrowthRow):Function
+            {
+                var agents:Vector.<Agent> = GrowthGame.square(n, shape, 1.5);
+                for (var i:int = 0; i < n; i++)
+                {
+                    agents[i].moveTo(agents[i].x + (i % 3 == 0 ? 0.6 : 0), agents[i].y, 0);
+                    agents[i].sweeps = areSweeping;
+                    agents[i].hierarchical = areTrees;
+                }
+                var collider:CombinationCollider = new CombinationCollider(GrowthGame.land(areTrees));
+                collider.exact = areTrees;
+                return moving(new Collision(collider), agents, 0.01);
+            };
+        }
+
+        private static function beginEdges(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = GrowthGame.square(n, "cube", 1.5);
+            var collision:Collision = new Collision(new TightestFitCollider(GrowthGame.land()));
+            collision.bounds = new WorldBounds(1, 1, -Infinity, 1.5 * Math.sqrt(n) - 3, Infinity, Infinity);
+            collision.onCollision(Collision.EDGE, "turtles", keep);
+            return moving(collision, agents, 0.01);
+        }
+
+        private static function moving(collision:Collision, agents:Vector.<Agent>, by:Number):Function
+        {
+            collision.onCollisionStart("turtles", "turtles", pass);
+            collision.onCollision("turtles", "turtles", keep);
+            collision.onCollisionEnd("turtles", "turtles", pass);
+            return function():Object
+            {
+                for each (var agent:Agent in agents)
+                {
+                    agent.moveTo(agent.x + by * agent.size, agent.y, agent.z);
+                }
+                collision.update(agents);
+                return collision;
+            };
+        }
+
         private static function beginPoints(n:int, row:GrowthRow):Function
         {
-            var greatLand:GreatLand = land();
+            var greatLand:GreatLand = GrowthGame.land();
             greatLand.addModel(new Model("dot", new <Number>[0, 0, 0]));
             var agents:Vector.<Agent> = new Vector.<Agent>();
             var side:int = Math.ceil(Math.sqrt(n));
             for (var i:int = 0; i < n; i++)
             {
-                agents.push(agentAt((i & 1) == 0 ? "ball" : "dot", "turtles", 1.5 * (i % side), 1.5 * int(i / side)));
+                agents.push(GrowthGame.agentAt((i & 1) == 0 ? "ball" : "dot", "turtles", 1.5 * (i % side), 1.5 * int(i / side)));
             }
             return beginFrame(new TightestFitCollider(greatLand), agents);
         }
 
-        // Sizes from 1e-6 to 1e4, each far from the others.
         private static function beginSizes(n:int, row:GrowthRow):Function
+        {
+            return beginFrame(new BinCollider(GrowthGame.land()), ofSizes(n));
+        }
+
+        private static function beginMovingSizes(n:int, row:GrowthRow):Function
+        {
+            return moving(new Collision(new TightestFitCollider(GrowthGame.land())), ofSizes(n), 0.3);
+        }
+
+        // Sizes from 1e-6 to 1e4, each far from the others.
+        private static function ofSizes(n:int):Vector.<Agent>
         {
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < n; i++)
             {
                 var size:Number = Math.pow(10, i % 11 - 6);
-                var agent:Agent = agentAt("ball", "turtles", 3 * size * int(i / 11), 3 * size);
+                var agent:Agent = GrowthGame.agentAt("ball", "turtles", 3 * size * int(i / 11), 3 * size);
                 agent.size = size;
                 agents.push(agent);
             }
-            return beginFrame(new BinCollider(land()), agents);
+            return agents;
+        }
+
+        // One agent above all others, and one along them.
+        private static function beginLarge(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
+            var greatLand:GreatLand = GrowthGame.land();
+            greatLand.addModel(new Model("pole", new <Number>[0, 0, 0, 1, 0, 0, 0, 0.0001, 0, 0, 0, 0.0001]));
+            agents.push(GrowthGame.agentAt("ball", "turtles", 0, 0, 2), GrowthGame.agentAt("pole", "turtles", 0, 0.8, 0));
+            agents[n].size = agents[n + 1].size = 2 * Math.sqrt(n);
+            return moving(new Collision(new TightestFitCollider(greatLand)), agents, 0.001);
+        }
+
+        // From an agent to the next the distance grows by a factor, from 1 to 1e9.
+        private static function beginFarApart(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < n; i++)
+            {
+                agents.push(GrowthGame.agentAt("ball", "turtles", Math.pow(10, 8.9 * i / n), -Math.pow(10, 8.9 * (i * 7 % n) / n)));
+            }
+            return moving(new Collision(new TightestFitCollider(GrowthGame.land())), agents, 0.001);
+        }
+
+        private static function beginChanging(n:int, row:GrowthRow):Function
+        {
+            var collision:Collision = new Collision(new TightestFitCollider(GrowthGame.land()));
+            collision.onCollisionEnd("turtles", "turtles", pass);
+            return function():Object
+            {
+                collision.update(GrowthGame.square(n, "ball", 0.9));
+                return collision;
+            };
+        }
+
+        private static function beginSnapshots(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 0.9);
+            var collision:Collision = new Collision(new TightestFitCollider(GrowthGame.land()));
+            collision.onCollisionEnd("turtles", "turtles", pass);
+            collision.update(agents);
+            return function():Object
+            {
+                collision.restore(collision.snapshot(), agents);
+                return collision;
+            };
         }
 
         // The distance from a vertex to the next grows by a factor, so the mean cuts few vertices off.
@@ -100,7 +231,7 @@ package growth
                 var greatLand:GreatLand = new GreatLand();
                 greatLand.hierarchies.splitByMean = true;
                 greatLand.addModel(model);
-                var agents:Vector.<Agent> = new <Agent>[agentAt("row", "turtles", 0, 0), agentAt("row", "turtles", 0.5, 0)];
+                var agents:Vector.<Agent> = new <Agent>[GrowthGame.agentAt("row", "turtles", 0, 0), GrowthGame.agentAt("row", "turtles", 0.5, 0)];
                 return new HierarchicalCollider(greatLand).findCollisions(agents);
             };
         }
@@ -113,19 +244,9 @@ package growth
             };
         }
 
-        private static function land():GreatLand
+        private static function keep(collider:Agent, collidee:Agent, contact:Contact):void
         {
-            var greatLand:GreatLand = new GreatLand();
-            var ball:Model = BuiltInModel.sphere();
-            greatLand.addModel(new Model("ball", ball.vertices, ball.triangles));
-            return greatLand;
-        }
-
-        private static function agentAt(shape:String, breed:String, x:Number, y:Number):Agent
-        {
-            var agent:Agent = new Agent(shape, breed);
-            agent.moveTo(x, y, 0);
-            return agent;
+            collider.color = contact.depth;
         }
 
         private static function pass(collider:Agent, collidee:Agent):void

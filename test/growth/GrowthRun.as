@@ -8,8 +8,8 @@ package growth
     /**
      * Measures rows at n, 2n and 4n, a run in each frame, and prints a line for each row. Dispatches Event.COMPLETE.
      *
-     * <p>n is doubled from the row's least until a run takes <code>calmMs</code>, so that the clock's noise does not decide. The time is the least of
-     * RUNS runs; of one, if a run takes long. Times below FLOOR_MS and memory below FLOOR_BYTES count as if they were these. The exponent
+     * <p>n is doubled from the row's least until each of RUNS runs takes <code>calmMs</code>, so that neither the clock's noise nor a machine that
+     * still compiles decides. The time is the least of RUNS runs; of one, if a run takes long. Times below FLOOR_MS and memory below FLOOR_BYTES count as if they were these. The exponent
      * is the slope of the line of least squares through the logarithms. The command fails if a row's exponent of time or memory is above
      * its limit, if a run takes longer than TOO_LONG_MS, or if reading a file needs more than FLOOR_BYTES and BYTES_PER_BYTE for each of
      * its bytes.</p>
@@ -114,12 +114,13 @@ package growth
             _kept = action();
             var ms:Number = Host.processorMs - start;
             var memory:Number = Host.mostMemory - _baseMemory;
-            if (_runs == 0 && _times.length == 0 && ms < calmMs && 8 * _n <= _row.most)
+            _best = _runs++ == 0 ? ms : Math.min(_best, ms);
+            if (_times.length == 0 && _best < calmMs && 8 * _n <= _row.most)
             {
                 _n *= 2;
+                _runs = 0;
                 return;
             }
-            _best = _runs++ == 0 ? ms : Math.min(_best, ms);
             if (ms > TOO_LONG_MS)
             {
                 _problem = (ms / 1000).toFixed(0) + " s at " + (_n << _times.length);

@@ -25,7 +25,7 @@ package starlogo.agents
          * The largest coordinate, in patches. Up to this limit all tests are correct, because squares of distances are far below the
          * largest Number.
          */
-        public static const LARGEST_COORDINATE:Number = 1e9;
+        public static const LARGEST_COORDINATE:Number = Placement.LARGEST_COORDINATE;
 
         /** The largest size. */
         public static const LARGEST_SIZE:Number = 1e6;

@@ -7,6 +7,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
+    import starlogo.geometry.isInWorld;
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
@@ -213,7 +214,7 @@ package starlogo.collision
             bytes.position = AGENTS_AT;
             for (var i:int = 0; i < count; i++)
             {
-                check(bytes.readUnsignedByte() <= 1 && isCoordinate(bytes.readDouble()) && isCoordinate(bytes.readDouble()) && isCoordinate(bytes.readDouble()));
+                check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
             readPairs(bytes, agents.concat(fixturesOf(terrain, bounds), _former), count);
             var hasGround:Boolean = bytes.position < bytes.length;
@@ -276,7 +277,7 @@ package starlogo.collision
             {
                 _heights[at] = bytes.readDouble();
                 var count:uint = _heights[at] == 0 ? bytes.readUnsignedInt() : 1;
-                check(isCoordinate(_heights[at]) && count <= _heights.length - at);
+                check(isInWorld(_heights[at], 0, 0) && count <= _heights.length - at);
             }
         }
 
@@ -299,12 +300,6 @@ package starlogo.collision
             var bytes:ByteArray = new ByteArray();
             bytes.endian = Endian.LITTLE_ENDIAN;
             return bytes;
-        }
-
-        // False for NaN too.
-        private static function isCoordinate(value:Number):Boolean
-        {
-            return value >= -Agent.LARGEST_COORDINATE && value <= Agent.LARGEST_COORDINATE;
         }
     }
 }

@@ -14,6 +14,9 @@ package starlogo.geometry
      */
     public final class Placement
     {
+        /** @private The largest coordinate in the world: Agent.LARGEST_COORDINATE. */
+        engine static const LARGEST_COORDINATE:Number = 1e9;
+
         /** The x coordinate of the model's origin in the world, in patches. */
         public var x:Number = 0;
 

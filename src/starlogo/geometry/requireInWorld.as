@@ -1,5 +1,9 @@
 package starlogo.geometry
 {
+    import starlogo.engine;
+
+    use namespace engine;
+
     /**
      * Throws a RangeError if one of three numbers is not in the world: not a number, or beyond Agent.LARGEST_COORDINATE. Everything that a
      * game passes goes through it: points, places, motions, and the middles and the half lengths of structures.
@@ -10,10 +14,9 @@ package starlogo.geometry
      */
     public function requireInWorld(what:String, x:Number, y:Number, z:Number):void
     {
-        var most:Number = 1e9;
-        // each comparison is false for NaN too
-        if (!(x >= -most && x <= most && y >= -most && y <= most && z >= -most && z <= most))
+        if (!isInWorld(x, y, z))
         {
+            var most:Number = Placement.LARGEST_COORDINATE;
             // the largest one, because an infinite coordinate of a structure makes others NaN
             var wrong:Number = NaN;
             for each (var value:Number in [x, y, z])

@@ -316,7 +316,8 @@ package starlogo.terrain
         {
             if (!(column >= 0 && row >= 0 && columns >= 1 && rows >= 1 && column + columns <= grid.columns && row + rows <= grid.rows))
             {
-                throw new RangeError(columns + " by " + rows + " heights from (" + column + ", " + row + ") on are not within " + grid.columns + " by " + grid.rows);
+                throw new RangeError("a region of " + columns + " by " + rows + " heights from column " + column + " and row " + row
+                        + " on is not within columns 0 to " + (grid.columns - 1) + " and rows 0 to " + (grid.rows - 1));
             }
         }
 

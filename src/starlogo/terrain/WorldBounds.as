@@ -3,6 +3,7 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
+    import starlogo.geometry.requireInWorld;
 
     use namespace engine;
 
@@ -23,7 +24,8 @@ package starlogo.terrain
          * @param maxX the greatest x; may be Infinity
          * @param maxY the greatest y
          * @param maxZ the greatest z
-         * @throws RangeError if one is not a number, or a least one is Infinity or greater than the greatest, or a greatest one is -Infinity
+         * @throws RangeError if one is not a number, or a least one is Infinity or greater than the greatest, a greatest one is
+         *     -Infinity, or a finite one is beyond Agent.LARGEST_COORDINATE
          */
         public function WorldBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number)
         {
@@ -52,6 +54,7 @@ package starlogo.terrain
                     throw new RangeError("the least " + "xyz".charAt(i / 2) + " of the world must not be greater than the greatest, nor Infinity: "
                             + edges[i] + ", " + edges[i + 1]);
                 }
+                requireInWorld("the edges of the world", isFinite(edges[i]) ? edges[i] : 0, isFinite(edges[i + 1]) ? edges[i + 1] : 0, 0);
             }
             _agent.edges = edges;
         }

@@ -249,6 +249,12 @@ package starlogo.terrain
         }
 
         [Test]
+        public function aWrongRegionIsNamedByColumnsAndRows():void
+        {
+            assertThrows(RangeError, /1 by 1 heights from column -1 and row 0 on is not within columns 0 to 3 and rows 0 to 2/, new Terrain(4, 3).setHeight, -1, 0, 1);
+        }
+
+        [Test]
         public function itsAgentIsOfItsOwnBreed():void
         {
             assertEquals("*terrain", _terrain.agent.breed);

@@ -41,7 +41,7 @@ package evaluation
             }
             _literal = new LiteralColliders(_greatLand, [_models.sphere, _models.cube, _models.bear, _models.dragon]);
             var planners:Object = {volumes: planVolumes, fits: planFits, access: planAccess, tests: planTests,
-                    hierarchies: planHierarchies, crowds: planCrowds, combination: planCombination, scattered: planScattered,
+                    hierarchies: planHierarchies, crowds: planCrowds, combination: planCombination, experiments: planExperiments, scattered: planScattered,
                     monitor: planMonitor};
             for each (var figure:String in settings.figures)
             {
@@ -127,6 +127,15 @@ package evaluation
                     makeSomeHierarchical(scene, hierarchical);
                     addGame("combination", HIERARCHICAL_CROWD + " " + cast, hierarchical + " hierarchical", "CombinationCollider", scene, undefined);
                 }
+            }
+        }
+
+        private function planExperiments():void
+        {
+            var models:Array = [_models.cube, _models.bear, _models.cylinder, _models.seagull, _models.kelp, _models.person];
+            for each (var question:String in ExperimentTask.QUESTIONS)
+            {
+                tasks.push(new ExperimentTask(question, models, _settings, _results));
             }
         }
 

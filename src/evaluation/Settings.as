@@ -7,7 +7,7 @@ package evaluation
     {
         /** The names of all figures. */
         public static const FIGURES:Array = ["volumes", "fits", "access", "tests", "hierarchies", "crowds", "combination",
-                "scattered", "monitor"];
+                "experiments", "scattered", "monitor"];
 
         /** The class names of all colliders. */
         public static const COLLIDERS:Array = ["BinCollider", "TightestFitCollider", "HierarchicalCollider",

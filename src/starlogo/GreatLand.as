@@ -101,39 +101,6 @@ package starlogo
         }
 
         /**
-         * A structure with cheaper intersection tests is preferred as the tightest fit if its volume is at most this many times the
-         * smallest volume (thesis §7.4). A sphere is cheaper than a capsule, and a capsule is cheaper than a box. With 1, the default, the
-         * smallest volume wins.
-         *
-         * @throws ArgumentError if you set it to less than 1, or to a value that is not a finite number
-         */
-        public function get cheaperTestsFactor():Number
-        {
-            return _boundingStructures.cheaperTestsFactor;
-        }
-
-        public function set cheaperTestsFactor(value:Number):void
-        {
-            _boundingStructures.cheaperTestsFactor = value;
-        }
-
-        /**
-         * The kind of structure of the hierarchies' nodes (thesis §7.7): BoundingStructure.BOX, the default, SPHERE or CAPSULE. Boxes are
-         * the fastest by far.
-         *
-         * @throws ArgumentError if you set it to anything else
-         */
-        public function get hierarchyBounds():int
-        {
-            return _hierarchies.boundsKind;
-        }
-
-        public function set hierarchyBounds(value:int):void
-        {
-            _hierarchies.boundsKind = value;
-        }
-
-        /**
          * Whether the surface of a model is prepared for exact tests when the model is added. A ModelLoader then does this in its steps.
          * Preparing takes two to five times as long as building the hierarchy. Otherwise the surface is prepared all at once in a frame
          * of the game. If the HierarchicalCollider or CombinationCollider is exact, this is the first frame in which the model comes

@@ -5,7 +5,6 @@ package benchmark
     import evaluation.scenes.Scenes;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.HierarchicalCollider;
@@ -51,8 +50,6 @@ package benchmark
                 _scene.agents[i].x += (i % 10) * 0.02;
             }
             measureCrowd("bears that look elsewhere");
-            measureKind(BoundingStructure.SPHERE, "spheres");
-            measureKind(BoundingStructure.CAPSULE, "capsules");
             for (i = 0; i < COUNT; i++)
             {
                 _scene.agents[i].pitch = i * 0.7;
@@ -78,19 +75,6 @@ package benchmark
             var part:Number = COUNT * (COUNT - 1) / 2 / LITERAL_PAIRS;
             _table.add(name + ": the literal traversal", (part * literally.nanoseconds / 1e6).toFixed(0),
                     (part * literally.nanoseconds / all[1].nanoseconds).toFixed(1), "HierarchicalCollider", "", "7500");
-        }
-
-        // Thesis §7.7.
-        private function measureKind(kind:int, name:String):void
-        {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.loadTightestFit = false;
-            greatLand.hierarchies.boundsKind = kind;
-            greatLand.addModel(new ObjModel("bear", Fixtures.text("/assets/bear.obj")));
-            var other:HierarchicalCollider = new HierarchicalCollider(greatLand);
-            var all:Vector.<Measurement> = new <Measurement>[crowd(other), crowd(new HierarchicalCollider(_greatLand))];
-            Measurement.runAll(all, ROUNDS);
-            _table.add("bears that look elsewhere: hierarchies of " + name, ms(all[0]), ratio(all[0], all[1]), "hierarchies of boxes", visits(other), "");
         }
 
         private function crowd(collider:CollisionSystem):Measurement

@@ -41,7 +41,6 @@ package benchmark
         private var _pair:TreePair = new TreePair();
         private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
-        private var _hierarchies:Array = [];
         private var _ball:SolidHierarchy;
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _hashes:Array = [];
@@ -52,31 +51,18 @@ package benchmark
         public function run():String
         {
             var bear:Model = new ObjModel("bear", Fixtures.text(FIXTURES[0]));
-            for (var kind:int = 0; kind < 3; kind++)
-            {
-                _hierarchies[kind] = built(bear, kind);
-            }
-            _ball = built(BuiltInModel.sphere(), BoundingStructure.BOX);
-            var boxes:SolidHierarchy = _hierarchies[BoundingStructure.BOX];
-            var balls:SolidHierarchy = _hierarchies[BoundingStructure.SPHERE];
-            var capsules:SolidHierarchy = _hierarchies[BoundingStructure.CAPSULE];
+            var boxes:SolidHierarchy = built(bear);
+            _ball = built(BuiltInModel.sphere());
             add("boxes, upright, far into each other", boxes, boxes, 0.4, 1, true, false);
             add("boxes, upright, near", boxes, boxes, 1.3, 1, true, false);
             add("boxes, leaning, far into each other", boxes, boxes, 0.4, 1, false, false);
             add("boxes, leaning, near", boxes, boxes, 1.3, 1, false, false);
-            add("spheres, near", balls, balls, 1.3, 1, true, false);
-            add("capsules, near", capsules, capsules, 1.3, 1, true, false);
-            add("boxes and capsules, near", boxes, capsules, 1.3, 1, false, false);
             add("exact, near", boxes, boxes, 1.3, 1, false, true);
             add("small balls inside", boxes, _ball, 0.3, 0.02, false, false);
             addStructures("boxes and structures, near", boxes);
-            addStructures("capsules and structures, near", capsules);
             addSwept("swept boxes", boxes, boxes, false);
-            addSwept("swept spheres", balls, balls, false);
-            addSwept("swept boxes and capsules", boxes, capsules, false);
             addSwept("swept exact", boxes, boxes, true);
             addSweptStructures("swept boxes and structures", boxes);
-            addSweptStructures("swept capsules and structures", capsules);
             addBy("boxes, leaning, near, by StructureTraversal", boxes, new StructureTraversal(_pose, false));
             addBy("boxes, leaning, near, by BoxTraversal", boxes, new BoxTraversal(_pose));
             Measurement.runAll(_all, ROUNDS);
@@ -262,10 +248,9 @@ package benchmark
             return all;
         }
 
-        private static function built(model:Model, kind:int):SolidHierarchy
+        private static function built(model:Model):SolidHierarchy
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
-            library.boundsKind = kind;
             library.prepareExact = true;
             library.add(model.name, model.vertices, model.triangles);
             return library.hierarchy(model.name);

@@ -133,8 +133,8 @@ class Game {
 		if (this.agents.length > 0) this.at(place)[name] = value;
 	}
 
-	model(name, seed, prepareExact, all, bounds) {
-		Object.assign(this.land, { prepareExact, loadAllBoundingStructures: all, hierarchyBounds: bounds });
+	model(name, seed, prepareExact, all) {
+		Object.assign(this.land, { prepareExact, loadAllBoundingStructures: all });
 		this.take(solid(name, seed));
 	}
 

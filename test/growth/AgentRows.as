@@ -20,19 +20,19 @@ package growth
         {
             return [
                     new GrowthRow("agents: handlers of breeds", "breeds", 25, 64000, beginHandlers),
-                    new GrowthRow("agents: handlers of breeds added and taken out", "breeds", 25, 64000, beginRemoved),
+                    new GrowthRow("agents: handlers of breeds added and taken out", "breeds", 25, 8000, beginRemoved),
                     new GrowthRow("agents: models", "models", 25, 16000, beginModels),
-                    new GrowthRow("agents: a frame", "agents", 100, 400000, beginMoving("ball", false, false)),
+                    new GrowthRow("agents: a frame", "agents", 100, 200000, beginMoving("ball", false, false)),
                     new GrowthRow("agents: a frame of trees and triangles", "agents", 25, 40000, beginMoving("cube", false, true)),
-                    new GrowthRow("agents: a frame of sweeps", "agents", 100, 400000, beginMoving("ball", true, false)),
-                    new GrowthRow("agents: a frame at the edges", "agents", 100, 400000, beginEdges),
-                    new GrowthRow("agents: points among spheres", "agents", 100, 400000, beginPoints),
-                    new GrowthRow("agents: sizes over many orders", "agents", 100, 400000, beginSizes),
-                    new GrowthRow("agents: sizes over many orders, moving", "agents", 100, 400000, beginMovingSizes),
-                    new GrowthRow("agents: one very large, one very long", "agents", 100, 400000, beginLarge),
-                    new GrowthRow("agents: rows of agents over many orders of distance", "agents", 100, 400000, beginFarApart),
-                    new GrowthRow("agents: all leave and others come", "agents", 100, 400000, beginChanging),
-                    new GrowthRow("agents: snapshots", "agents", 100, 400000, beginSnapshots),
+                    new GrowthRow("agents: a frame of sweeps", "agents", 100, 200000, beginMoving("ball", true, false)),
+                    new GrowthRow("agents: a frame at the edges", "agents", 100, 200000, beginEdges),
+                    new GrowthRow("agents: points among spheres", "agents", 100, 200000, beginPoints),
+                    new GrowthRow("agents: sizes over many orders", "agents", 100, 200000, beginSizes),
+                    new GrowthRow("agents: sizes over many orders, moving", "agents", 100, 200000, beginMovingSizes),
+                    new GrowthRow("agents: one very large, one very long", "agents", 100, 200000, beginLarge),
+                    new GrowthRow("agents: rows of agents over many orders of distance", "agents", 100, 200000, beginFarApart),
+                    new GrowthRow("agents: all leave and others come", "agents", 100, 200000, beginChanging),
+                    new GrowthRow("agents: snapshots", "agents", 100, 200000, beginSnapshots),
                     new GrowthRow("agents: hierarchies of rows", "vertices", 200, 40000, beginHierarchies)];
         }
 

@@ -18,8 +18,8 @@ package growth
                     new GrowthRow("ground: heights set", "cells", 400, 1000000, beginHeights),
                     new GrowthRow("ground: heights set, a question after each", "cells", 400, 100000, beginAsked),
                     new GrowthRow("ground: mounds and walls", "cells", 400, 1000000, beginMounds),
-                    new GrowthRow("ground: a frame", "agents", 100, 400000, beginFrame(0.9, 1)),
-                    new GrowthRow("ground: contacts in flat ground", "agents", 100, 400000, beginFrame(0.9, 0)),
+                    new GrowthRow("ground: a frame", "agents", 100, 200000, beginFrame(0.9, 1)),
+                    new GrowthRow("ground: contacts in flat ground", "agents", 100, 200000, beginFrame(0.9, 0)),
                     new GrowthRow("ground: a sphere over many cells", "cells", 400, 1000000, beginWide("ball", false)),
                     new GrowthRow("ground: a box over many cells", "cells", 400, 1000000, beginWide("cube", false)),
                     new GrowthRow("ground: a box over many columns", "cells", 400, 1000000, beginWide("cube", true)),
@@ -28,7 +28,7 @@ package growth
                     new GrowthRow("ground: distances from far above", "cells", 400, 1000000, beginFar),
                     new GrowthRow("ground: rays along it", "cells", 400, 1000000, beginRays),
                     new GrowthRow("ground: walks", "agents", 25, 40000, beginWalks),
-                    new GrowthRow("ground: snapshots", "cells", 400, 400000, beginSnapshots)];
+                    new GrowthRow("ground: snapshots", "cells", 400, 200000, beginSnapshots)];
         }
 
         private static function beginHeights(n:int, row:GrowthRow):Function

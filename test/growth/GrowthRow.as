@@ -18,6 +18,9 @@ package growth
         /** The smallest n that is measured. */
         public var least:int;
 
+        /** The n to begin with: <code>least</code>, or more. */
+        public var start:int;
+
         /** The largest n that is measured. */
         public var most:int;
 
@@ -41,7 +44,7 @@ package growth
         {
             this.name = name;
             this.grows = grows;
-            this.least = least;
+            this.least = start = least;
             this.most = most;
             _begin = begin;
         }
@@ -50,6 +53,16 @@ package growth
         public function begin(n:int):Function
         {
             return _begin(n, this);
+        }
+
+        /**
+         * Says that the measurement begins with a larger n, because small ones say nothing of the growth. For example, a file may repeat some
+         * things freely, however small it is (ModelBudget). The cost of repeating grows with n * n until these are used up. Returns the row.
+         */
+        public function from(n:int):GrowthRow
+        {
+            start = n;
+            return this;
         }
 
         /** Says that the cost must not grow with n at all, for example because n is only declared. Returns the row. */

@@ -9,7 +9,7 @@ package growth
      * Measures rows at n, 2n and 4n, a run in each frame, and prints a line for each row. Dispatches Event.COMPLETE.
      *
      * <p>n is doubled from the row's least until each of RUNS runs takes <code>calmMs</code>, so that neither the clock's noise nor a machine that
-     * still compiles decides. The time is the least of RUNS runs; of one, if a run takes long. Times below FLOOR_MS and memory below FLOOR_BYTES count as if they were these. The exponent
+     * still compiles decides. The time is the least of RUNS runs; of two, if both take long. Times below FLOOR_MS and memory below FLOOR_BYTES count as if they were these. The exponent
      * is the slope of the line of least squares through the logarithms. The command fails if a row's exponent of time or memory is above
      * its limit, if a run takes longer than TOO_LONG_MS, or if reading a file needs more than FLOOR_BYTES and BYTES_PER_BYTE for each of
      * its bytes.</p>
@@ -94,7 +94,7 @@ package growth
         private function beginRow(row:GrowthRow):void
         {
             _row = row;
-            _n = row.least;
+            _n = row.start;
             _runs = 0;
             _problem = "";
             _times = [];
@@ -121,12 +121,16 @@ package growth
                 _runs = 0;
                 return;
             }
-            if (ms > TOO_LONG_MS)
+            if (_runs < RUNS && (_best <= LONG_MS || _runs == 1))
             {
-                _problem = (ms / 1000).toFixed(0) + " s at " + (_n << _times.length);
+                return; // a single long run may be the garbage collector's
+            }
+            if (_best > TOO_LONG_MS)
+            {
+                _problem = (_best / 1000).toFixed(0) + " s at " + (_n << _times.length);
                 endRow();
             }
-            else if (_runs == RUNS || ms > LONG_MS)
+            else
             {
                 _times.push(_best);
                 _memories.push(memory);

@@ -88,13 +88,13 @@ package growth
                         }),
                     new GrowthRow("ask: a ray past all of them", "agents", 100, 1000000, beginLongRays),
                     new GrowthRow("ask: nearest of agents in one place", "agents", 100, 1000000, beginHeap),
-                    new GrowthRow("ask: nearest, sizes over many orders", "agents", 100, 400000, beginSizes)];
+                    new GrowthRow("ask: nearest, sizes over many orders", "agents", 100, 200000, beginSizes)];
         }
 
         // Agents in a square; every fourth touches the next.
         private static function ofEach(name:String, ask:Function, areTrees:Boolean = false):GrowthRow
         {
-            return new GrowthRow("ask: " + name, "agents", 50, 400000, function(n:int, row:GrowthRow):Function
+            return new GrowthRow("ask: " + name, "agents", 50, 200000, function(n:int, row:GrowthRow):Function
                 {
                     var agents:Vector.<Agent> = GrowthGame.square(n, areTrees ? "cube" : "ball", 1.5);
                     for (var i:int = 0; i < n; i += 4)

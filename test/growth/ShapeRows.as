@@ -21,7 +21,7 @@ package growth
                     new GrowthRow("model: copies of a triangle, exact", "triangles", 2000, 80000, beginModel(copies, true)),
                     new GrowthRow("model: pieces from 1e-6 to 1e6, exact", "pieces", 500, 20000, beginModel(geometricRow, true)),
                     new GrowthRow("model: cavities in cavities, exact", "pieces", 100, 1600, beginModel(cavities, true)),
-                    new GrowthRow("model: boxes edge to edge, turned in and out, exact", "pieces", 200, 8000, beginModel(boxes, true)),
+                    new GrowthRow("model: boxes edge to edge, turned in and out, exact", "pieces", 200, 8000, beginModel(boxes, true)).from(800),
                     new GrowthRow("model: unknown names", "names", 10000, 600000, beginNames)];
         }
 

@@ -164,7 +164,7 @@ test("systems, models, files and settings are of their classes", () => {
 	refused(() => land.addModel({ name: "x", vertices: [], triangles: null }), "model must be a Model");
 	refused(() => (land.fitStore = {}), "fitStore must be a FitStore");
 	refused(() => (land.boundingStructures.fitters = [{}]), "fitters[0]");
-	for (const name of ["orientedBoxDegIncrement", "cheaperTestsFactor"]) {
+	for (const name of ["orientedBoxDegIncrement"]) {
 		const before = land[name];
 		for (const [value, shown] of NO_NUMBERS) refused(() => (land[name] = value), name, shown);
 		for (const value of NOT_FINITE) assert.throws(() => (land[name] = value), String(value));
@@ -492,7 +492,6 @@ test("errors name structures, elements of lists, functions and settings as their
 	refused(() => (land.boundingStructures.fitters = [3]), "fitters[0] must be a Fitter, not 3");
 	refused(() => new engine.AgentQueries({}), "one of the engine's collision systems, not a plain object");
 	refused(() => new Collision(new BinCollider()).onCollision("", "b", () => 0), 'not "", "b" and the function without a name');
-	refused(() => (land.hierarchyBounds = 77), "hierarchyBounds, must be BoundingStructure.BOX, SPHERE or CAPSULE");
 	const one = new Agent("cube");
 	refused(() => questions.distance(one, one), "two different agents are needed");
 	const saysOf = (read) => assert.throws(read, (error) => error.name === "ModelError" && !/text/.test(error.message) && /empty|no glTF file|no STL file/.test(error.message));

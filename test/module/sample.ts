@@ -91,7 +91,6 @@ import {
 	StepSequence,
 	StlModel,
 	StructureBlocks,
-	StructureTests,
 	Terrain,
 	TerrainBlocks,
 	TerrainSurface,
@@ -162,11 +161,10 @@ export function play(bearText: string): number {
 	useBlocks(greatLand, [bear, ball]);
 	ask(greatLand, [bear, ball]);
 	const collider: Collider = new Collider(new Bubbles(greatLand));
-	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
 	const precise: TreeCollider = new HierarchicalCollider(greatLand);
 	precise.exact = true;
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");
-	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
+	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`);
 	return calls;
 }
 

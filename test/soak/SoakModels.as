@@ -3,7 +3,6 @@ package soak
     import evaluation.pairs.SeededRandom;
     import flash.events.ErrorEvent;
     import starlogo.GreatLand;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.libraries.FitStore;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
@@ -191,10 +190,7 @@ package soak
         private function chooseFlags():void
         {
             _greatLand.loadAllBoundingStructures = _random.chance(0.5);
-            _greatLand.cheaperTestsFactor = _random.pick([1, 1.5, 4]);
             _greatLand.prepareExact = _random.chance(0.5);
-            _greatLand.hierarchyBounds = _random.pick([BoundingStructure.BOX, BoundingStructure.BOX, BoundingStructure.SPHERE,
-                        BoundingStructure.CAPSULE]);
         }
 
         private function add(model:Model):void

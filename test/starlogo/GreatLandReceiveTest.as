@@ -41,10 +41,7 @@ package starlogo
         [Test]
         public function keepsToTheLibrariesSettings():void
         {
-            for each (var kind:int in [BoundingStructure.SPHERE, BoundingStructure.CAPSULE])
-            {
-                compare(SteppedModels.builtIn().concat(SteppedModels.odd()), withSettings(kind), withSettings(kind));
-            }
+            compare(SteppedModels.builtIn().concat(SteppedModels.odd()), withSettings(), withSettings());
         }
 
         [Test]
@@ -56,7 +53,6 @@ package starlogo
             greatLand.loadHierarchies = false;
             greatLand.loadAllBoundingStructures = false;
             greatLand.orientedBoxDegIncrement = 45;
-            greatLand.boundingStructures.cheaperTestsFactor = 100;
             greatLand.boundingStructures.fitters.length = 1;
             greatLand.hierarchies.maxDepth = 1;
             greatLand.hierarchies.splitByMean = true;
@@ -185,13 +181,11 @@ package starlogo
             return greatLand;
         }
 
-        private static function withSettings(kind:int):GreatLand
+        private static function withSettings():GreatLand
         {
             var greatLand:GreatLand = withFlags(7);
             greatLand.boundingStructures.fitters.push(new ZAlignedBoxFitter(5), new MinimalSphereFitter());
-            greatLand.boundingStructures.cheaperTestsFactor = 1.2;
             greatLand.orientedBoxDegIncrement = 15;
-            greatLand.hierarchies.boundsKind = kind;
             greatLand.hierarchies.splitByMean = true;
             greatLand.hierarchies.maxDepth = 6;
             return greatLand;

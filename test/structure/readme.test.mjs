@@ -85,7 +85,7 @@ for (const [page, places] of Object.entries(NAMED)) {
 
 test('docs/flags.md has every flag', () => {
 	const settable = (file) => [...read(file).matchAll(/^ {8}public (?:var|function set) (\w+)/gm)].map(([, name]) => name);
-	const flags = ['GreatLand', 'libraries/BoundingStructuresLibrary', 'libraries/HierarchiesLibrary', 'collision/TreeCollider', 'search/StructureTests', 'models/ModelLoader']
+	const flags = ['GreatLand', 'libraries/BoundingStructuresLibrary', 'libraries/HierarchiesLibrary', 'collision/TreeCollider', 'models/ModelLoader']
 		.flatMap((name) => settable(`src/starlogo/${name}.as`));
 	assert.ok(flags.length > 15, 'there are some');
 	const page = read('docs/flags.md');

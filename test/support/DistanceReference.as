@@ -7,7 +7,6 @@ package support
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.ClosestTriangles;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
@@ -38,34 +37,6 @@ package support
         public function ofNodes(a:Agent, depthA:int, b:Agent, depthB:int):Number
         {
             return least(_hierarchies.endsOf(a, depthA), _hierarchies.endsOf(b, depthB));
-        }
-
-        /**
-         * Of hierarchies of spheres or capsules, where two nodes are as far apart as their ancestors are, at least: level by level, with covers for
-         * what is below the last level of the other.
-         */
-        public function ofBranchesTo(a:Agent, depthA:int, b:Agent, depthB:int):Number
-        {
-            return ofBranches(a, _greatLand.hierarchies.root(a.shape), depthA, b, _greatLand.hierarchies.root(b.shape), depthB);
-        }
-
-        private function ofBranches(a:Agent, nodeA:HierarchyNode, depthA:int, b:Agent, nodeB:HierarchyNode, depthB:int):Number
-        {
-            var endsA:Boolean = nodeA.isLeaf || nodeA.level >= depthA;
-            var endsB:Boolean = nodeB.isLeaf || nodeB.level >= depthB;
-            var boundsA:BoundingStructure = nodeB.level > nodeA.level && nodeA.cover != null ? nodeA.cover : nodeA.bounds;
-            var boundsB:BoundingStructure = nodeA.level > nodeB.level + 1 && nodeB.cover != null ? nodeB.cover : nodeB.bounds;
-            findClosest(boundsA.place(a.worldPlacement()), boundsB.place(b.worldPlacement()), _pair);
-            var distance:Number = _pair.distance;
-            if (endsA && endsB)
-            {
-                return distance;
-            }
-            if (endsB || !endsA && nodeA.level <= nodeB.level)
-            {
-                return Math.max(distance, Math.min(ofBranches(a, nodeA.left, depthA, b, nodeB, depthB), ofBranches(a, nodeA.right, depthA, b, nodeB, depthB)));
-            }
-            return Math.max(distance, Math.min(ofBranches(a, nodeA, depthA, b, nodeB.left, depthB), ofBranches(a, nodeA, depthA, b, nodeB.right, depthB)));
         }
 
         /** Of surfaces. */

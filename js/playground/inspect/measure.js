@@ -25,7 +25,7 @@ const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
  * Fits all structures to a model.
  *
  * @param {object} model
- * @param {{increment: number, tolerance: number, minVertices: number, byMean: boolean}} settings
+ * @param {{increment: number, minVertices: number, byMean: boolean}} settings
  * @param {() => boolean} isWanted whether to go on
  * @returns {Promise<{rows: object[], chosen: string, root: object, hullMs: number, hierarchyMs: number, volume: number, greatLand: object}>}
  * @throws {Error} the engine's own error, if a setting is not possible
@@ -33,7 +33,6 @@ const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
 export async function measure(model, settings, isWanted) {
 	const greatLand = new GreatLand();
 	greatLand.orientedBoxDegIncrement = settings.increment;
-	greatLand.cheaperTestsFactor = settings.tolerance;
 	greatLand.hierarchies.minVerticesToSplit = settings.minVertices;
 	greatLand.hierarchies.splitByMean = settings.byMean;
 	const works = Object.entries(FITTERS).map(([name, make]) => ({ name, run: () => make(settings.increment).fit(model.vertices) }));

@@ -21,7 +21,7 @@ export async function createView(main) {
 }
 
 class InspectView {
-	settings = { increment: 10, tolerance: 1, minVertices: 5, byMean: false };
+	settings = { increment: 10, minVertices: 5, byMean: false };
 	#asked = 0;
 	#measured = 0;
 	#chosen = "";
@@ -75,7 +75,6 @@ class InspectView {
 			this.#measure();
 		} }, h("h2", {}, words.settings),
 		field(words.increment, input("increment", { min: 1, max: 90, step: "any" }), words.incrementNote),
-		field(words.tolerance, input("tolerance", { min: 1, max: 100, step: "any" }), words.toleranceNote),
 		field(words.minVertices, input("minVertices", { min: 1, max: 10000, step: 1 })),
 		tick(words.byMean, false, (on) => {
 			this.settings.byMean = on;

@@ -1,7 +1,9 @@
 package evaluation.literal
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
 
     /**
      * A node of a hierarchy as the thesis builds it (§4.4): the axis-aligned box of some vertices. It is split halfway along its longest
@@ -20,6 +22,10 @@ package evaluation.literal
 
         /** The other half; null for a leaf. */
         public var right:LiteralHierarchyNode;
+
+        // of each kind, when it was first needed
+        private var _ofKind:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
+        private var _points:Vector.<Vector3D>;
 
         /** The root around all vertices. @param vertices x, y, z each */
         public static function of(vertices:Vector.<Number>):LiteralHierarchyNode
@@ -50,6 +56,7 @@ package evaluation.literal
             center.scaleBy(0.5);
             var half:Vector3D = max.subtract(center);
             box = new Box(center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half.x, half.y, half.z);
+            _points = points;
             if (points.length > MIN_VERTICES_TO_SPLIT && level < MAX_DEPTH && half.lengthSquared > 0)
             {
                 split(points, level);
@@ -60,6 +67,27 @@ package evaluation.literal
         public function get isLeaf():Boolean
         {
             return left == null;
+        }
+
+        /** The box, a sphere around the box's centre, or a capsule along the box's longest axis, as small as the vertices allow (§7.7). */
+        public function ofKind(kind:int):BoundingStructure
+        {
+            if (kind == BoundingStructure.BOX)
+            {
+                return box;
+            }
+            if (_ofKind[kind] == null)
+            {
+                var vertices:Vector.<Number> = new Vector.<Number>();
+                var radius:Number = 0;
+                for each (var point:Vector3D in _points)
+                {
+                    vertices.push(point.x, point.y, point.z);
+                    radius = Math.max(radius, point.subtract(box.center).length);
+                }
+                _ofKind[kind] = kind == BoundingStructure.SPHERE ? new Sphere(box.center, radius) : grownCapsule(vertices, box);
+            }
+            return _ofKind[kind];
         }
 
         private function split(points:Vector.<Vector3D>, level:int):void

@@ -12,7 +12,7 @@ package evaluation.literal
         var cornersB:Vector.<Vector3D> = cornersOf(b);
         for (var i:int = 0; i < 3; i++)
         {
-            if (areSeparated(axesA[i], cornersA, cornersB) || areSeparated(axesB[i], cornersA, cornersB))
+            if (separates(axesA[i], cornersA, cornersB) || separates(axesB[i], cornersA, cornersB))
             {
                 return false;
             }
@@ -21,7 +21,7 @@ package evaluation.literal
         {
             for (var j:int = 0; j < 3; j++)
             {
-                if (areSeparated(axesA[i].crossProduct(axesB[j]), cornersA, cornersB))
+                if (separates(axesA[i].crossProduct(axesB[j]), cornersA, cornersB))
                 {
                     return false;
                 }
@@ -29,25 +29,4 @@ package evaluation.literal
         }
         return true;
     }
-}
-
-import flash.geom.Vector3D;
-
-/** Whether an axis separates the projections of two sets of corners. */
-function areSeparated(axis:Vector3D, cornersA:Vector.<Vector3D>, cornersB:Vector.<Vector3D>):Boolean
-{
-    var minA:Number = Infinity;
-    var maxA:Number = -Infinity;
-    var minB:Number = Infinity;
-    var maxB:Number = -Infinity;
-    for (var i:int = 0; i < 8; i++)
-    {
-        var a:Number = cornersA[i].dotProduct(axis);
-        var b:Number = cornersB[i].dotProduct(axis);
-        minA = Math.min(minA, a);
-        maxA = Math.max(maxA, a);
-        minB = Math.min(minB, b);
-        maxB = Math.max(maxB, b);
-    }
-    return maxA < minB || maxB < minA;
 }

@@ -2,7 +2,6 @@ package starlogo.collision
 {
     import starlogo.GreatLand;
     import starlogo.engine;
-    import starlogo.search.StructureTests;
     import starlogo.search.TreesAndFits;
 
     use namespace engine;
@@ -28,12 +27,6 @@ package starlogo.collision
         public function CombinationCollider(greatLand:GreatLand)
         {
             super(new TreesAndFits(greatLand));
-        }
-
-        /** The settings for tests of two agents that are not hierarchical. */
-        public function get structureTests():StructureTests
-        {
-            return pairs.structures.settings;
         }
     }
 }

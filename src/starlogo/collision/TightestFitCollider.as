@@ -2,7 +2,6 @@ package starlogo.collision
 {
     import starlogo.GreatLand;
     import starlogo.engine;
-    import starlogo.search.StructureTests;
     import starlogo.search.TightestFits;
 
     use namespace engine;
@@ -25,12 +24,6 @@ package starlogo.collision
         public function TightestFitCollider(greatLand:GreatLand)
         {
             super(new TightestFits(greatLand));
-        }
-
-        /** The settings for tests of two structures. */
-        public function get structureTests():StructureTests
-        {
-            return pairs.structures.settings;
         }
     }
 }

@@ -14,9 +14,6 @@ package starlogo.hierarchy
         /** @private The node around the whole model. */
         engine var root:HierarchyNode;
 
-        /** @private The kind of the nodes' structures: one of BoundingStructure's constants. */
-        engine var boundsKind:int;
-
         /** @private Whether the items are triangles; otherwise they are vertices. */
         engine var hasTriangles:Boolean;
 
@@ -34,13 +31,11 @@ package starlogo.hierarchy
          *
          * @param vertices x, y, z of each
          * @param triangles three vertex indices each, or null if the vertices are the items
-         * @param boundsKind the kind of the nodes' structures
          */
-        public function Hierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int)
+        public function Hierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
             this.vertices = vertices;
             this.triangles = triangles;
-            this.boundsKind = boundsKind;
             hasTriangles = triangles != null;
         }
 

@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -19,9 +18,7 @@ package starlogo.hierarchy
      */
     public final class HierarchyBuilder extends StepSequence
     {
-        // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
-        private static const ITEMS_PER_NODE:int = 10;
 
         private var _hierarchy:Hierarchy;
         private var _minVerticesToSplit:int;
@@ -30,10 +27,6 @@ package starlogo.hierarchy
         private var _items:Items;
         private var _tree:StoredTree = null;
         private var _maker:NodeMaker;
-        private var _divider:NodeDivider;
-        private var _nodes:Vector.<HierarchyNode>;
-        private var _structures:NodeStructures;
-        private var _next:int = 0;
 
         /**
          * @param hierarchy receives the nodes, and the order of its items
@@ -80,20 +73,16 @@ package starlogo.hierarchy
 
         private function useNodes():void
         {
-            _nodes = _tree.nodes;
-            _maker = _tree.maker;
-            if (_nodes == null)
+            if (_tree.nodes == null)
             {
                 _tree = null;
                 addDivision();
-                return;
             }
-            addStructures();
         }
 
         private function addDivision():void
         {
-            slices(_items.count, ITEMS_PER_STEP, _items.measure).call(makeRoot).begin(newDivider).call(useDivided);
+            slices(_items.count, ITEMS_PER_STEP, _items.measure).call(makeRoot).begin(newDivider);
         }
 
         private function makeRoot():void
@@ -105,53 +94,11 @@ package starlogo.hierarchy
 
         private function newDivider():Steps
         {
-            _divider = new NodeDivider(_hierarchy.root, _items, _maker);
-            _divider.minVerticesToSplit = _minVerticesToSplit;
-            _divider.maxDepth = _maxDepth;
-            _divider.splitByMean = _splitByMean;
-            return _divider;
-        }
-
-        private function useDivided():void
-        {
-            _nodes = _divider.nodes;
-            addStructures();
-        }
-
-        private function addStructures():void
-        {
-            if (_hierarchy.boundsKind != BoundingStructure.BOX)
-            {
-                _structures = new NodeStructures(_hierarchy.boundsKind, _items, 2 * _maker.marginOf(1));
-                repeat(encloseSome).repeat(coverSome);
-            }
-        }
-
-        private function encloseSome():Boolean
-        {
-            var items:int = 0;
-            while (_next < _nodes.length && items < ITEMS_PER_STEP)
-            {
-                var node:HierarchyNode = _nodes[_next++];
-                _structures.enclose(node);
-                items += node.end - node.first + ITEMS_PER_NODE;
-            }
-            return _next < _nodes.length;
-        }
-
-        // Goes from the last node to the first, because children come after their parents.
-        private function coverSome():Boolean
-        {
-            var last:int = Math.max(0, _next - ITEMS_PER_STEP / ITEMS_PER_NODE);
-            while (_next > last)
-            {
-                var node:HierarchyNode = _nodes[--_next];
-                if (!node.isLeaf)
-                {
-                    _structures.cover(node);
-                }
-            }
-            return _next > 0;
+            var divider:NodeDivider = new NodeDivider(_hierarchy.root, _items, _maker);
+            divider.minVerticesToSplit = _minVerticesToSplit;
+            divider.maxDepth = _maxDepth;
+            divider.splitByMean = _splitByMean;
+            return divider;
         }
     }
 }

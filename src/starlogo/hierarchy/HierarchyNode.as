@@ -8,12 +8,10 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * A node of a model's hierarchy: a structure around a part of the model, and two child nodes that divide this part between them (thesis
-     * §4.3).
+     * A node of a model's hierarchy: a box around a part of the model, and two child nodes that divide this part between them (thesis §4.3).
      *
-     * <p>A part consists of whole triangles, or of vertices if the model has no triangles. A node's structure encloses the node's own part,
-     * but not its children's structures: a child's sphere or capsule may extend beyond its parent's. All coordinates are in the model's
-     * space.</p>
+     * <p>A part consists of whole triangles, or of vertices if the model has no triangles. A node's box encloses its children's boxes. All
+     * coordinates are in the model's space.</p>
      *
      * <p>The engine's tree goes on below the leaves that clients see, down to a few triangles, for exact tests. No visit with a depth limit
      * reaches these nodes.</p>
@@ -77,14 +75,8 @@ package starlogo.hierarchy
         /** @private The axis along which the node is split: 0, 1 or 2. */
         engine var splitAxis:int = 0;
 
-        /** @private The sphere or capsule. If the node's structure is the box, null until <code>bounds</code> is read. */
+        /** @private Null until <code>bounds</code> is read. If the node stands for a single structure, that structure. */
         engine var structure:BoundingStructure;
-
-        /**
-         * @private The node's structure, enlarged to enclose the structures of all its descendants. Null for a box and for a leaf, because
-         *     their own structure does.
-         */
-        engine var cover:BoundingStructure = null;
 
         private var _vertexCount:int = 0;
 
@@ -125,9 +117,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * The structure around the node's part: an axis-aligned box, or the structure that the library's boundsKind named when the model
-         * was added. It is slightly larger than the part (Tolerances.SURFACES and NESTING). The object belongs to the node, so clone it
-         * before changing it.
+         * The axis-aligned box around the node's part. It is slightly larger than the part (Tolerances.SURFACES and NESTING). The object
+         * belongs to the node, so clone it before changing it.
          */
         public function get bounds():BoundingStructure
         {

@@ -81,25 +81,6 @@ package starlogo.hierarchy
             extend(first * _stride, end * _stride);
         }
 
-        /** The corners of a range of items, x, y, z of each. */
-        public function cornersOf(first:int, end:int):Vector.<Number>
-        {
-            var points:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = first; i < end; i++)
-            {
-                var item:int = order[i];
-                if (_triangles == null)
-                {
-                    addPoint(points, item);
-                    continue;
-                }
-                addPoint(points, _triangles[3 * item]);
-                addPoint(points, _triangles[3 * item + 1]);
-                addPoint(points, _triangles[3 * item + 2]);
-            }
-            return points;
-        }
-
         /** Adds the smallest and largest coordinates of a range of items along an axis to a number, one after the other. Returns the sum. */
         public function sumOf(sum:Number, first:int, end:int, axis:int):Number
         {

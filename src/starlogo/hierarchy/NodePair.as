@@ -10,8 +10,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The structures of two nodes of two trees, in the first model's space. They are mostly the nodes' own structures. But one node may be on a
-     * level below the depth limit of the other tree. Then the other node's cover is taken, which encloses all its descendants.
+     * The structures of two nodes, in the first model's space: of two trees, or of a tree and a node that stands for a single structure.
      */
     internal final class NodePair
     {
@@ -27,7 +26,6 @@ package starlogo.hierarchy
         // barrier.
         private var _levelB:int;
         private var _firstB:int;
-        private var _isCoverB:Boolean;
 
         // One object for each kind, for the second node's structure in the first model's space.
         private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
@@ -52,39 +50,16 @@ package starlogo.hierarchy
         /** Finds the structures of two nodes. */
         public function place(nodeA:HierarchyNode, nodeB:HierarchyNode):void
         {
-            var structureA:BoundingStructure = nodeA.structure;
-            var structureB:BoundingStructure = nodeB.structure;
-            var isCover:Boolean = false;
-            if (nodeB.level > 0)
-            {
-                if (nodeB.level > nodeA.level && nodeA.cover != null)
-                {
-                    structureA = nodeA.cover;
-                }
-                if (nodeA.level > nodeB.level + 1 && nodeB.cover != null)
-                {
-                    structureB = nodeB.cover;
-                    isCover = true;
-                }
-                else if (structureB == null)
-                {
-                    structureB = nodeB.writeBox(_boxB);
-                }
-            }
-            if (structureA == null)
-            {
-                structureA = nodeA.writeBox(_boxA);
-            }
+            var structureB:BoundingStructure = nodeB.level > 0 ? nodeB.writeBox(_boxB) : nodeB.structure;
             var moved:BoundingStructure = _moved[structureB.kind];
-            if (nodeB.level != _levelB || nodeB.first != _firstB || isCover != _isCoverB)
+            if (nodeB.level != _levelB || nodeB.first != _firstB)
             {
                 _levelB = nodeB.level;
                 _firstB = nodeB.first;
-                _isCoverB = isCover;
                 structureB.place(_pose.placement, moved);
                 _pose.widen(moved);
             }
-            a = structureA;
+            a = nodeA.writeBox(_boxA);
             b = moved;
         }
 

@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
@@ -12,9 +11,8 @@ package starlogo.hierarchy
     /**
      * Finds where a ray first meets a hierarchy, visited to a depth: at the nearest node that is a leaf or at the depth limit.
      *
-     * <p>The ray meets a node where it is inside of the node and of all its ancestors. So a greater depth never finds a smaller distance,
-     * although a child's sphere may extend beyond its parent's. The nearer child is visited first. Nodes are skipped if a nearer one has
-     * been met.</p>
+     * <p>The ray meets a node where it is inside of the node and of all its ancestors. So a greater depth never finds a smaller distance. The
+     * nearer child is visited first. Nodes are skipped if a nearer one has been met.</p>
      *
      * @private
      */
@@ -91,7 +89,7 @@ package starlogo.hierarchy
                 ray.faceBack();
                 if (hit != null)
                 {
-                    rayStructure(ray, hit.hierarchy.boundsKind == BoundingStructure.BOX ? hit.writeBox(_box) : hit.structure);
+                    rayStructure(ray, hit.writeBox(_box));
                 }
                 ray.from = _best;
                 ray.to = end;
@@ -111,10 +109,6 @@ package starlogo.hierarchy
         // Narrows the ray to the part inside of a node. Returns whether anything is left.
         private static function meets(node:HierarchyNode, ray:Ray):Boolean
         {
-            if (node.hierarchy.boundsKind != BoundingStructure.BOX)
-            {
-                return rayStructure(ray, node.structure);
-            }
             ray.beginWhole();
             ray.cut(ray.x - node.x, ray.directionX, node.halfX);
             ray.cut(ray.y - node.y, ray.directionY, node.halfY);

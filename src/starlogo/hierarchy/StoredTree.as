@@ -22,8 +22,5 @@ package starlogo.hierarchy
 
         /** After the last step, the nodes, parents before their children. Null if the record does not divide these items. */
         function get nodes():Vector.<HierarchyNode>;
-
-        /** The maker of the nodes. */
-        function get maker():NodeMaker;
     }
 }

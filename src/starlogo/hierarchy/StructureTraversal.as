@@ -13,13 +13,9 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two trees of any structures overlap, or a tree and a single structure, or when they first touch. It uses the pair
-     * tests of their kinds. BoxTraversal is faster for boxes.
-     *
-     * <p>A child's sphere may extend beyond its parent's, so a structure can meet the child without meeting the parent. Still a greater
-     * depth never finds more collisions. This is because all depths reach the nodes in one order, a level of the first tree and then a
-     * level of the second (thesis §4.6), and only through ancestors that overlap. Below the last level of one tree, the cover of a node
-     * stands for all its descendants. For moving models, a pair is tested only in the interval in which its ancestors touch.</p>
+     * Decides whether a tree and a single structure overlap, or when they first touch, by the pair tests of boxes and the structure's kind. It
+     * takes two trees too. BoxTraversal is faster for these, and for boxes. For moving models, a pair is tested only from the moment on at which its ancestors
+     * touch.
      *
      * @private
      */
@@ -64,12 +60,6 @@ package starlogo.hierarchy
             {
                 return TOUCHING;
             }
-            // A single structure against a tree of boxes needs no end. A box contains its children's boxes, and a structure that leaves one
-            // box may still meet another.
-            if (isSwept && (b.level > 0 || structureA.kind != BoundingStructure.BOX))
-            {
-                findEnd(structureA, moved);
-            }
             if (!bEnds && (aEnds || a.level > b.level))
             {
                 return LEFT_OF_B;
@@ -81,30 +71,21 @@ package starlogo.hierarchy
         // first moment at which they touch.
         private function isInTime(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            sweep(a, b, false);
+            sweep(a, b);
             var share:Number = _part.time;
             from += (to - from) * share;
             otherFrom = from;
             return share <= 1 && from < time;
         }
 
-        // Sets the end of the interval to the last time at which they touch. That is the first time of the motion backwards.
-        private function findEnd(a:BoundingStructure, b:BoundingStructure):void
-        {
-            sweep(a, b, true);
-            var share:Number = _part.time;
-            to = share <= 1 ? to - (to - from) * share : from;
-        }
-
-        // Finds when structures touch, as a share of the interval of their pair, forwards or backwards.
-        private function sweep(a:BoundingStructure, b:BoundingStructure, isBack:Boolean):void
+        // Finds when structures touch, as a share of the interval of their pair.
+        private function sweep(a:BoundingStructure, b:BoundingStructure):void
         {
             var motion:RelativeMotion = pose.motion;
-            var start:Number = isBack ? to : from;
-            var share:Number = isBack ? from - to : to - from;
-            _part.startX = motion.startX + start * motion.x;
-            _part.startY = motion.startY + start * motion.y;
-            _part.startZ = motion.startZ + start * motion.z;
+            var share:Number = to - from;
+            _part.startX = motion.startX + from * motion.x;
+            _part.startY = motion.startY + from * motion.y;
+            _part.startZ = motion.startZ + from * motion.z;
             _part.x = share * motion.x;
             _part.y = share * motion.y;
             _part.z = share * motion.z;

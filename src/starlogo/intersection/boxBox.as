@@ -22,10 +22,8 @@ package starlogo.intersection
      *
      * @param a in the space of b; half-extents may be 0
      * @param b in the space of a; the answer is the same, to the last bit, for (b, a)
-     * @param faceAxesOnly leaves out the nine axes of the edges (an optimisation of thesis §3.6.4). The test is then conservative: it
-     *     misses no collision, but it also reports boxes that pass each other edge to edge
      */
-    public function boxBox(a:Box, b:Box, faceAxesOnly:Boolean = false):Boolean
+    public function boxBox(a:Box, b:Box):Boolean
     {
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
@@ -89,7 +87,7 @@ package starlogo.intersection
         {
             gapSquared += gap * gap;
         }
-        if (!faceAxesOnly && gapSquared > halfBX * halfBX + halfBY * halfBY + halfBZ * halfBZ)
+        if (gapSquared > halfBX * halfBX + halfBY * halfBY + halfBZ * halfBZ)
         {
             return false;
         }
@@ -167,11 +165,6 @@ package starlogo.intersection
         if (along > reach || along < -reach)
         {
             return false;
-        }
-
-        if (faceAxesOnly)
-        {
-            return true;
         }
 
         // The cross products of edges. If two edges are nearly parallel, these products would cancel.

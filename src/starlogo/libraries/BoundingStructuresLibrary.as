@@ -38,7 +38,6 @@ package starlogo.libraries
          */
         engine var shapes:ShapeTable = new ShapeTable();
 
-        private var _cheaperTestsFactor:Number = 1;
         private var _orientedBoxFitter:OrientedBoxFitter;
         private var _fitters:Vector.<Fitter>;
 
@@ -87,27 +86,6 @@ package starlogo.libraries
         public function set orientedBoxDegIncrement(value:Number):void
         {
             _orientedBoxFitter.degIncrement = value;
-        }
-
-        /**
-         * A structure with cheaper intersection tests is preferred if its volume is at most this many times the smallest volume (thesis
-         * §7.4). A sphere is cheaper than a capsule, and a capsule is cheaper than a box. With 1, the default, the smallest volume wins.
-         * Among equal volumes, the cheapest structure wins.
-         *
-         * @throws ArgumentError if you set it to less than 1, or to a value that is not a finite number
-         */
-        public function get cheaperTestsFactor():Number
-        {
-            return _cheaperTestsFactor;
-        }
-
-        public function set cheaperTestsFactor(value:Number):void
-        {
-            if (!(value >= 1 && value < Infinity))
-            {
-                throw new ArgumentError("the factor must be 1 (off) or more: " + value);
-            }
-            _cheaperTestsFactor = value;
         }
 
         /**
@@ -193,7 +171,7 @@ package starlogo.libraries
             var shape:ShapeStructures = find(name);
             if (shape.smallest[kind] == null)
             {
-                var build:StructuresBuild = new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, true);
+                var build:StructuresBuild = new StructuresBuild(name, vertices, fitters, true);
                 finish(build);
                 shape.addMissing(build.structures);
             }
@@ -212,7 +190,7 @@ package starlogo.libraries
         engine function newBuild(name:String, vertices:Vector.<Number>):StructuresBuild
         {
             ShapeTable.checkName(name);
-            return new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, keepAll);
+            return new StructuresBuild(name, vertices, fitters, keepAll);
         }
 
         private function find(name:String):ShapeStructures

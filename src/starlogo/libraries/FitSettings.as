@@ -8,8 +8,7 @@ package starlogo.libraries
 
     /**
      * The settings that decide the results that libraries compute for a model. They are copied when this object is made. Fits that were
-     * computed with other settings are not used. Settings that only choose among the results are not part of this object:
-     * cheaperTestsFactor, keepAll, boundsKind.
+     * computed with other settings are not used. The setting keepAll is not part of this object, because it only chooses among the results.
      */
     public final class FitSettings
     {

@@ -1,6 +1,5 @@
 package starlogo.libraries
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.VertexData;
     import starlogo.hierarchy.HierarchyNode;
@@ -45,7 +44,6 @@ package starlogo.libraries
 
         private var _minVerticesToSplit:int = 5;
         private var _maxDepth:int = 10;
-        private var _boundsKind:int = BoundingStructure.BOX;
 
         /** Creates a library without models. */
         public function HierarchiesLibrary()
@@ -83,27 +81,6 @@ package starlogo.libraries
         {
             requirePositive("maxDepth", value);
             _maxDepth = value;
-        }
-
-        /**
-         * The kind of structure of the nodes: BoundingStructure.BOX, the default, SPHERE or CAPSULE (§7.7). The splits are the same for all
-         * kinds. A sphere has the centre of the node's box. A capsule lies along the box's longest axis. Both are as small as the vertices
-         * allow.
-         *
-         * @throws ArgumentError if you set it to anything else
-         */
-        public function get boundsKind():int
-        {
-            return _boundsKind;
-        }
-
-        public function set boundsKind(value:int):void
-        {
-            if (value != BoundingStructure.BOX && value != BoundingStructure.SPHERE && value != BoundingStructure.CAPSULE)
-            {
-                throw new ArgumentError("boundsKind, a GreatLand's hierarchyBounds, must be BoundingStructure.BOX, SPHERE or CAPSULE: " + value);
-            }
-            _boundsKind = value;
         }
 
         /**
@@ -183,7 +160,7 @@ package starlogo.libraries
 
         private function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
-            return new SolidHierarchyBuilder(vertices, triangles, boundsKind, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
+            return new SolidHierarchyBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
         private static function requirePositive(setting:String, value:int):void

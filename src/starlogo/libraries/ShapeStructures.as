@@ -16,7 +16,7 @@ package starlogo.libraries
          */
         public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
-        /** The structure with the least volume, or one with cheaper tests within the factor. */
+        /** The structure with the least volume. Among equal volumes, the one with the cheapest tests. */
         public var tightest:BoundingStructure = null;
 
         /** Whether the client may read the smallest structure of each kind. */
@@ -24,10 +24,9 @@ package starlogo.libraries
 
         /**
          * @param found all structures that were found; null entries are ignored
-         * @param cheaperTestsFactor a structure with cheaper tests may have this many times the smallest volume
          * @param keepsAll whether the client may read the smallest structure of each kind
          */
-        public function ShapeStructures(found:Vector.<BoundingStructure>, cheaperTestsFactor:Number, keepsAll:Boolean)
+        public function ShapeStructures(found:Vector.<BoundingStructure>, keepsAll:Boolean)
         {
             this.keepsAll = keepsAll;
             var least:Number = Infinity;
@@ -42,7 +41,7 @@ package starlogo.libraries
             for each (structure in smallest)
             {
                 // a volume that was read may be NaN
-                if (tightest == null && structure != null && !(structure.volume > least * cheaperTestsFactor))
+                if (tightest == null && structure != null && !(structure.volume > least))
                 {
                     tightest = structure;
                 }

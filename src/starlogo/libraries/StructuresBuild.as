@@ -23,7 +23,6 @@ package starlogo.libraries
     {
         private var _name:String;
         private var _vertices:Vector.<Number>;
-        private var _cheaperTestsFactor:Number;
         private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
@@ -35,16 +34,13 @@ package starlogo.libraries
          * @param name the shape's name
          * @param vertices x, y, z each; must not change until the last step is done
          * @param fitters the fitters to compare; copied
-         * @param cheaperTestsFactor a structure with cheaper tests may have this many times the smallest volume
          * @param keepsAll whether the client may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuild(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, cheaperTestsFactor:Number,
-                keepsAll:Boolean)
+        public function StructuresBuild(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, keepsAll:Boolean)
         {
             _name = name;
             _vertices = vertices;
-            _cheaperTestsFactor = cheaperTestsFactor;
             _keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
             {
@@ -73,7 +69,7 @@ package starlogo.libraries
          */
         public function useRead(read:Vector.<BoundingStructure>):void
         {
-            _structures = new ShapeStructures(read, _cheaperTestsFactor, _keepsAll);
+            _structures = new ShapeStructures(read, _keepsAll);
         }
 
         /** The structures, when no step is left. */
@@ -146,7 +142,7 @@ package starlogo.libraries
             {
                 found.push(widened(fit.structure));
             }
-            _structures = new ShapeStructures(found, _cheaperTestsFactor, _keepsAll);
+            _structures = new ShapeStructures(found, _keepsAll);
         }
 
         private function named(problem:String):ArgumentError

@@ -95,9 +95,7 @@ package starlogo.queries
             {
                 findClosest(a.structure(), b.structure(), closest);
                 var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
-                // boxes that are tested only by their faces may touch across a gap
-                var isNear:Boolean = pairs.structures.settings.boxFacesOnly || closest.distance <= Tolerances.APART * size;
-                closest.settle(isNear && pairs.areTouching(a, b));
+                closest.settle(closest.distance <= Tolerances.APART * size && pairs.areTouching(a, b));
                 return;
             }
             var areTouching:Boolean = pairs.areTouching(a, b);

@@ -427,7 +427,7 @@ package starlogo.search
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;
             extents.radius[row] = body.radius;
-            if (shape.form == BoundingStructure.BOX && shape.outer == null && boxes[row] == null)
+            if (shape.form == BoundingStructure.BOX && boxes[row] == null)
             {
                 boxes[row] = Box(body.structure());
             }

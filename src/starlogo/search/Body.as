@@ -62,7 +62,6 @@ package starlogo.search
         // that the body had; and the shapes for structures that belong to no model.
         private var _placed:BoundingStructure = null;
         private var _isPlaced:Boolean = false;
-        private var _outer:OuterStructures = null;
         private var _spares:Vector.<BoundingStructure> = null;
         private var _ownShapes:Vector.<ModelShape> = null;
 
@@ -225,12 +224,6 @@ package starlogo.search
             return _placed;
         }
 
-        /** The structures that are tested before the structure, which must be placed; null if there are none. */
-        internal function get outer():OuterStructures
-        {
-            return shape.outer == null ? null : _outer;
-        }
-
         /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
         internal function get radius():Number
         {
@@ -310,12 +303,6 @@ package starlogo.search
             }
             shape.structure.place(placement, _placed);
             _placed.widen(by);
-            if (shape.outer != null)
-            {
-                _outer ||= new OuterStructures(shape.structure);
-                // the corners of a box that is wider by a margin are farther out by its diagonal
-                _outer.place(shape.outer, placement, 2 * by);
-            }
             _isPlaced = true;
         }
 

@@ -110,7 +110,7 @@ package starlogo.search
 
         private function visit(node:HierarchyNode, limit:Number):void
         {
-            limit = Math.min(limit, reachOf(structureOf(node)));
+            limit = Math.min(limit, reachOf(node.writeBox(_box)));
             if (limit <= _best)
             {
                 return;
@@ -138,7 +138,7 @@ package starlogo.search
         // Adds the farthest points of a node and its descendants.
         private function collect(node:HierarchyNode):void
         {
-            var structure:BoundingStructure = structureOf(node);
+            var structure:BoundingStructure = node.writeBox(_box);
             if (reachOf(structure) < _least)
             {
                 return;
@@ -164,12 +164,6 @@ package starlogo.search
             {
                 addStructure(structure);
             }
-        }
-
-        // Triangles are in the nodes' boxes, whatever the nodes' structures are.
-        private function structureOf(node:HierarchyNode):BoundingStructure
-        {
-            return _isExact || node.structure == null ? node.writeBox(_box) : node.structure;
         }
 
         // How far a structure reaches in the model's space.

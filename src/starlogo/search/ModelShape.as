@@ -55,9 +55,6 @@ package starlogo.search
         /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
         engine var fixture:FixtureAgent = null;
 
-        /** @private The slightly wider structures that are tested first; null if there are none. */
-        internal var outer:OuterStructures = null;
-
         /**
          * For colliders only.
          *

@@ -124,7 +124,7 @@ package starlogo.search
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
             var reachZ:Number = halfZs[row] + bins.slack;
-            var box:Box = structures.settings.boxFacesOnly ? null : boxes[row];
+            var box:Box = boxes[row];
             var body:Body = null;
             var boxTests:int = 0;
             var sphereTests:int = 0;

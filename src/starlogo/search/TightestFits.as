@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.libraries.BoundingStructuresLibrary;
 
@@ -43,10 +42,6 @@ package starlogo.search
                 return;
             }
             shape.setStructure(library.tightestFit(model));
-            if (shape.form != BoundingStructure.SPHERE && library.hasAll(model))
-            {
-                shape.outer = new OuterStructures(shape.structure);
-            }
         }
     }
 }

@@ -21,9 +21,9 @@ package starlogo.solid
         internal var prepared:Solid = null;
 
         /** Not to be called: a SolidHierarchyBuilder makes it. */
-        public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int)
+        public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            super(vertices, triangles, boundsKind);
+            super(vertices, triangles);
         }
 
         /**

@@ -26,16 +26,14 @@ package starlogo.solid
          *
          * @param vertices x, y, z of each; kept, not copied
          * @param triangles three vertex indices each; null if the vertices are the items; kept, not copied
-         * @param boundsKind the kind of the nodes' structures
          * @param minVerticesToSplit a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int, minVerticesToSplit:int,
-                maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
+        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
         {
-            _hierarchy = new SolidHierarchy(vertices, triangles, boundsKind);
+            _hierarchy = new SolidHierarchy(vertices, triangles);
             _builder = new HierarchyBuilder(_hierarchy, minVerticesToSplit, maxDepth, splitByMean);
             add(_builder);
             if (preparesExact && triangles != null)

@@ -49,7 +49,6 @@ package starlogo.solid
 
         // Whether triangles decide about leaves, and whether the nodes visited are boxes.
         private var _isExact:Boolean;
-        private var _areBoxes:Boolean;
 
         // A node that stands for a structure.
         private var _leaf:HierarchyNode = new HierarchyNode();
@@ -144,8 +143,6 @@ package starlogo.solid
                 placementB:Placement, depthB:int, exact:Boolean):void
         {
             _isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
-            var kindB:int = b == null ? structureB.kind : b.boundsKind;
-            _areBoxes = _isExact ? b != null || kindB == BoundingStructure.BOX : a.boundsKind == BoundingStructure.BOX && kindB == BoundingStructure.BOX;
             // Writing an object to a field costs Adobe's VM more than comparing it first.
             if (_a !== a)
             {
@@ -189,12 +186,9 @@ package starlogo.solid
             if (b != null)
             {
                 second = b.root;
-                if (decider != null || a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
-                {
-                    traversal = pose.isUpright ? _uprightBoxes : _boxes;
-                }
+                traversal = pose.isUpright ? _uprightBoxes : _boxes;
             }
-            else if (structureB.kind == BoundingStructure.BOX && (decider != null || a.boundsKind == BoundingStructure.BOX))
+            else if (structureB.kind == BoundingStructure.BOX)
             {
                 traversal = _boxAndBoxes;
                 second = _boxLeaf;
@@ -292,7 +286,7 @@ package starlogo.solid
             }
             else
             {
-                var traversal:DistanceTraversal = _areBoxes && _b != null ? _boxDistances : _structureDistances;
+                var traversal:DistanceTraversal = _b != null ? _boxDistances : _structureDistances;
                 traversal.find(_a.root, _depthA, rootB, _depthB, null);
                 traversal.writePoints(out);
             }
@@ -378,7 +372,7 @@ package starlogo.solid
         private function findFirst():Boolean
         {
             _decider = null;
-            _first = _areBoxes && _b != null ? _sweptBoxes : _sweptStructures;
+            _first = _b != null ? _sweptBoxes : _sweptStructures;
             if (_isExact && _b == null)
             {
                 _triangles.begin(_a, _leaf.structure, _pose, _pose.motion);

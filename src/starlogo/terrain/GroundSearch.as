@@ -131,7 +131,7 @@ package starlogo.terrain
             {
                 return;
             }
-            var structure:BoundingStructure = structureOf(node);
+            var structure:BoundingStructure = node.writeBox(_box);
             if (node.cutoffLevel < _depth)
             {
                 beginFaces(structure);
@@ -176,12 +176,6 @@ package starlogo.terrain
         private function isDone():Boolean
         {
             return _isFound && _goal == TIME && _best == 0;
-        }
-
-        // The structure around a node and its descendants.
-        private function structureOf(node:HierarchyNode):BoundingStructure
-        {
-            return _tree.boundsKind == BoundingStructure.BOX ? node.writeBox(_box) : node.cover || node.bounds;
         }
 
         protected function heightAt(x:Number, y:Number):Number

@@ -5,7 +5,6 @@ package starlogo.collision
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
@@ -24,12 +23,11 @@ package starlogo.collision
     {
         public static const FIXTURES:Array = ["/assets/kelp.obj", "/assets/fortress.obj", "/assets/bear.obj", "/assets/spaceship.obj", "/assets/tree.obj"];
 
-        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
         private static const FULL:int = 40;
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, FULL];
 
         private static var sModels:Object;
-        private static var sGreatLands:Array;
+        private static var sGreatLand:GreatLand;
 
         [BeforeClass]
         public static function load():void
@@ -43,20 +41,12 @@ package starlogo.collision
             {
                 sModels[address] = new ObjModel(address, Fixtures.text(address));
             }
-            sGreatLands = [];
-            for (var i:int = 0; i <= KINDS.length; i++)
+            sGreatLand = new GreatLand();
+            sGreatLand.orientedBoxDegIncrement = 45;
+            sGreatLand.hierarchies.maxDepth = FULL;
+            for each (model in sModels)
             {
-                var greatLand:GreatLand = new GreatLand();
-                greatLand.orientedBoxDegIncrement = 45;
-                greatLand.hierarchies.maxDepth = FULL;
-                // the last one has all kinds
-                var next:int = i;
-                for each (model in sModels)
-                {
-                    greatLand.hierarchies.boundsKind = KINDS[i < KINDS.length ? i : next++ % KINDS.length];
-                    greatLand.addModel(model);
-                }
-                sGreatLands.push(greatLand);
+                sGreatLand.addModel(model);
             }
         }
 
@@ -64,40 +54,22 @@ package starlogo.collision
         public static function forget():void
         {
             sModels = null;
-            sGreatLands = null;
+            sGreatLand = null;
         }
 
         [Test]
-        public function nestsOfBoxes():void
+        public function nests():void
         {
-            checkNests(0, 901);
+            checkNests(901);
         }
 
-        [Test]
-        public function nestsOfSpheres():void
-        {
-            checkNests(1, 902);
-        }
-
-        [Test]
-        public function nestsOfCapsules():void
-        {
-            checkNests(2, 903);
-        }
-
-        [Test]
-        public function nestsOfAllKinds():void
-        {
-            checkNests(3, 904);
-        }
-
-        private static function checkNests(land:int, seed:uint):void
+        private static function checkNests(seed:uint):void
         {
             var random:SeededRandom = new SeededRandom(seed);
-            var exact:HierarchicalCollider = new HierarchicalCollider(sGreatLands[land]);
+            var exact:HierarchicalCollider = new HierarchicalCollider(sGreatLand);
             exact.exact = true;
-            var tightest:TightestFitCollider = new TightestFitCollider(sGreatLands[land]);
-            var everyDepth:EveryDepth = new EveryDepth(sGreatLands[land], DEPTHS);
+            var tightest:TightestFitCollider = new TightestFitCollider(sGreatLand);
+            var everyDepth:EveryDepth = new EveryDepth(sGreatLand, DEPTHS);
             var inside:int = 0;
             var meeting:int = 0;
             var count:int = Effort.choose(70, 300);

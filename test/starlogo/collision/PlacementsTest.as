@@ -3,7 +3,6 @@ package starlogo.collision
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.models.Model;
     import support.Effort;
     import support.EveryDepth;
@@ -34,7 +33,7 @@ package starlogo.collision
         public function tightestFitsMissNothing():void
         {
             readModels();
-            var tally:PlacementTally = tallyOf("tightest fits", new TightestFitCollider(load(true, FULL, BoundingStructure.BOX, true)));
+            var tally:PlacementTally = tallyOf("tightest fits", new TightestFitCollider(load(true, FULL, true)));
             assertEquals("missed", 0, tally.missed);
             assertTrue("enough meet, enough don't", tally.found > 2000 && tally.falseHits + tally.apart > 2000);
         }
@@ -69,24 +68,10 @@ package starlogo.collision
         }
 
         [Test]
-        public function hierarchiesOfSpheresMissNothing():void
-        {
-            readModels();
-            checkKind(BoundingStructure.SPHERE, "spheres");
-        }
-
-        [Test]
-        public function hierarchiesOfCapsulesMissNothing():void
-        {
-            readModels();
-            checkKind(BoundingStructure.CAPSULE, "capsules");
-        }
-
-        [Test]
         public function exactHierarchiesAreTheModels():void
         {
             readModels();
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, FULL, BoundingStructure.BOX, true));
+            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, FULL, true));
             collider.exact = true;
             var wrong:Array = [];
             var inside:int = 0;
@@ -111,7 +96,7 @@ package starlogo.collision
         public function allFindWhatExactOnesFind():void
         {
             readModels();
-            var greatLand:GreatLand = load(true, FULL, BoundingStructure.BOX, true);
+            var greatLand:GreatLand = load(true, FULL, true);
             var exact:HierarchicalCollider = new HierarchicalCollider(greatLand);
             var tightest:TightestFitCollider = new TightestFitCollider(greatLand);
             var everyDepth:EveryDepth = new EveryDepth(greatLand, DEPTHS.concat(FULL));
@@ -155,21 +140,9 @@ package starlogo.collision
             }
         }
 
-        private static function checkKind(kind:int, name:String):void
+        private static function load(triangles:Boolean, maxDepth:int, loadTightestFit:Boolean = false):GreatLand
         {
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, Effort.choose(7, 10), kind));
-            // what the first levels miss, deeper ones miss too
-            for each (var depth:int in Effort.isFull ? [5, 10] : [10])
-            {
-                collider.maxDepth = depth;
-                assertEquals("missed at depth " + depth, 0, tallyOf(name + ", depth " + depth, collider, Effort.choose(6, 1)).missed);
-            }
-        }
-
-        private static function load(triangles:Boolean, maxDepth:int, kind:int = BoundingStructure.BOX,
-                loadTightestFit:Boolean = false):GreatLand
-        {
-            var key:String = [triangles, maxDepth, kind, loadTightestFit].join();
+            var key:String = [triangles, maxDepth, loadTightestFit].join();
             if (key == sLoadedKey)
             {
                 return sLoaded;
@@ -177,7 +150,6 @@ package starlogo.collision
             var greatLand:GreatLand = new GreatLand();
             greatLand.loadTightestFit = loadTightestFit;
             greatLand.orientedBoxDegIncrement = 45;
-            greatLand.hierarchies.boundsKind = kind;
             greatLand.hierarchies.maxDepth = maxDepth;
             for each (var model:Model in sModels)
             {

@@ -11,7 +11,6 @@ package starlogo.collision
     import support.BruteForce;
     import support.RandomWorlds;
     import evaluation.pairs.SeededRandom;
-    import starlogo.search.StructureTests;
     import support.TransformedStructure;
     import support.agentAt;
     import support.assertThrows;
@@ -21,21 +20,15 @@ package starlogo.collision
         private static const SHAPES:Array = ["ball", "wall", "pole", "brick"];
 
         private static var sGreatLand:GreatLand;
-        private static var sThorough:GreatLand;
 
         [BeforeClass]
         public static function load():void
         {
             sGreatLand = new GreatLand();
-            sThorough = new GreatLand();
-            sThorough.loadAllBoundingStructures = true;
-            for each (var greatLand:GreatLand in [sGreatLand, sThorough])
-            {
-                greatLand.addModel(new Model("ball", BuiltInModel.sphere().vertices));
-                greatLand.addModel(box("wall", 1, 0.05, 2));
-                greatLand.addModel(pole());
-                greatLand.addModel(box("brick", 1, 0.6, 0.4));
-            }
+            sGreatLand.addModel(new Model("ball", BuiltInModel.sphere().vertices));
+            sGreatLand.addModel(box("wall", 1, 0.05, 2));
+            sGreatLand.addModel(pole());
+            sGreatLand.addModel(box("brick", 1, 0.6, 0.4));
         }
 
         [Test]
@@ -59,44 +52,6 @@ package starlogo.collision
         public function farOutIsLikeBruteForce():void
         {
             compareWithBruteForce(sGreatLand, "far out", 203);
-        }
-
-        // Far from the origin, where spheres and capsules that were never moved would meet each other.
-        [Test]
-        public function preliminaryTestsSpareBoxTests():void
-        {
-            // two plates on the ground, turned by 45 degrees, corner to corner
-            var walls:Vector.<Agent> = new <Agent>[agentAt("wall", 500, 300, 7), agentAt("wall", 501.8, 301.8, 7)];
-            walls[0].roll = walls[1].roll = 90;
-            walls[0].heading = walls[1].heading = 45;
-            var collider:TightestFitCollider = new TightestFitCollider(sThorough);
-            assertEquals("their extents overlap, the spheres don't", "1 0 0", testsOf(collider, walls));
-            collider.structureTests.spheresFirst = false;
-            assertEquals("0 0 1", testsOf(collider, walls));
-            collider.structureTests.capsulesFirst = true;
-            assertEquals("the capsules don't either", "0 1 0", testsOf(collider, walls));
-            // upright, one close behind the other
-            walls[0].roll = walls[1].roll = 0;
-            walls[0].size = walls[1].size = 3;
-            walls[1].moveTo(499.78, 300.22, 7);
-            collider.structureTests.spheresFirst = true;
-            assertEquals("1 1 1", testsOf(collider, walls));
-            assertEquals(0, collider.statistics.collisions);
-            walls[1].moveTo(499.95, 300.05, 7);
-            assertEquals("1 1 1", testsOf(collider, walls));
-            assertEquals(1, collider.statistics.collisions);
-            var poleAndWall:Vector.<Agent> = new <Agent>[agentAt("pole", 500.3, 300, 7), walls[0]];
-            collider.findCollisions(poleAndWall);
-            assertEquals("one of them is a box", "1 1 1", [collider.statistics.sphereSphereTests, collider.statistics.capsuleCapsuleTests, collider.statistics.capsuleBoxTests].join(" "));
-        }
-
-        [Test]
-        public function preliminaryCapsulesChangeNoAnswer():void
-        {
-            compareWithBruteForce(sThorough, "scattered", 211, function(tests:StructureTests):void
-                {
-                    tests.capsulesFirst = true;
-                });
         }
 
         [Test]
@@ -126,14 +81,10 @@ package starlogo.collision
         }
 
         // The reference puts clones through scale, rotate and translate, one pair at a time, and has no bins.
-        private function compareWithBruteForce(greatLand:GreatLand, kind:String, seed:uint, configure:Function = null):void
+        private function compareWithBruteForce(greatLand:GreatLand, kind:String, seed:uint):void
         {
             var random:SeededRandom = new SeededRandom(seed);
             var collider:TightestFitCollider = new TightestFitCollider(greatLand);
-            if (configure != null)
-            {
-                configure(collider.structureTests);
-            }
             var collisions:int = 0;
             var possible:int = 0;
             var boxTests:int = 0;
@@ -174,13 +125,6 @@ package starlogo.collision
         private static function worldStructure(greatLand:GreatLand, agent:Agent):BoundingStructure
         {
             return TransformedStructure.of(greatLand.boundingStructures.tightestFit(agent.shape), agent);
-        }
-
-        private static function testsOf(collider:TightestFitCollider, agents:Vector.<Agent>):String
-        {
-            collider.findCollisions(agents);
-            var statistics:CollisionStatistics = collider.statistics;
-            return [statistics.sphereSphereTests, statistics.capsuleCapsuleTests, statistics.boxBoxTests].join(" ");
         }
 
         private static function box(name:String, x:Number, y:Number, z:Number):Model

@@ -8,7 +8,6 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.search.BreedInterests;
-    import starlogo.search.StructureTests;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -409,10 +408,8 @@ package starlogo.collision
         [Test]
         public function settingsChange():void
         {
-            changeStructureTests();
             sGreatLand.loadAllBoundingStructures = false;
             sGreatLand.addModel(BuiltInModel.cube());
-            changeStructureTests();
             sGreatLand.loadAllBoundingStructures = true;
             sGreatLand.addModel(BuiltInModel.cube());
             check("max depth changed", HIERARCHIES, function():void
@@ -607,32 +604,6 @@ package starlogo.collision
             sGreatLand.expectNoMore("later");
         }
 
-        private function changeStructureTests():void
-        {
-            check("structure tests changed", STRUCTURES, function():void
-                {
-                    var tests:StructureTests = testsOf(_kept);
-                    if (tests != null)
-                    {
-                        tests.boxFacesOnly = !tests.boxFacesOnly;
-                        tests.spheresFirst = _random.chance();
-                        tests.capsulesFirst = _random.chance();
-                    }
-                }, null, function():void
-                {
-                    // what edges alone separate
-                    for each (var agent:Agent in _agents)
-                    {
-                        agent.shape = "cube";
-                        agent.pitch = _random.between(0, 360);
-                        agent.roll = _random.between(0, 360);
-                        agent.hierarchical = false;
-                        agent.moveTo(agent.x * 0.7, agent.y * 0.7, agent.z * 2);
-                    }
-                });
-        }
-
-        // As check, with what happens to about every second agent.
         private function each(cause:String, changed:Array, change:Function, interests:Function = null):void
         {
             check(cause, changed, function():void
@@ -791,21 +762,6 @@ package starlogo.collision
                 TreeCollider(_younger).exact = precise.exact;
                 TreeCollider(_younger).maxDepth = precise.maxDepth;
             }
-            var tests:StructureTests = testsOf(_kept);
-            if (tests != null)
-            {
-                var copy:StructureTests = testsOf(_younger);
-                copy.boxFacesOnly = tests.boxFacesOnly;
-                copy.spheresFirst = tests.spheresFirst;
-                copy.capsulesFirst = tests.capsulesFirst;
-            }
-        }
-
-        private static function testsOf(collider:Collider):StructureTests
-        {
-            var tightest:TightestFitCollider = collider as TightestFitCollider;
-            var combination:CombinationCollider = collider as CombinationCollider;
-            return tightest != null ? tightest.structureTests : (combination != null ? combination.structureTests : null);
         }
 
         private static function bearsAndBalls():BreedInterests

@@ -115,26 +115,22 @@ package starlogo.debug
         [Test]
         public function aLevelIsItsNodesAndTheLeavesAbove():void
         {
-            for each (var kind:int in [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE])
+            var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
+            var model:Model = BuiltInModel.cylinder();
+            hierarchies.add("cylinder", model.vertices, model.triangles);
+            var leaves:int = 0;
+            for (var level:int = 1; level <= 11; level++)
             {
-                var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
-                hierarchies.boundsKind = kind;
-                var model:Model = BuiltInModel.cylinder();
-                hierarchies.add("cylinder", model.vertices, model.triangles);
-                var leaves:int = 0;
-                for (var level:int = 1; level <= 11; level++)
+                var nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+                leaves += collect(hierarchies.root("cylinder"), level, nodes);
+                var expected:Vector.<Number> = new Vector.<Number>();
+                for each (var node:HierarchyNode in nodes)
                 {
-                    var nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
-                    leaves += collect(hierarchies.root("cylinder"), level, nodes);
-                    var expected:Vector.<Number> = new Vector.<Number>();
-                    for each (var node:HierarchyNode in nodes)
-                    {
-                        Wireframes.ofStructure(node.bounds, expected);
-                    }
-                    assertEquals(expected.join(), Wireframes.ofLevel(hierarchies.root("cylinder"), level).join());
+                    Wireframes.ofStructure(node.bounds, expected);
                 }
-                assertTrue("some leaves are above a level: " + leaves, leaves > 0);
+                assertEquals(expected.join(), Wireframes.ofLevel(hierarchies.root("cylinder"), level).join());
             }
+            assertTrue("some leaves are above a level: " + leaves, leaves > 0);
         }
 
         // From left to right; returns how many are leaves above the level.

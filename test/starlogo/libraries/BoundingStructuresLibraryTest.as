@@ -11,7 +11,6 @@ package starlogo.libraries
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.fitting.AxisAlignedBoxFitter;
-    import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.CylinderFitter;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.NaiveSphereFitter;
@@ -36,21 +35,6 @@ package starlogo.libraries
             // a capsule of radius 0.2 and length 2
             _stick = PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, -1).concat(
                     PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, 1));
-        }
-
-        [Test]
-        public function prefersCheaperTestsWithinTheFactor():void
-        {
-            _library.cheaperTestsFactor = 2.8;
-            _library.add("cube", _cube);
-            assertTrue("2.721", _library.tightestFit("cube") is Sphere);
-            _library.cheaperTestsFactor = 2.7;
-            _library.add("cube", _cube);
-            assertTrue(_library.tightestFit("cube") is Box);
-            _library.fitters = new <Fitter>[new AxisAlignedBoxFitter(), new CapsuleFitter(new AxisAlignedBoxFitter())];
-            _library.cheaperTestsFactor = 3.06;
-            _library.add("cube", _cube);
-            assertTrue(_library.tightestFit("cube") is Capsule);
         }
 
         [Test]
@@ -179,14 +163,9 @@ package starlogo.libraries
         [Test]
         public function optionsAreChecked():void
         {
-            for each (var factor:Number in [0.99, 0, -1, NaN, Infinity])
-            {
-                assertRefused(setFactor, [factor], "factor");
-            }
             assertRefused(setIncrement, [0], "increment");
             assertRefused(_library.add, [null, _cube], "name");
             assertRefused(_library.add, ["", _cube], "name");
-            assertEquals(1, _library.cheaperTestsFactor);
             assertEquals(10, _library.orientedBoxDegIncrement);
         }
 
@@ -194,11 +173,6 @@ package starlogo.libraries
         private static function assertNear(expected:Number, actual:Number):void
         {
             assertTrue(String(actual), actual >= expected && actual <= expected * (1 + 3e-13));
-        }
-
-        private function setFactor(value:Number):void
-        {
-            _library.cheaperTestsFactor = value;
         }
 
         private function setIncrement(value:Number):void

@@ -6,7 +6,6 @@ package starlogo.libraries
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.solid.SolidHierarchyBuilder;
@@ -20,7 +19,6 @@ package starlogo.libraries
 
     public class HierarchiesLibraryTest
     {
-        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
 
         private var _library:HierarchiesLibrary;
 
@@ -137,7 +135,6 @@ package starlogo.libraries
                 _library.minVerticesToSplit = random.integer(1, 8);
                 _library.maxDepth = random.integer(1, 14);
                 _library.splitByMean = random.chance();
-                _library.boundsKind = random.pick(KINDS);
                 add("soup", vertices);
                 add("soup", vertices, triangles);
             }
@@ -198,9 +195,7 @@ package starlogo.libraries
                 assertThrows(RangeError, new RegExp("maxDepth.*" + value), set , "maxDepth", value);
                 assertThrows(RangeError, new RegExp("minVerticesToSplit.*" + value), set , "minVerticesToSplit", value);
             }
-            assertThrows(ArgumentError, /boundsKind/, set , "boundsKind", BoundingStructure.CYLINDER);
-            assertThrows(ArgumentError, /boundsKind/, set , "boundsKind", -1);
-            assertEquals("10 5 " + BoundingStructure.BOX, [_library.maxDepth, _library.minVerticesToSplit, _library.boundsKind].join(" "));
+            assertEquals("10 5", [_library.maxDepth, _library.minVerticesToSplit].join(" "));
             _library.add("a", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0]);
 
             function set (name:String, value:int):void

@@ -6,7 +6,6 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
@@ -29,10 +28,9 @@ package starlogo.queries
     {
         public static const FIXTURES:Array = ["/assets/kelp.obj", "/assets/bear.obj"];
 
-        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
         private static const PRECISION:Number = 1e-12;
 
-        private static var sGreatLands:Array;
+        private static var sGreatLand:GreatLand;
         private static var sNames:Array;
 
         private var _random:SeededRandom = new SeededRandom(2222);
@@ -42,7 +40,6 @@ package starlogo.queries
         [BeforeClass]
         public static function load():void
         {
-            sGreatLands = [];
             sNames = [];
             var models:Array = SolidModels.all().concat(BuiltInModel.cylinder());
             models.push(new ObjModel("kelp", Fixtures.text(FIXTURES[0])), new ObjModel("bear", Fixtures.text(FIXTURES[1])), cloud());
@@ -50,30 +47,24 @@ package starlogo.queries
             {
                 sNames.push(model.name);
             }
-            for each (var kind:int in KINDS)
+            sGreatLand = new GreatLand();
+            sGreatLand.orientedBoxDegIncrement = 45;
+            for each (model in models)
             {
-                var greatLand:GreatLand = new GreatLand();
-                greatLand.orientedBoxDegIncrement = 45;
-                greatLand.hierarchies.boundsKind = kind;
-                for each (model in models)
-                {
-                    greatLand.addModel(model);
-                }
-                sGreatLands.push(greatLand);
+                sGreatLand.addModel(model);
             }
         }
 
         [AfterClass]
         public static function forget():void
         {
-            sGreatLands = null;
+            sGreatLand = null;
         }
 
         [Test]
         public function structures():void
         {
-            var greatLand:GreatLand = sGreatLands[0];
-            for each (var choice:ShapeChoice in [new UnitSpheres(greatLand), new TightestFits(greatLand)])
+            for each (var choice:ShapeChoice in [new UnitSpheres(sGreatLand), new TightestFits(sGreatLand)])
             {
                 var asked:AskedDistance = new AskedDistance(choice, new RowPairs(choice));
                 for (var i:int = 0; i < Effort.choose(400, 20000); i++)
@@ -87,37 +78,30 @@ package starlogo.queries
         [Test]
         public function trees():void
         {
-            for each (var greatLand:GreatLand in sGreatLands)
+            var choice:ShapeChoice = new Trees(sGreatLand);
+            var pairs:RowPairs = new RowPairs(choice);
+            var asked:AskedDistance = new AskedDistance(choice, pairs);
+            var reference:DistanceReference = new DistanceReference(sGreatLand);
+            for (var i:int = 0; i < Effort.choose(180, 9000); i++)
             {
-                var choice:ShapeChoice = new Trees(greatLand);
-                var pairs:RowPairs = new RowPairs(choice);
-                var asked:AskedDistance = new AskedDistance(choice, pairs);
-                var reference:DistanceReference = new DistanceReference(greatLand);
-                for (var i:int = 0; i < Effort.choose(60, 3000); i++)
+                pairs.trees.maxDepth = _random.integer(1, 6);
+                var a:Agent = agent();
+                var b:Agent = agent();
+                if (_random.chance(0.3))
                 {
-                    pairs.trees.maxDepth = _random.integer(1, 6);
-                    var a:Agent = agent();
-                    var b:Agent = agent();
-                    if (_random.chance(0.3))
-                    {
-                        b.traversalDepth = _random.integer(1, 8);
-                    }
-                    check(asked, a, b, "pair " + i);
-                    if (!asked.areTouching)
-                    {
-                        var depthB:int = b.traversalDepth || pairs.trees.maxDepth;
-                        var least:Number = greatLand === sGreatLands[0] ? reference.ofNodes(a, pairs.trees.maxDepth, b, depthB)
-                            : reference.ofBranchesTo(a, pairs.trees.maxDepth, b, depthB);
-                        assertNear("pair " + i, least, asked.closest.distance, a, b);
-                    }
-                    if (greatLand === sGreatLands[0])
-                    {
-                        var slack:Number = PRECISION * sizeOf(a, b);
-                        var offA:Number = reference.fromNodes(a, pairs.trees.maxDepth, asked.pointA);
-                        var offB:Number = reference.fromNodes(b, b.traversalDepth || pairs.trees.maxDepth, asked.pointB);
-                        assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, slack));
-                    }
+                    b.traversalDepth = _random.integer(1, 8);
                 }
+                check(asked, a, b, "pair " + i);
+                if (!asked.areTouching)
+                {
+                    var depthB:int = b.traversalDepth || pairs.trees.maxDepth;
+                    var least:Number = reference.ofNodes(a, pairs.trees.maxDepth, b, depthB);
+                    assertNear("pair " + i, least, asked.closest.distance, a, b);
+                }
+                var slack:Number = PRECISION * sizeOf(a, b);
+                var offA:Number = reference.fromNodes(a, pairs.trees.maxDepth, asked.pointA);
+                var offB:Number = reference.fromNodes(b, b.traversalDepth || pairs.trees.maxDepth, asked.pointB);
+                assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, slack));
             }
             assertMixed();
         }
@@ -125,12 +109,11 @@ package starlogo.queries
         [Test]
         public function triangles():void
         {
-            var greatLand:GreatLand = sGreatLands[0];
-            var choice:ShapeChoice = new Trees(greatLand);
+            var choice:ShapeChoice = new Trees(sGreatLand);
             var pairs:RowPairs = new RowPairs(choice);
             pairs.trees.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
-            var reference:DistanceReference = new DistanceReference(greatLand);
+            var reference:DistanceReference = new DistanceReference(sGreatLand);
             for (var i:int = 0; i < Effort.choose(60, 3000); i++)
             {
                 var a:Agent = agent(["sphere", "cube"].concat(SolidModels.NAMES));

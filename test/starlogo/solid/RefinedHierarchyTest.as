@@ -5,7 +5,6 @@ package starlogo.solid
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
@@ -23,7 +22,6 @@ package starlogo.solid
     {
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/fortress.obj", "/assets/dragon.dae"];
 
-        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
         private static const MOST:int = 4;
 
         [Test]
@@ -31,13 +29,10 @@ package starlogo.solid
         {
             for each (var model:Model in models())
             {
-                for each (var kind:int in KINDS)
-                {
-                    var hierarchy:SolidHierarchy = hierarchyOf(model, kind, 6);
-                    var before:String = describe(hierarchy.root);
-                    hierarchy.prepare();
-                    assertEquals(model.name, before, describe(hierarchy.root));
-                }
+                var hierarchy:SolidHierarchy = hierarchyOf(model, 6);
+                var before:String = describe(hierarchy.root);
+                hierarchy.prepare();
+                assertEquals(model.name, before, describe(hierarchy.root));
             }
         }
 
@@ -46,7 +41,7 @@ package starlogo.solid
         {
             for each (var model:Model in models())
             {
-                var hierarchy:SolidHierarchy = hierarchyOf(model, BoundingStructure.BOX, 4);
+                var hierarchy:SolidHierarchy = hierarchyOf(model, 4);
                 hierarchy.prepare();
                 var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.order.length, true);
                 for each (var triangle:int in hierarchy.order)
@@ -67,7 +62,7 @@ package starlogo.solid
             {
                 triangles.push(0, 1, 2);
             }
-            var hierarchy:SolidHierarchy = hierarchyOf(new Model("pile", vertices, triangles), BoundingStructure.BOX, 10);
+            var hierarchy:SolidHierarchy = hierarchyOf(new Model("pile", vertices, triangles), 10);
             assertTrue(hierarchy.root.isLeaf);
             hierarchy.prepare();
             assertTrue(hierarchy.root.isLeaf);
@@ -144,9 +139,9 @@ package starlogo.solid
             return /obj$/.test(address) ? new ObjModel("bear", Fixtures.text(address)) : new ColladaModel("dragon", Fixtures.text(address));
         }
 
-        private static function hierarchyOf(model:Model, kind:int, maxDepth:int):SolidHierarchy
+        private static function hierarchyOf(model:Model, maxDepth:int):SolidHierarchy
         {
-            return new SolidHierarchyBuilder(model.vertices, model.triangles, kind, 5, maxDepth, false).finished;
+            return new SolidHierarchyBuilder(model.vertices, model.triangles, 5, maxDepth, false).finished;
         }
     }
 }

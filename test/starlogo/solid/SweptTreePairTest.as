@@ -59,19 +59,13 @@ package starlogo.solid
         [Test]
         public function boxes():void
         {
-            checkTrees(301, [BoundingStructure.BOX], false);
-        }
-
-        [Test]
-        public function allKindsOfNodes():void
-        {
-            checkTrees(302, KINDS, false);
+            checkTrees(301, false);
         }
 
         [Test]
         public function triangles():void
         {
-            checkTrees(303, KINDS, true);
+            checkTrees(303, true);
         }
 
         [Test]
@@ -82,24 +76,24 @@ package starlogo.solid
             var count:int = Effort.choose(150, 3000);
             for (var i:int = 0; i < count; i++)
             {
-                var a:SolidHierarchy = hierarchyOf(randomModel(), _random.pick(KINDS));
+                var a:SolidHierarchy = hierarchyOf(randomModel());
                 var structure:BoundingStructure = shapes.ofKind(_random.pick(KINDS), 0.5, 0.5);
                 checkMotion("structure " + i, a, _random.integer(1, 7), null, 0, structure, false);
             }
             report("structures");
         }
 
-        private function checkTrees(seed:int, kinds:Array, exact:Boolean):void
+        private function checkTrees(seed:int, exact:Boolean):void
         {
             begun(seed);
             var count:int = Effort.choose(exact ? 100 : 120, 3000);
             for (var i:int = 0; i < count; i++)
             {
-                var a:SolidHierarchy = hierarchyOf(randomModel(), _random.pick(kinds));
-                var b:SolidHierarchy = hierarchyOf(randomModel(), _random.pick(kinds));
+                var a:SolidHierarchy = hierarchyOf(randomModel());
+                var b:SolidHierarchy = hierarchyOf(randomModel());
                 checkMotion("trees " + i, a, _random.integer(1, 7), b, _random.integer(1, 7), null, exact);
             }
-            report(kinds + (exact ? ", exact" : ""));
+            report(exact ? "trees, exact" : "trees");
         }
 
         private function begun(seed:int):void
@@ -207,17 +201,15 @@ package starlogo.solid
             return _random.pick(sModels);
         }
 
-        private static function hierarchyOf(model:Model, kind:int):SolidHierarchy
+        private static function hierarchyOf(model:Model):SolidHierarchy
         {
-            var key:String = model.name + " " + kind;
-            sHierarchies[key] ||= built(model, kind);
-            return sHierarchies[key];
+            sHierarchies[model.name] ||= built(model);
+            return sHierarchies[model.name];
         }
 
-        private static function built(model:Model, kind:int):SolidHierarchy
+        private static function built(model:Model):SolidHierarchy
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
-            library.boundsKind = kind;
             library.add(model.name, model.vertices, model.triangles);
             return library.hierarchy(model.name);
         }

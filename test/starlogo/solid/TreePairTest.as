@@ -30,8 +30,6 @@ package starlogo.solid
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
-        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
-
         private static var sHierarchies:Object;
 
         private var _pair:TreePair = new TreePair();
@@ -56,10 +54,7 @@ package starlogo.solid
             {
                 for each (var giant:Number in [1, 1e3, 1e6])
                 {
-                    for each (var kind:int in KINDS)
-                    {
-                        checkSpeck(random, size, giant, hierarchyOf(BuiltInModel.cube(), kind), hierarchyOf(BuiltInModel.sphere(), kind));
-                    }
+                    checkSpeck(random, size, giant, hierarchyOf(BuiltInModel.cube()), hierarchyOf(BuiltInModel.sphere()));
                 }
             }
         }
@@ -74,8 +69,8 @@ package starlogo.solid
             var uprightBoxes:UprightBoxTraversal = new UprightBoxTraversal(pose);
             var structures:StructureTraversal = new StructureTraversal(pose, false);
             var upright:int = 0;
-            var bear:Hierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])), BoundingStructure.BOX);
-            var ball:Hierarchy = hierarchyOf(BuiltInModel.sphere(), BoundingStructure.BOX);
+            var bear:Hierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var ball:Hierarchy = hierarchyOf(BuiltInModel.sphere());
             var count:int = Effort.choose(1000, 30000);
             var hits:int = 0;
             for (var i:int = 0; i < count; i++)
@@ -114,7 +109,7 @@ package starlogo.solid
             // two walls far apart, and nothing between them
             library.add("walls", new <Number>[-0.5, -0.5, 0, -0.5, 0.5, 0, -0.5, 0, 1, 0.5, -0.5, 0, 0.5, 0.5, 0, 0.5, 0, 1], new <uint>[0, 1, 2, 3, 4, 5]);
             var walls:SolidHierarchy = library.hierarchy("walls");
-            var speck:SolidHierarchy = hierarchyOf(BuiltInModel.sphere(), BoundingStructure.BOX);
+            var speck:SolidHierarchy = hierarchyOf(BuiltInModel.sphere());
             var large:Placement = placed(1e6, 0, 0, 0);
             var small:Placement = placed(1e-6, 0, 0, 0.5e6);
             assertTrue("one box", treesOverlap(walls, large, 1, speck, small, 9, false));
@@ -130,11 +125,6 @@ package starlogo.solid
                     [0.50001, 0.1, 0.3, false, true], [5, 4, 3, false, false]];
             for each (var place:Array in places)
             {
-                if (!place[3] && place[4] && cube.boundsKind != BoundingStructure.BOX)
-                {
-                    // spheres and capsules reach farther than the model
-                    continue;
-                }
                 var heading:Number = random.pick([0, 90, 180]);
                 var large:Placement = placed(giant, 0, 0, 0);
                 large.setRotation(0, 0, 0);
@@ -196,17 +186,15 @@ package starlogo.solid
             return placement;
         }
 
-        private static function hierarchyOf(model:Model, kind:int):SolidHierarchy
+        private static function hierarchyOf(model:Model):SolidHierarchy
         {
-            var key:String = model.name + " " + kind;
-            sHierarchies[key] ||= built(model, kind);
-            return sHierarchies[key];
+            sHierarchies[model.name] ||= built(model);
+            return sHierarchies[model.name];
         }
 
-        private static function built(model:Model, kind:int):SolidHierarchy
+        private static function built(model:Model):SolidHierarchy
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
-            library.boundsKind = kind;
             library.add(model.name, model.vertices, model.triangles);
             return library.hierarchy(model.name);
         }

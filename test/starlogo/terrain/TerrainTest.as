@@ -304,15 +304,15 @@ package starlogo.terrain
                     function():void
                     {
                         _terrain.setHeight(3, 0, 1);
-                    }, "(3, 0)",
+                    }, "column 3 and row 0",
                     function():void
                     {
                         _terrain.setHeight(0, -1, 1);
-                    }, "(0, -1)",
+                    }, "column 0 and row -1",
                     function():void
                     {
                         _terrain.getHeight(0, 3);
-                    }, "(0, 3)",
+                    }, "column 0 and row 3",
                     function():void
                     {
                         _terrain.setHeights(1, 1, 3, 1, new <Number>[1, 2, 3]);

@@ -72,17 +72,6 @@ package starlogo.intersection.sweep
             startZ = motion.startZ + at * motion.z;
         }
 
-        /** Makes this the way back along another motion. */
-        public function reverse(motion:RelativeMotion):void
-        {
-            startX = motion.startX + motion.x;
-            startY = motion.startY + motion.y;
-            startZ = motion.startZ + motion.z;
-            x = -motion.x;
-            y = -motion.y;
-            z = -motion.z;
-        }
-
         /** Makes this the motion of the other structure while the first one stands still, with the same time. */
         public function turn(motion:RelativeMotion):void
         {

@@ -9,10 +9,9 @@ package starlogo.intersection.sweep
      * @param a moves; half-extents may be 0
      * @param b in the space of a; half-extents may be 0
      * @param motion the motion of a; receives the time, from 0 to 1, or RelativeMotion.NEVER
-     * @param faceAxesOnly leaves out the axes of the edges, as boxBox does
      * @private
      */
-    public function findBoxImpact(a:Box, b:Box, motion:RelativeMotion, faceAxesOnly:Boolean = false):void
+    public function findBoxImpact(a:Box, b:Box, motion:RelativeMotion):void
     {
         var x:Vector3D = b.axisX;
         var y:Vector3D = b.axisY;
@@ -52,7 +51,7 @@ package starlogo.intersection.sweep
         motion.findRounding();
         sweep.gap = motion.rounding;
         sweep.meetFaces();
-        if (sweep.time != RelativeMotion.NEVER && !faceAxesOnly)
+        if (sweep.time != RelativeMotion.NEVER)
         {
             sweep.meetEdges();
         }

@@ -95,12 +95,6 @@ package starlogo.libraries.cooked
             return _nodes;
         }
 
-        /** @inheritDoc */
-        public function get maker():NodeMaker
-        {
-            return _maker;
-        }
-
         // Every item must come exactly once.
         private function readOrder(first:int, end:int):void
         {

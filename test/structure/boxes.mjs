@@ -49,7 +49,7 @@ export const ALLOWED = {
 	'starlogo.collision.Snapshots.read': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Snapshots.Snapshots': { count: 1, why: 'made with a Collision' },
-	'starlogo.queries.FoundRows.keepAccepted': { count: 1, why: 'what a finally throws again' },
+	'starlogo.queries.Collector.ask': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.HandlerCalls.takeTurnsBefore': { count: 2, why: 'what a handler threw' },
 };
 

@@ -40,12 +40,9 @@ package starlogo.queries
     public class AgentQueries
     {
         private var _seen:SeenAgents;
-        private var _places:PlaceQuestions;
-        private var _touches:TouchQuestions;
-        private var _distances:DistanceQuestions;
-        private var _rays:RayQuestions;
-        private var _moves:MoveQuestions;
-        private var _walks:WalkQuestions;
+
+        // By the number of questions under way that call accepts.
+        private var _sets:Vector.<QuestionSet> = new Vector.<QuestionSet>();
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask.
@@ -57,12 +54,7 @@ package starlogo.queries
         public function AgentQueries(collisionOrSystem:Object)
         {
             _seen = new SeenAgents(collisionOrSystem);
-            _places = new PlaceQuestions(_seen);
-            _touches = new TouchQuestions(_seen);
-            _distances = new DistanceQuestions(_seen);
-            _rays = new RayQuestions(_seen);
-            _moves = new MoveQuestions(_seen);
-            _walks = new WalkQuestions(_seen, _moves);
+            _sets.push(new QuestionSet(_seen));
         }
 
         /**
@@ -123,7 +115,7 @@ package starlogo.queries
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             var at:Placement = _seen.placeOf(agent);
-            return _places.list(agent, at.x, at.y, at.z, radius, FoundRows.ALL, filter, out);
+            return ask.places.list(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, out);
         }
 
         /**
@@ -136,7 +128,7 @@ package starlogo.queries
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
             var at:Placement = _seen.placeOf(agent);
-            return _places.count(agent, at.x, at.y, at.z, radius, filter);
+            return ask.places.count(agent, at.x, at.y, at.z, radius, filter);
         }
 
         /**
@@ -151,7 +143,7 @@ package starlogo.queries
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             var at:Placement = _seen.placeOf(agent);
-            return _places.nearest(agent, at.x, at.y, at.z, radius, filter);
+            return ask.places.nearest(agent, at.x, at.y, at.z, radius, filter);
         }
 
         /**
@@ -174,7 +166,7 @@ package starlogo.queries
                 throw new RangeError("count must not be negative: " + count);
             }
             var at:Placement = _seen.placeOf(agent);
-            return _places.list(agent, at.x, at.y, at.z, radius, count, filter, out);
+            return ask.places.list(agent, at.x, at.y, at.z, radius, count, filter, out);
         }
 
         /**
@@ -189,7 +181,7 @@ package starlogo.queries
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requirePoint(point);
-            return _places.list(null, point.x, point.y, point.z, radius, FoundRows.ALL, filter, out);
+            return ask.places.list(null, point.x, point.y, point.z, radius, Collector.ALL, filter, out);
         }
 
         /**
@@ -202,7 +194,7 @@ package starlogo.queries
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
             requirePoint(point);
-            return _places.count(null, point.x, point.y, point.z, radius, filter);
+            return ask.places.count(null, point.x, point.y, point.z, radius, filter);
         }
 
         /**
@@ -216,7 +208,7 @@ package starlogo.queries
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             requirePoint(point);
-            return _places.nearest(null, point.x, point.y, point.z, radius, filter);
+            return ask.places.nearest(null, point.x, point.y, point.z, radius, filter);
         }
 
         /**
@@ -235,7 +227,7 @@ package starlogo.queries
          */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _places.inCone(agent, radius, degrees, filter, out);
+            return ask.places.inCone(agent, radius, degrees, filter, out);
         }
 
         /**
@@ -250,7 +242,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _touches.list(agent, null, filter, out);
+            return ask.touches.list(agent, null, filter, out);
         }
 
         /**
@@ -263,7 +255,7 @@ package starlogo.queries
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
-            return _touches.touchesAny(agent, filter);
+            return ask.touches.touchesAny(agent, filter);
         }
 
         /**
@@ -276,7 +268,7 @@ package starlogo.queries
          */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
-            return _touches.touchesEdge(agent, bounds);
+            return ask.touches.touchesEdge(agent, bounds);
         }
 
         /**
@@ -295,7 +287,7 @@ package starlogo.queries
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
             requireInWorld("a place", x, y, z);
-            return _touches.overlapsAgent(agent, x, y, z, filter);
+            return ask.touches.overlapsAgent(agent, x, y, z, filter);
         }
 
         /**
@@ -313,7 +305,7 @@ package starlogo.queries
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             Body.requireStructure(structure);
-            return _touches.list(null, structure, filter, out);
+            return ask.touches.list(null, structure, filter, out);
         }
 
         /**
@@ -342,8 +334,9 @@ package starlogo.queries
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
-            _distances.find(a, b, pointA, pointB);
-            return _distances.closest.distance;
+            var distances:DistanceQuestions = ask.distances;
+            distances.find(a, b, pointA, pointB);
+            return distances.closest.distance;
         }
 
         /**
@@ -361,8 +354,9 @@ package starlogo.queries
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
         {
             requirePoint(point);
-            _distances.findToPoint(agent, point, out);
-            return _distances.closest.distance;
+            var distances:DistanceQuestions = ask.distances;
+            distances.findToPoint(agent, point, out);
+            return distances.closest.distance;
         }
 
         /**
@@ -393,7 +387,7 @@ package starlogo.queries
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
-            return _rays.cast(origin, direction, maxDistance, filter, hit);
+            return ask.rays.cast(origin, direction, maxDistance, filter, hit);
         }
 
         /**
@@ -412,7 +406,7 @@ package starlogo.queries
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null):Vector.<RayHit>
         {
-            return _rays.castAll(origin, direction, maxDistance, filter, out);
+            return ask.rays.castAll(origin, direction, maxDistance, filter, out);
         }
 
         /**
@@ -426,7 +420,7 @@ package starlogo.queries
          */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
-            return _rays.canSee(a, b, filter);
+            return ask.rays.canSee(a, b, filter);
         }
 
         /**
@@ -450,7 +444,7 @@ package starlogo.queries
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
             Body.requireStructure(structure);
-            return _moves.cast(null, structure, dx, dy, dz, filter, hit);
+            return ask.moves.cast(null, structure, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -472,7 +466,7 @@ package starlogo.queries
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
             Body.requireStructure(structure);
-            return _moves.castAll(null, structure, dx, dy, dz, filter, out);
+            return ask.moves.castAll(null, structure, dx, dy, dz, filter, out);
         }
 
         /**
@@ -491,7 +485,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return _moves.cast(agent, null, dx, dy, dz, filter, hit);
+            return ask.moves.cast(agent, null, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -512,7 +506,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return _moves.castAll(agent, null, dx, dy, dz, filter, out);
+            return ask.moves.castAll(agent, null, dx, dy, dz, filter, out);
         }
 
         /**
@@ -542,7 +536,7 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            return _moves.move(agent, dx, dy, dz, filter, contact, Mover.TOUCH);
+            return ask.moves.move(agent, dx, dy, dz, filter, contact, Mover.TOUCH);
         }
 
         /**
@@ -564,7 +558,7 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            return _moves.move(agent, dx, dy, dz, filter, null, Mover.SLIDE);
+            return ask.moves.move(agent, dx, dy, dz, filter, null, Mover.SLIDE);
         }
 
         /**
@@ -591,7 +585,16 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
             _seen.requireMovable(agent, "walk");
-            return _walks.walk(agent, dx, dy, options, out);
+            return ask.walks.walk(agent, dx, dy, options, out);
+        }
+
+        private function get ask():QuestionSet
+        {
+            if (_seen.asking == _sets.length)
+            {
+                _sets.push(new QuestionSet(_seen));
+            }
+            return _sets[_seen.asking];
         }
 
         private static function requirePoint(point:Vector3D):void

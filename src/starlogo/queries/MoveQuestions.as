@@ -29,8 +29,7 @@ package starlogo.queries
 
         private var _seen:SeenAgents;
 
-        // Hits that no list needs at present.
-        private var _spare:Vector.<ShapeHit> = new Vector.<ShapeHit>();
+        private var _pool:HitPool = new HitPool(ShapeHit);
         private var _single:Vector.<Agent> = new <Agent>[null];
 
         // The first contact on the way, and the place where it stops the body.
@@ -39,13 +38,13 @@ package starlogo.queries
 
         // The rows near the way, all with the distance 0. Then the rows that a cast meets, with their times.
         private var _search:WaySearch = new WaySearch();
-        private var _found:FoundRows;
+        private var _found:Collector;
 
         /** @param seen the agents that questions are about */
         public function MoveQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _found = new FoundRows(seen);
+            _found = new Collector(seen);
         }
 
         /**
@@ -107,7 +106,7 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             var body:Body = begin(agent, structure, dx, dy, dz, filter);
-            _found.begin(FoundRows.ALL, Infinity, null, null);
+            _found.begin(Collector.ALL, Infinity, null, null);
             for (var i:int = 0; i < agents.length; i++)
             {
                 _single[0] = agents[i];
@@ -118,16 +117,9 @@ package starlogo.queries
                 }
             }
             _found.list(agents);
-            while (hits.length > agents.length)
-            {
-                _spare.push(hits.pop());
-            }
+            _pool.fit(hits, agents.length);
             for (i = 0; i < agents.length; i++)
             {
-                if (i == hits.length || hits[i] == null)
-                {
-                    hits[i] = _spare.pop() || new ShapeHit();
-                }
                 _single[0] = agents[i];
                 mover.move(_seen.table, body, _single, way, Mover.SHORT);
                 write(hits[i]);
@@ -151,7 +143,7 @@ package starlogo.queries
                 _seen.placeOf(agent);
             }
             var body:Body = _seen.bodyOfEither(agent, structure);
-            _found.begin(FoundRows.ALL, Infinity, agent, filter);
+            _found.begin(Collector.ALL, Infinity, agent, filter);
             if (body.shape != null)
             {
                 _seen.beginWay(_search, body);
@@ -176,29 +168,26 @@ package starlogo.queries
         // them in the list.
         private function findFirst(body:Body, ending:int):void
         {
-            var first:int = -1;
-            var part:Number = 1;
+            _found.begin(1, Infinity, null, null);
             if (agents.length == 0)
             {
                 mover.move(_seen.table, body, agents, way, ending);
             }
-            for (var i:int = 0; i < agents.length && (first < 0 || part > 0); i++)
+            for (var i:int = 0; i < agents.length && _found.limit > 0; i++)
             {
                 _single[0] = agents[i];
                 mover.move(_seen.table, body, _single, way, ending);
-                if (mover.hasContact && (first < 0 || mover.part < part))
+                if (mover.hasContact && _found.add(mover.contactRow, mover.part))
                 {
-                    first = mover.contactRow;
-                    part = mover.part;
                     _first.copyFrom(mover.contact);
                     _firstAt.copyFrom(mover.at);
                 }
             }
-            if (first >= 0)
+            if (_found.end() > 0)
             {
                 mover.hasContact = true;
-                mover.contactRow = first;
-                mover.part = part;
+                mover.contactRow = _found.rows[0];
+                mover.part = _found.limit;
                 mover.contact.copyFrom(_first);
                 mover.at.copyFrom(_firstAt);
             }
@@ -208,7 +197,7 @@ package starlogo.queries
         {
             for (var other:int = _search.next(); other >= 0; other = _search.next())
             {
-                if (_found.wants(other))
+                if (_found.admits(other))
                 {
                     _found.add(other, 0);
                 }

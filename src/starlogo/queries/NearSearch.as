@@ -11,9 +11,9 @@ package starlogo.queries
     public final class NearSearch
     {
         private var _tree:RowTree;
-        private var _found:FoundRows;
+        private var _found:Collector;
 
-        // Whether all rows are wanted, but only their number. Then a node that is inside the limit is counted as a whole.
+        // Whether all rows in the limit count. Then a node that is inside the limit is counted as a whole.
         private var _countsNodes:Boolean = false;
         private var _x:Number = 0;
         private var _y:Number = 0;
@@ -37,21 +37,30 @@ package starlogo.queries
          * @param z the place
          * @param found says which rows are wanted, and collects them unsorted
          */
-        public function find(tree:RowTree, x:Number, y:Number, z:Number, found:FoundRows):void
+        public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):void
         {
             _tree = tree;
             _found = found;
             _x = x;
             _y = y;
             _z = z;
-            _countsNodes = found.most == FoundRows.NUMBER && found.test == null;
             var nodes:Vector.<int> = _nodes;
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
+            _countsNodes = found.counts && !found.filters;
+            var asks:Boolean = found.asks && found.wanted < Collector.ALL;
             var waiting:int = begin();
             while (waiting > 0)
             {
                 waiting--;
+                if (asks)
+                {
+                    askBefore(waiting);
+                    if (found.limit < 0)
+                    {
+                        return;
+                    }
+                }
                 var node:int = nodes[waiting];
                 if (squares[waiting] > found.limit)
                 {
@@ -111,6 +120,29 @@ package starlogo.queries
             return waiting + 1;
         }
 
+        // Makes the nearest of the waiting nodes the last of them. If it is a leaf, this first asks for the rows that are nearer than the leaf.
+        private function askBefore(last:int):void
+        {
+            var nearest:int = last;
+            for (var i:int = 0; i < last; i++)
+            {
+                if (_squares[i] < _squares[nearest])
+                {
+                    nearest = i;
+                }
+            }
+            var node:int = _nodes[nearest];
+            var square:Number = _squares[nearest];
+            _nodes[nearest] = _nodes[last];
+            _squares[nearest] = _squares[last];
+            _nodes[last] = node;
+            _squares[last] = square;
+            if (node >= _tree.firstLeaf)
+            {
+                _found.ask(square);
+            }
+        }
+
         // Puts a node and its sibling on the waiting list, with the nearer one to be visited next. Returns how many nodes wait.
         private function open(node:int, first:int):int
         {
@@ -130,8 +162,8 @@ package starlogo.queries
             return waiting;
         }
 
-        // Puts a node on the waiting list if its box is within the limit. If only the number is wanted and the whole box is within the limit,
-        // the node is counted at once. Returns how many nodes wait.
+        // Puts a node on the waiting list if its box is within the limit. If all rows in the limit count, and the whole box is within the
+        // limit, the node is counted at once. Returns how many nodes wait.
         private function measure(node:int, waiting:int):int
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
@@ -192,7 +224,7 @@ package starlogo.queries
 
         // Tests the rows of a leaf. Rows that are only kept or counted are handled here, because a call for each row would take as long as the
         // test.
-        private function visit(start:int, end:int, found:FoundRows):void
+        private function visit(start:int, end:int, found:Collector):void
         {
             var xs:Vector.<Number> = _tree.x;
             var ys:Vector.<Number> = _tree.y;
@@ -201,14 +233,16 @@ package starlogo.queries
             var atY:Number = _y;
             var atZ:Number = _z;
             var rows:Vector.<int> = _tree.rows;
-            var test:FilteredRows = found.test;
+            var filters:Boolean = found.filters;
             var cone:Cone = found.cone;
-            var skipped:int = found.skipped;
+            var counts:Boolean = found.counts;
             var countsAll:Boolean = _countsNodes;
+            var skipped:int = found.skipped;
+            var keepsFirst:Boolean = found.keepsFirst;
+            var room:int = found.room;
             var limit:Number = found.limit;
-            var most:int = found.most;
             var foundRows:Vector.<int> = found.rows;
-            var foundSquares:Vector.<Number> = found.squares;
+            var keys:Vector.<Number> = found.keys;
             var ranks:Vector.<int> = found.ranks;
             var count:int = found.count;
             for (var slot:int = start; slot < end; slot++)
@@ -231,9 +265,9 @@ package starlogo.queries
                 {
                     continue;
                 }
-                if (test != null)
+                if (filters)
                 {
-                    if (!test.accepts(row))
+                    if (!found.admitsMarked(row))
                     {
                         continue;
                     }
@@ -242,29 +276,31 @@ package starlogo.queries
                 {
                     continue;
                 }
-                if (most == 1)
+                if (keepsFirst)
                 {
                     if (count == 0 || square < limit || ranks[row] < ranks[foundRows[0]])
                     {
                         count = 1;
-                        limit = foundSquares[0] = square;
+                        limit = keys[0] = square;
                         foundRows[0] = row;
                     }
                     continue;
                 }
-                if (most == FoundRows.ALL)
+                if (counts)
                 {
-                    foundRows[count] = row;
-                    foundSquares[count] = square;
-                }
-                else if (most != FoundRows.NUMBER)
-                {
-                    found.add(row, square);
-                    count = found.count;
-                    limit = found.limit;
+                    count++;
                     continue;
                 }
+                foundRows[count] = row;
+                keys[count] = square;
                 count++;
+                if (count == room)
+                {
+                    found.count = count;
+                    found.narrow();
+                    count = found.count;
+                    limit = found.limit;
+                }
             }
             found.count = count;
             found.limit = limit;

@@ -22,19 +22,15 @@ package starlogo.queries
         private var _rays:RowRays = new RowRays();
         private var _ray:Ray = _rays.ray;
 
-        // A second row that does not count, or -1.
-        private var _skippedToo:int = -1;
+        private var _found:Collector;
+        private var _pool:HitPool = new HitPool(RayHit);
 
-        // The rows that the ray meets, with their distances, not squared; the hits in the order in which they are found; and by row, the number
-        // of its hit.
-        private var _found:FoundRows;
-        private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
+        // By row: the number of its hit. By hit: its distance and its normal, and its triangle. There is no RayHit for it before the answer is
+        // known.
         private var _hitOf:Vector.<int> = new Vector.<int>();
-
-        // Empty lists for the hits for which accepts is called. There are several, because accepts may ask questions itself. Then hits that no
-        // list needs at present.
-        private var _lists:Vector.<Vector.<RayHit>> = new Vector.<Vector.<RayHit>>();
-        private var _spare:Vector.<RayHit> = new Vector.<RayHit>();
+        private var _hits:Vector.<Number> = new Vector.<Number>();
+        private var _triangles:Vector.<int> = new Vector.<int>();
+        private var _hitCount:int = 0;
 
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
@@ -43,40 +39,29 @@ package starlogo.queries
         public function RayQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _found = new FoundRows(seen);
+            _found = new Collector(seen);
         }
 
         /** See AgentQueries.cast. */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
         {
-            begin(checked(origin), direction, maxDistance, filter);
-            if (filter != null && filter.accepts != null)
-            {
-                return findAccepted(hit);
-            }
-            var first:int = -1;
-            for (var row:int = next(); row >= 0; row = next())
-            {
-                if (first < 0 || _ray.from < hit.distance || _seen.table.ranks[row] < _seen.table.ranks[first])
-                {
-                    first = row;
-                    hit ||= new RayHit();
-                    write(row, hit);
-                    _search.limit = _ray.to = _ray.from;
-                }
-            }
-            return first < 0 ? null : hit;
+            begin(1, checked(origin), direction, maxDistance, filter);
+            collect();
+            var row:int = _found.first();
+            return row < 0 ? null : write(row, hit || new RayHit());
         }
 
         /** See AgentQueries.castAll. */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>):Vector.<RayHit>
         {
-            begin(checked(origin), direction, maxDistance, filter);
+            begin(Collector.ALL, checked(origin), direction, maxDistance, filter);
+            collect();
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
-            list(hits);
-            if (filter != null && filter.accepts != null)
+            var rows:Vector.<int> = _found.sorted();
+            _pool.fit(hits, _found.end());
+            for (var i:int = 0; i < hits.length; i++)
             {
-                keepAccepted(hits, FoundRows.ALL);
+                write(rows[i], hits[i]);
             }
             return hits;
         }
@@ -97,15 +82,15 @@ package starlogo.queries
                 // any direction will do
                 towards.z = 1;
             }
-            begin(from, towards, distance, filter);
+            begin(1, from, towards, distance, filter);
             _found.skipped = _seen.rowOf(a);
-            _skippedToo = _seen.rowOf(b);
-            var most:int = FoundRows.toFind(1, filter);
-            for (var row:int = next(); row >= 0; row = _found.count < most ? next() : -1)
+            _found.skippedToo = _seen.rowOf(b);
+            // any row will do, unless accepts decides
+            for (var row:int = next(); row >= 0; row = _found.asks ? next() : -1)
             {
                 _found.add(row, _ray.from);
             }
-            return _found.countAccepted(1) == 0;
+            return _found.end() == 0;
         }
 
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
@@ -133,13 +118,13 @@ package starlogo.queries
             return origin;
         }
 
-        private function begin(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
+        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
         {
             _ray.aim(origin, direction);
             _ray.to = maxDistance;
             _rays.begin(_seen.table, _seen.pairs.trees);
-            _found.begin(FoundRows.ALL, Infinity, null, filter);
-            _skippedToo = -1;
+            _found.begin(wanted, maxDistance, null, filter);
+            _hitCount = 0;
             _search.begin(_seen.findExtents(), _ray.x, _ray.y, _ray.z, 0, 0, 0);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
         }
@@ -148,111 +133,49 @@ package starlogo.queries
         private function next():int
         {
             var row:int = _search.next();
-            while (row >= 0 && (row == _skippedToo || !_found.wants(row) || !_rays.meets(row)))
+            while (row >= 0 && (!_found.admits(row) || !_rays.meets(row)))
             {
                 row = _search.next();
             }
             return row;
         }
 
-        // Lists every hit, without calling accepts.
-        private function list(out:Vector.<RayHit>):void
+        // Finds the rows that the ray meets, and keeps how it meets them.
+        private function collect():void
         {
-            _hitOf.length = Math.max(_hitOf.length, _seen.table.agents.length);
+            if (_hitOf.length < _seen.table.agents.length)
+            {
+                _hitOf.length = _seen.table.agents.length;
+            }
             for (var row:int = next(); row >= 0; row = next())
             {
-                var count:int = _found.count;
-                if (count == _hits.length)
+                if (_found.add(row, _ray.from))
                 {
-                    _hits.push(new RayHit());
+                    var at:int = 4 * _hitCount;
+                    _hits[at] = _ray.from;
+                    _hits[int(at + 1)] = _ray.normalX;
+                    _hits[int(at + 2)] = _ray.normalY;
+                    _hits[int(at + 3)] = _ray.normalZ;
+                    _triangles[_hitCount] = _rays.triangle;
+                    _hitOf[row] = _hitCount;
+                    _hitCount++;
+                    _search.limit = _ray.to = _found.limit;
                 }
-                write(row, _hits[count]);
-                _hitOf[row] = count;
-                _found.add(row, _ray.from);
-            }
-            _found.sort();
-            setLength(out, _found.count);
-            for (var i:int = 0; i < out.length; i++)
-            {
-                copy(_hits[_hitOf[_found.rows[i]]], out[i]);
             }
         }
 
-        // Writes how the ray meets a row. It must be the row that it met last.
-        private function write(row:int, hit:RayHit):void
+        // Writes how the ray meets a row.
+        private function write(row:int, hit:RayHit):RayHit
         {
-            var distance:Number = _ray.from;
+            var number:int = _hitOf[row];
+            var at:int = 4 * number;
+            var distance:Number = _hits[at];
             hit.agent = _seen.table.agents[row];
             hit.distance = distance;
-            hit.triangle = _rays.triangle;
+            hit.triangle = _triangles[number];
             hit.point.setTo(_ray.x + distance * _ray.directionX, _ray.y + distance * _ray.directionY, _ray.z + distance * _ray.directionZ);
-            hit.normal.setTo(_ray.normalX, _ray.normalY, _ray.normalZ);
-        }
-
-        // Makes a list have this many hits. Surplus hits are kept for other lists. It removes them one at a time, for the reason that
-        // FoundRows.shorten gives.
-        private function setLength(hits:Vector.<RayHit>, length:int):void
-        {
-            while (hits.length > length)
-            {
-                var hit:RayHit = hits.pop();
-                if (hit != null)
-                {
-                    hit.agent = null;
-                    _spare.push(hit);
-                }
-            }
-            for (var i:int = 0; i < length; i++)
-            {
-                if (i == hits.length || hits[i] == null)
-                {
-                    hits[i] = _spare.pop() || new RayHit();
-                }
-            }
-        }
-
-        // Calls accepts for the hits, beginning with the nearest, until one is accepted. Copies that hit.
-        private function findAccepted(hit:RayHit):RayHit
-        {
-            var hits:Vector.<RayHit> = _lists.pop() || new Vector.<RayHit>();
-            list(hits);
-            keepAccepted(hits, 1);
-            var nearest:RayHit = null;
-            if (hits.length > 0)
-            {
-                nearest = hit || new RayHit();
-                copy(hits[0], nearest);
-            }
-            setLength(hits, 0);
-            _lists.push(hits);
-            return nearest;
-        }
-
-        // Calls accepts for the hits of the list that was made last, until enough are accepted. Keeps only the accepted hits.
-        private function keepAccepted(hits:Vector.<RayHit>, most:int):void
-        {
-            var accepted:Vector.<Agent> = _found.keepAccepted(0, most);
-            var kept:int = 0;
-            for (var i:int = 0; i < hits.length && kept < accepted.length; i++)
-            {
-                var hit:RayHit = hits[i];
-                if (hit.agent === accepted[kept])
-                {
-                    hits[i] = hits[kept];
-                    hits[kept] = hit;
-                    kept++;
-                }
-            }
-            setLength(hits, kept);
-        }
-
-        private static function copy(from:RayHit, to:RayHit):void
-        {
-            to.agent = from.agent;
-            to.distance = from.distance;
-            to.triangle = from.triangle;
-            to.point.copyFrom(from.point);
-            to.normal.copyFrom(from.normal);
+            hit.normal.setTo(_hits[int(at + 1)], _hits[int(at + 2)], _hits[int(at + 3)]);
+            return hit;
         }
     }
 }

@@ -20,7 +20,7 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
         private var _search:WaySearch = new WaySearch();
-        private var _found:FoundRows;
+        private var _found:Collector;
         private var _place:Vector3D = new Vector3D();
         private var _moved:Body = new Body();
 
@@ -28,21 +28,21 @@ package starlogo.queries
         public function TouchQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _found = new FoundRows(seen);
+            _found = new Collector(seen);
         }
 
         /** Lists the agents that touch an agent or a structure. See AgentQueries.touching and AgentQueries.overlapping. */
         public function list(agent:Agent, structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            find(agent, structure, null, FoundRows.ALL, filter);
+            find(agent, structure, null, Collector.ALL, filter);
             return _found.list(out);
         }
 
         /** See AgentQueries.touchesAny. The search ends at the first row that counts. */
         public function touchesAny(agent:Agent, filter:AgentFilter, place:Vector3D = null):Boolean
         {
-            find(agent, null, place, FoundRows.toFind(1, filter), filter);
-            return _found.countAccepted(1) > 0;
+            find(agent, null, place, 1, filter);
+            return _found.end() > 0;
         }
 
         /** See AgentQueries.overlapsAgent. */
@@ -65,10 +65,10 @@ package starlogo.queries
         }
 
         // Finds the rows that touch an agent or a structure, or would touch the agent at a place if there is one.
-        private function find(agent:Agent, structure:BoundingStructure, place:Vector3D, most:int, filter:AgentFilter):void
+        private function find(agent:Agent, structure:BoundingStructure, place:Vector3D, wanted:int, filter:AgentFilter):void
         {
             var body:Body = _seen.bodyOfEither(agent, structure);
-            _found.begin(most, Infinity, agent, filter);
+            _found.begin(wanted, Infinity, agent, filter);
             if (body.shape != null)
             {
                 if (place != null)
@@ -84,11 +84,12 @@ package starlogo.queries
         private function collectNear(body:Body):void
         {
             var table:AgentTable = _seen.table;
-            var found:FoundRows = _found;
+            var found:Collector = _found;
             _seen.beginWay(_search, body);
-            for (var other:int = _search.next(); other >= 0 && found.count < found.most; other = _search.next())
+            // if one row is wanted, it may be any that touches
+            for (var other:int = _search.next(); other >= 0 && !(found.keepsFirst && found.count > 0); other = _search.next())
             {
-                if (table.shapes[other] != null && found.wants(other) && _seen.pairs.areTouching(body, table.bodyOf(other)))
+                if (table.shapes[other] != null && found.admits(other) && _seen.pairs.areTouching(body, table.bodyOf(other)))
                 {
                     var toX:Number = table.now.x[other] - body.placement.x;
                     var toY:Number = table.now.y[other] - body.placement.y;

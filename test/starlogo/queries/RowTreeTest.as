@@ -27,7 +27,7 @@ package starlogo.queries
         private var _rows:Vector.<int>;
         private var _tree:RowTree;
         private var _seen:SeenAgents;
-        private var _found:FoundRows;
+        private var _found:Collector;
         private var _near:NearSearch = new NearSearch();
         private var _way:WaySearch = new WaySearch();
 
@@ -39,7 +39,7 @@ package starlogo.queries
             var greatLand:GreatLand = new GreatLand();
             greatLand.addModel(BuiltInModel.sphere());
             _seen = new SeenAgents(new BinCollider(greatLand));
-            _found = new FoundRows(_seen);
+            _found = new Collector(_seen);
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < MOST_ROWS; i++)
             {
@@ -184,24 +184,58 @@ package starlogo.queries
                 {
                     return a.square == b.square ? a.rank - b.rank : a.square - b.square;
                 });
-            for each (var most:int in [FoundRows.ALL, 1, 2, 10, 150, 0])
+            for each (var most:int in [Collector.ALL, 1, 2, 10, 150, 0])
             {
                 _found.begin(most, limit, null, filter);
                 _found.skipped = skipped;
                 _near.find(_tree, x, y, z, _found);
-                _found.sort();
+                _found.sorted();
                 assertEquals(message + ": " + most + ", how many", Math.min(most, near.length), _found.count);
                 for (var i:int = 0; i < _found.count; i++)
                 {
                     assertEquals(message + ": " + most + ", nearest " + i, near[i].row, _found.rows[i]);
-                    assertEquals(message + ": " + most + ", distance " + i, near[i].square, _found.squares[i]);
+                    assertEquals(message + ": " + most + ", distance " + i, near[i].square, _found.keys[i]);
                 }
             }
-            _found.begin(FoundRows.NUMBER, limit, null, filter);
+            _found.beginCount(limit, null, filter);
             _found.skipped = skipped;
             _near.find(_tree, x, y, z, _found);
-            assertEquals(message + ": count", near.length, _found.count);
+            assertEquals(message + ": count", near.length, _found.end());
+            assertAsked(message, near, x, y, z, limit, filter, skipped);
             return near.length > 0;
+        }
+
+        // The function of a filter is called for the nearest rows first, until enough are accepted.
+        private function assertAsked(message:String, near:Array, x:Number, y:Number, z:Number, limit:Number, filter:AgentFilter, skipped:int):void
+        {
+            var asked:Array = [];
+            var asking:AgentFilter = new AgentFilter();
+            asking.breeds = filter == null ? null : filter.breeds;
+            asking.exceptBreeds = filter == null ? null : filter.exceptBreeds;
+            asking.except = filter == null ? null : filter.except;
+            asking.accepts = function(agent:Agent):Boolean
+            {
+                asked.push(_seen.table.rowOf(agent));
+                return asked.length % 3 == 0;
+            };
+            for each (var wanted:int in [Collector.ALL, 1, 2, 10])
+            {
+                asked.length = 0;
+                _found.begin(wanted, limit, null, asking);
+                _found.skipped = skipped;
+                _near.find(_tree, x, y, z, _found);
+                var rows:Vector.<int> = _found.sorted();
+                assertEquals(message + ": accepted", Math.min(wanted, int(near.length / 3)), _found.end());
+                assertEquals(message + ": asked", wanted > near.length / 3 ? near.length : 3 * wanted, asked.length);
+                for (var i:int = 0; i < asked.length; i++)
+                {
+                    assertEquals(message + ": asked in order", near[i].row, asked[i]);
+                    if (i % 3 == 2)
+                    {
+                        assertEquals(message + ": accepted in order", asked[i], rows[int(i / 3)]);
+                    }
+                }
+            }
         }
 
         // A box of a size that moves, or stands: returns how many it meets.

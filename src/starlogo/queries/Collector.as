@@ -1,0 +1,344 @@
+package starlogo.queries
+{
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+    import starlogo.search.KeyOrder;
+
+    use namespace engine;
+
+    /**
+     * Collects the rows that answer a question: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared distance
+     * or a time. Rows with the same key are in the order of the list. The limit is the largest key that still counts. It shrinks when enough
+     * rows are found, so the search visits less.
+     *
+     * <p>A search asks <code>admits()</code> about each row before it tests the row. A filter's own function, <code>accepts</code>, is called
+     * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. It may ask questions itself. These have
+     * another Collector (QuestionSet).</p>
+     *
+     * @private
+     */
+    public final class Collector
+    {
+        /** A value of <code>wanted</code>: all rows. */
+        public static const ALL:int = int.MAX_VALUE;
+
+        /** The rows that were found, unsorted. If <code>accepts</code> decides, it has not been called for these yet. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** The key of each row. */
+        public var keys:Vector.<Number> = new Vector.<Number>();
+
+        /** The number of rows that were found. */
+        public var count:int = 0;
+
+        /** The largest key that still counts. It is less than 0 if no more rows are wanted. */
+        public var limit:Number = Infinity;
+
+        /** The number of rows that are wanted, or ALL. */
+        public var wanted:int = ALL;
+
+        /** When this number of rows is found, <code>narrow()</code> has to be called. */
+        public var room:int = ALL;
+
+        /** Whether only the first row is wanted, and <code>accepts</code> does not decide. Then each row that is found replaces the last one. */
+        public var keepsFirst:Boolean = false;
+
+        /** Whether only the number of rows is wanted, and <code>accepts</code> does not decide. Then a search adds to <code>count</code> alone. */
+        public var counts:Boolean = false;
+
+        /** Whether the filter's <code>accepts</code> decides. */
+        public var asks:Boolean = false;
+
+        /** Whether the filter excludes breeds or agents. */
+        public var filters:Boolean = false;
+
+        /** The cone that rows must be in too; null for none. */
+        public var cone:Cone = null;
+
+        /** A row that does not count, or -1. */
+        public var skipped:int = -1;
+
+        /** A second row that does not count, or -1. */
+        public var skippedToo:int = -1;
+
+        /** By row: the index of its agent in the list. */
+        public var ranks:Vector.<int>;
+
+        private var _seen:SeenAgents;
+        private var _agents:Vector.<Agent>;
+        private var _accepts:Function = null;
+        private var _order:KeyOrder = new KeyOrder();
+
+        // The rows that accepts has admitted, in order.
+        private var _admitted:Vector.<int> = new Vector.<int>();
+        private var _admittedCount:int = 0;
+
+        // The number of the question, from 1 on. It marks agents by their rows, and breeds by their numbers. If the filter has breeds, the
+        // marked breeds count. Else the marked breeds do not count.
+        private var _question:int = 0;
+        private var _excepted:Vector.<int> = new Vector.<int>();
+        private var _breeds:Vector.<int> = new Vector.<int>();
+        private var _breedsCount:Boolean = false;
+        private var _excepts:Boolean = false;
+
+        /** @param seen the agents that questions are about */
+        public function Collector(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * Begins a search.
+         *
+         * @param wanted how many of the rows with the smallest keys are wanted, or ALL
+         * @param limit the largest key
+         * @param asker the agent that asks, which does not count; or null
+         * @param filter the agents that count; null for all
+         */
+        public function begin(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):void
+        {
+            _agents = _seen.table.agents;
+            ranks = _seen.table.ranks;
+            skipped = asker == null ? -1 : _seen.table.rowOf(asker);
+            skippedToo = -1;
+            cone = null;
+            _accepts = filter == null ? null : filter.accepts;
+            asks = _accepts != null;
+            filters = filter != null && (filter.breeds != null || filter.exceptBreeds != null || filter.except != null);
+            if (filters)
+            {
+                mark(filter);
+            }
+            this.wanted = wanted;
+            this.limit = wanted > 0 ? limit : -1;
+            keepsFirst = wanted == 1 && !asks;
+            counts = false;
+            room = asks || wanted > ALL / 2 ? ALL : 2 * wanted;
+            count = _admittedCount = 0;
+        }
+
+        /** Begins a search for the number of rows. The parameters are those of <code>begin()</code>. Only <code>end()</code> has the answer. */
+        public function beginCount(limit:Number, asker:Agent, filter:AgentFilter):void
+        {
+            begin(ALL, limit, asker, filter);
+            counts = !asks;
+        }
+
+        /** Whether a row counts. The filter's <code>accepts</code> is not asked here. */
+        public function admits(row:int):Boolean
+        {
+            return row != skipped && row != skippedToo && (!filters || admitsMarked(row));
+        }
+
+        /** Whether a row counts, if it is not one that is skipped. Ask only if <code>filters</code> is true. */
+        public function admitsMarked(row:int):Boolean
+        {
+            if (_excepts && _excepted[row] == _question)
+            {
+                return false;
+            }
+            return _breeds[_agents[row].breedNumber] == _question ? _breedsCount : !_breedsCount;
+        }
+
+        /**
+         * Takes a row that counts. This may lower the limit.
+         *
+         * @param key not greater than the limit
+         * @return whether the row is among the wanted rows so far
+         */
+        public function add(row:int, key:Number):Boolean
+        {
+            if (keepsFirst)
+            {
+                if (count > 0 && (key > keys[0] || (key == keys[0] && ranks[row] > ranks[rows[0]])))
+                {
+                    return false;
+                }
+                count = 0;
+                limit = key;
+            }
+            rows[count] = row;
+            keys[count] = key;
+            count++;
+            if (count == room)
+            {
+                narrow();
+            }
+            return true;
+        }
+
+        /** Sorts the rows, and keeps those that are wanted. */
+        public function narrow():void
+        {
+            _order.sort(rows, keys, count, ranks);
+            if (count > wanted)
+            {
+                count = wanted;
+                limit = keys[int(wanted - 1)];
+            }
+        }
+
+        /**
+         * Calls <code>accepts</code> for the rows whose keys are smaller than a number, in the order of the keys, until enough are admitted. Rows
+         * that are found later must have no smaller keys.
+         */
+        public function ask(beyond:Number):void
+        {
+            var end:int = beyond < Infinity ? bringForward(beyond) : count;
+            if (end == 0)
+            {
+                return;
+            }
+            _order.sort(rows, keys, end, ranks);
+            var accepts:Function = _accepts;
+            _seen.asking++;
+            try
+            {
+                for (var i:int = 0; i < end && _admittedCount < wanted; i++)
+                {
+                    if (accepts(_agents[rows[i]]))
+                    {
+                        _admitted[_admittedCount] = rows[i];
+                        _admittedCount++;
+                    }
+                }
+            }
+            finally
+            {
+                _seen.asking--;
+            }
+            if (_admittedCount == wanted)
+            {
+                limit = -1;
+            }
+            for (i = end; i < count; i++)
+            {
+                rows[int(i - end)] = rows[i];
+                keys[int(i - end)] = keys[i];
+            }
+            count -= end;
+        }
+
+        /** Ends the search. Returns how many rows are in the answer. */
+        public function end():int
+        {
+            if (!asks)
+            {
+                return count;
+            }
+            ask(Infinity);
+            return _admittedCount;
+        }
+
+        /** Ends the search. Returns the first row of the answer, or -1. */
+        public function first():int
+        {
+            return end() == 0 ? -1 : (asks ? _admitted[0] : rows[0]);
+        }
+
+        /** Ends the search. Returns the rows of the answer in their order. Only the first of them count, as many as <code>end()</code> says. */
+        public function sorted():Vector.<int>
+        {
+            if (asks)
+            {
+                ask(Infinity);
+                return _admitted;
+            }
+            narrow();
+            return rows;
+        }
+
+        /**
+         * Ends the search, and lists the agents of the answer in their order.
+         *
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         */
+        public function list(out:Vector.<Agent>):Vector.<Agent>
+        {
+            var listed:Vector.<Agent> = out || new Vector.<Agent>();
+            var from:Vector.<int> = sorted();
+            var length:int = end();
+            // one element at a time, because V8 frees an array's memory if its length is set to less
+            while (listed.length > length)
+            {
+                listed.pop();
+            }
+            for (var i:int = 0; i < length; i++)
+            {
+                listed[i] = _agents[from[i]];
+            }
+            return listed;
+        }
+
+        // Brings the rows whose keys are smaller than a number to the front. Returns how many there are.
+        private function bringForward(beyond:Number):int
+        {
+            var end:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var key:Number = keys[i];
+                if (key < beyond)
+                {
+                    var row:int = rows[i];
+                    rows[i] = rows[end];
+                    keys[i] = keys[end];
+                    rows[end] = row;
+                    keys[end] = key;
+                    end++;
+                }
+            }
+            return end;
+        }
+
+        // Marks the filter's breeds and the agents that it excepts.
+        private function mark(filter:AgentFilter):void
+        {
+            _question++;
+            _breedsCount = filter.breeds != null;
+            if (_breedsCount)
+            {
+                markBreeds(filter.breeds, _question);
+            }
+            if (filter.exceptBreeds != null)
+            {
+                markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
+            }
+            if (_breeds.length < Breeds.count)
+            {
+                _breeds.length = Breeds.count;
+            }
+            if (_excepted.length < _agents.length)
+            {
+                _excepted.length = _agents.length;
+            }
+            var except:Vector.<Agent> = filter.except;
+            _excepts = except != null;
+            for (var i:int = 0; _excepts && i < except.length; i++)
+            {
+                var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);
+                if (row >= 0)
+                {
+                    _excepted[row] = _question;
+                }
+            }
+        }
+
+        private function markBreeds(names:Vector.<String>, by:int):void
+        {
+            for (var i:int = 0; i < names.length; i++)
+            {
+                if (names[i] != null)
+                {
+                    var number:int = Breeds.numberOf(names[i]);
+                    if (_breeds.length <= number)
+                    {
+                        _breeds.length = number + 1;
+                    }
+                    _breeds[number] = by;
+                }
+            }
+        }
+    }
+}

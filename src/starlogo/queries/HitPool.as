@@ -1,0 +1,45 @@
+package starlogo.queries
+{
+    /**
+     * Keeps the hits that no list needs at present, for lists that need more hits.
+     *
+     * @private
+     */
+    public final class HitPool
+    {
+        private var _type:Class;
+        private var _spare:Array = [];
+
+        /** @param type RayHit or ShapeHit */
+        public function HitPool(type:Class)
+        {
+            _type = type;
+        }
+
+        /**
+         * Makes a list have a number of hits. It removes surplus hits one at a time, because V8 frees an array's memory if its length is set to
+         * less.
+         *
+         * @param hits a list of hits of the pool's type
+         */
+        public function fit(hits:Object, length:int):void
+        {
+            while (hits.length > length)
+            {
+                var hit:Object = hits.pop();
+                if (hit != null)
+                {
+                    hit.agent = null;
+                    _spare.push(hit);
+                }
+            }
+            for (var i:int = 0; i < length; i++)
+            {
+                if (i == hits.length || hits[i] == null)
+                {
+                    hits[i] = _spare.length > 0 ? _spare.pop() : new _type();
+                }
+            }
+        }
+    }
+}

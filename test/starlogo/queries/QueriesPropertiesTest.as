@@ -291,6 +291,34 @@ package starlogo.queries
             assertEquals(near, LoopedQuestions.numbers(_queries.near(_agents[0], 3, outer)));
         }
 
+        // The list of a question is written when the question is answered, not while accepts is called.
+        [Test]
+        public function filtersMayUseTheSameList():void
+        {
+            var list:Vector.<Agent> = new Vector.<Agent>();
+            var same:AgentFilter = new AgentFilter();
+            same.accepts = function(agent:Agent):Boolean
+            {
+                return _queries.near(agent, 5, null, list).length > 0;
+            };
+            var near:String = LoopedQuestions.numbers(_queries.nearestOf(_agents[0], 9));
+            assertEquals(near, LoopedQuestions.numbers(_queries.nearestOf(_agents[0], 9, Infinity, same, list)));
+            var throwing:AgentFilter = new AgentFilter();
+            var left:int = 6;
+            throwing.accepts = function(agent:Agent):Boolean
+            {
+                left--;
+                if (left == 0)
+                {
+                    throw new IllegalOperationError("in accepts");
+                }
+                return true;
+            };
+            assertThrows(IllegalOperationError, /in accepts/, _queries.nearestOf, _agents[1], 9, Infinity, throwing, list);
+            assertEquals("the list is unchanged", near, LoopedQuestions.numbers(list));
+            assertEquals("questions go on", near, LoopedQuestions.numbers(_queries.nearestOf(_agents[0], 9)));
+        }
+
         private function answers():String
         {
             var answers:Array = [];

@@ -36,7 +36,6 @@ package starlogo.terrain
         private var _piece:ConvexTriangle;
         private var _faces:GroundFaces;
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
-
         private var _ways:Vector.<ContactPoint>;
 
         /**

@@ -25,8 +25,8 @@ package starlogo.terrain
     internal class GroundSearch
     {
         // The goals of a search: when a piece first touches the surface; the closest points; the deepest contact of a piece whose deepest point
-        // is known to be about as deep in the ground; the deepest contact of others; and the triangle whose plane a piece is least behind. A
-        // search for the time without a motion finds whether a piece overlaps the ground.
+        // is known to be about as deep in the ground; the deepest contact of others; and the planes of triangles that a piece is behind. A search
+        // for the time without a motion finds whether a piece overlaps the ground.
         protected static const TIME:int = 0;
         protected static const DISTANCE:int = 1;
         protected static const FACES:int = 2;

@@ -339,11 +339,6 @@ package starlogo.terrain
             var firstRow:int = Math.max(0, Math.floor(toY - reachY / cellWidth + border));
             var last:int = Math.min(columns - 1, Math.ceil(toX + reachX / cellWidth - border));
             var lastRow:int = Math.min(rows - 1, Math.ceil(toY + reachY / cellWidth - border));
-            if (last - first <= MOST_SQUARES && lastRow - firstRow <= MOST_SQUARES)
-            {
-                findRange(first, firstRow, last, lastRow);
-                return;
-            }
             var level:int = 0;
             while (level < levels && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
             {
@@ -352,6 +347,11 @@ package starlogo.terrain
                 last >>= SHIFT;
                 lastRow >>= SHIFT;
                 level++;
+            }
+            if (level == 0)
+            {
+                findRange(first, firstRow, last, lastRow);
+                return;
             }
             joinBounds(begins[level], countSquares(columns, level), first, firstRow, last, lastRow);
             stepY = stepX;

@@ -37,6 +37,9 @@ package starlogo.queries
         // An overlap is shallow if it is at most this part of the larger extent.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
+        // Another row is large if its largest half-extent is at least this many times the largest of the row that moves.
+        private static const LARGE:Number = 8;
+
         // A time after the end of the motion.
         private static const AFTER:Number = 1 + 1e-15;
 
@@ -52,8 +55,8 @@ package starlogo.queries
         /** The contact at that time. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** Whether it is known that the row, in its whole size too, touches nothing on the motion. */
-        public var isClear:Boolean = false;
+        /** A row that the moving one, in its whole size too, touches nowhere on the motion; -1 if none is known. */
+        public var clearRow:int = -1;
 
         /** When the row in its whole size touches the row of <code>findWhole()</code>. */
         public var wholeTime:Number = 0;
@@ -71,8 +74,7 @@ package starlogo.queries
         private var _at:Vector3D = new Vector3D();
         private var _taken:Number = 0;
 
-        // The number of rows that may be in the way. The largest extent of the row and those near it, and the greatest size of a cell of the ground.
-        private var _count:int = 0;
+        // The largest extent of the row and those near it, and the greatest size of a cell of the ground.
         private var _largest:Number = 0;
         private var _cell:Number = 0;
 
@@ -102,14 +104,12 @@ package starlogo.queries
             _at.x = NaN;
             _largest = 2 * body.largestHalf;
             _cell = 0;
-            _count = 0;
-            isClear = false;
+            clearRow = -1;
         }
 
         /** Adds a row that may be in the way. */
         public function addOther(other:int):void
         {
-            _count++;
             if (_table.forms[other] == ModelShape.GROUND)
             {
                 _cell = _table.bodyOf(other).largestHalf;
@@ -212,15 +212,15 @@ package starlogo.queries
             _end.incrementBy(motion);
             _motion.endAfter(motion.x, motion.y, motion.z);
             time = AFTER;
-            isClear = false;
+            clearRow = -1;
         }
 
         /** Finds whether the core meets another row earlier than the row that was found before. If so, it writes <code>time</code> and <code>contact</code>. */
         public function find(other:int):Boolean
         {
-            isClear = isWholeClear(other);
-            if (isClear)
+            if (isWholeClear(other))
             {
+                clearRow = other;
                 return false;
             }
             put(_end, _share);
@@ -243,18 +243,16 @@ package starlogo.queries
             return true;
         }
 
-        // Whether it is known that the row in its whole size meets nothing. For a single tree this is found first, because then the end of the motion
-        // needs no test of its own. A tree can be a whole building, in which everything happens.
+        // Whether it is known that the row in its whole size does not meet another. For a tree that is much larger this is found first, because then
+        // the end of the motion needs no test of its own. Such a tree can be a whole building, in which everything happens.
         private function isWholeClear(other:int):Boolean
         {
-            wholeTime = NaN;
-            if (_count != 1 || _pairs.testsOf(_body, _table.bodyOf(other)) !== _pairs.trees)
+            if (_table.forms[other] != ModelShape.TREE || _table.bodyOf(other).largestHalf < LARGE * _body.largestHalf)
             {
                 return false;
             }
             put(_end, 0);
-            wholeTime = isNear(_table.bodyOf(other), _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
-            return wholeTime == RelativeMotion.NEVER;
+            return !isNear(_table.bodyOf(other), _motion, slop) || impactOf(other, null) == RelativeMotion.NEVER;
         }
 
         // When the row, which stands at its end, first meets another on the motion.
@@ -280,10 +278,7 @@ package starlogo.queries
                     + touch.normalY * (_moving.y - (1 - time) * _motion.y - touch.y)
                     + touch.normalZ * (_moving.z - (1 - time) * _motion.z - touch.z));
             var early:Number = Math.max(0, Math.min(1, time + skin / along));
-            if (isNaN(wholeTime))
-            {
-                wholeTime = impactOf(other, null);
-            }
+            wholeTime = impactOf(other, null);
             wholeTime = Math.abs(wholeTime - early) <= Math.abs(time - early) ? wholeTime : early;
         }
 

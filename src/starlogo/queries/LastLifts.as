@@ -38,8 +38,9 @@ package starlogo.queries
          * @param at the row's place, which changes
          * @param others the rows that it may touch
          * @param count the number of the others
+         * @param clear one of them that the row is known not to touch at its place; -1 for none
          */
-        public function leave(sweep:CoreSweep, at:Vector3D, others:Vector.<int>, count:int):void
+        public function leave(sweep:CoreSweep, at:Vector3D, others:Vector.<int>, count:int, clear:int):void
         {
             _before.copyFrom(at);
             _last.setNormal(0, 0, 0);
@@ -47,7 +48,7 @@ package starlogo.queries
             var isFree:Boolean = false;
             for (var round:int = 0; !isFree && !_isBetween && round < ROUNDS; round++)
             {
-                isFree = lift(sweep, at, others, count);
+                isFree = lift(sweep, at, others, count, round == 0 ? clear : -1);
             }
             if (!isFree)
             {
@@ -56,12 +57,12 @@ package starlogo.queries
         }
 
         // Lifts the row off some rows. Returns whether it touched none of them.
-        private function lift(sweep:CoreSweep, at:Vector3D, rows:Vector.<int>, count:int):Boolean
+        private function lift(sweep:CoreSweep, at:Vector3D, rows:Vector.<int>, count:int, clear:int):Boolean
         {
             var isFree:Boolean = true;
             for (var i:int = 0; i < count; i++)
             {
-                if (sweep.isNearAt(rows[i], at) && sweep.touchesAt(rows[i], at))
+                if (rows[i] != clear && sweep.isNearAt(rows[i], at) && sweep.touchesAt(rows[i], at))
                 {
                     isFree = false;
                     sweep.findContact(rows[i], at, _contact);

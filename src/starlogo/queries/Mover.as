@@ -121,9 +121,9 @@ package starlogo.queries
         {
             begin(table, body, others);
             go(motion, ending);
-            if (ending == SLIDE && !_sweep.isClear)
+            if (ending == SLIDE)
             {
-                leaveTouches();
+                _lifts.leave(_sweep, at, _others, _count, _sweep.clearRow);
             }
         }
 
@@ -366,7 +366,7 @@ package starlogo.queries
         /** Lifts the row off what it only touches at the end, if there is room. */
         public function leaveTouches():void
         {
-            _lifts.leave(_sweep, at, _others, _count);
+            _lifts.leave(_sweep, at, _others, _count, -1);
         }
 
         // Finds the row that the rest of the motion meets first. Returns whether there is one.

@@ -243,7 +243,6 @@ package starlogo.queries
             var limit:Number = found.limit;
             var foundRows:Vector.<int> = found.rows;
             var keys:Vector.<Number> = found.keys;
-            var ranks:Vector.<int> = found.ranks;
             var count:int = found.count;
             for (var slot:int = start; slot < end; slot++)
             {
@@ -278,7 +277,7 @@ package starlogo.queries
                 }
                 if (keepsFirst)
                 {
-                    if (count == 0 || square < limit || ranks[row] < ranks[foundRows[0]])
+                    if (count == 0 || square < limit || found.ranks[row] < found.ranks[foundRows[0]])
                     {
                         count = 1;
                         limit = keys[0] = square;

@@ -180,13 +180,15 @@ package growth
             return moving(new Collision(new TightestFitCollider(greatLand)), agents, 0.001);
         }
 
-        // From an agent to the next the distance grows by a factor, from 1 to 1e9.
+        // From an agent to the next the distance grows by a factor, up to 8e8. The first are so far that few touch.
         private static function beginFarApart(n:int, row:GrowthRow):Function
         {
+            var first:Number = Math.sqrt(n);
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < n; i++)
             {
-                agents.push(GrowthGame.agentAt("ball", "turtles", Math.pow(10, 8.9 * i / n), -Math.pow(10, 8.9 * (i * 7 % n) / n)));
+                agents.push(GrowthGame.agentAt("ball", "turtles", Math.pow(first, 1 - i / n) * Math.pow(8e8, i / n),
+                            -Math.pow(first, 1 - i * 7 % n / n) * Math.pow(8e8, i * 7 % n / n)));
             }
             return moving(new Collision(new TightestFitCollider(GrowthGame.land())), agents, 0.001);
         }

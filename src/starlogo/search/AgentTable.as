@@ -7,7 +7,6 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
 
     use namespace engine;
 
@@ -226,15 +225,9 @@ package starlogo.search
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
-            var places:RowPlaces = now;
-            if (body.revision != places.revisions[row])
+            if (!body.isOf(agents[row], now.revisions[row]))
             {
-                body.revision = places.revisions[row];
-                var at:Placement = body.placement;
-                at.x = places.x[row];
-                at.y = places.y[row];
-                at.z = places.z[row];
-                body.settle();
+                body.follow(agents[row], now, row);
             }
             return body;
         }

@@ -32,7 +32,7 @@ package starlogo.search
         /** The shape's form. */
         public var form:int = 0;
 
-        /** The shape's place, rotation and size in the world. */
+        /** The shape's place, rotation and size in the world. A row's body has its agent's own placement while the agent has not changed. */
         public var placement:Placement = new Placement();
 
         /** The agent's number. It is 0 if the body belongs to no agent. */
@@ -55,8 +55,9 @@ package starlogo.search
         internal var offsetY:Number = 0;
         internal var offsetZ:Number = 0;
 
-        // For the body of a row: the row's revision at which it was settled.
+        // For the body of a row: the row's revision at which it was settled; and the placement as the row was read.
         internal var revision:int = 0;
+        private var _kept:Placement;
 
         // The structure in the world, and whether it is at the place; the structures that are tested before it; by kind, structures of other shapes
         // that the body had; and the shapes for structures that belong to no model.
@@ -65,9 +66,19 @@ package starlogo.search
         private var _spares:Vector.<BoundingStructure> = null;
         private var _ownShapes:Vector.<ModelShape> = null;
 
+        /** Begins without a shape. */
+        public function Body()
+        {
+            _kept = placement;
+        }
+
         /** Takes an agent's shape, rotation and size. The place does not change. */
         public function readShape(agent:Agent, shape:ModelShape):void
         {
+            if (placement !== _kept)
+            {
+                placement = _kept;
+            }
             var size:Number = agent.placement.size;
             if (shape.form >= ModelShape.GROUND)
             {
@@ -170,6 +181,30 @@ package starlogo.search
             halfY = factor * whole.halfY;
             halfZ = factor * whole.halfZ;
             settle();
+        }
+
+        /** For the body of a row: goes to the row's place. */
+        internal function follow(agent:Agent, places:RowPlaces, row:int):void
+        {
+            revision = places.revisions[row];
+            var at:Placement = agent.revision == revision && !shape.isUpright ? agent.placement : _kept;
+            if (at === _kept)
+            {
+                at.x = places.x[row];
+                at.y = places.y[row];
+                at.z = places.z[row];
+            }
+            if (placement !== at)
+            {
+                placement = at;
+            }
+            _isPlaced = false;
+        }
+
+        /** Whether the body is where its row is. The agent may have changed since. */
+        internal function isOf(agent:Agent, seen:int):Boolean
+        {
+            return revision == seen && (placement === _kept || agent.revision == seen);
         }
 
         /** Moves the body to a place. */

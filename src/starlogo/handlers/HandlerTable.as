@@ -1,6 +1,5 @@
 package starlogo.handlers
 {
-    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.textOf;
@@ -17,6 +16,11 @@ package starlogo.handlers
     {
         private static const NONE:PairHandlers = new PairHandlers(new <CollisionHandler>[], new <CollisionHandler>[]);
 
+        private static const LEAST_SLOTS:int = 64;
+
+        // The factor of the first breed in the hash of a pair: an odd number, so that pairs of neighbouring numbers have slots of their own.
+        private static const SPREAD:int = 40503;
+
         /** The pairs of breeds that have handlers. */
         public var interests:BreedInterests;
 
@@ -30,9 +34,10 @@ package starlogo.handlers
         // By the number of the collider's breed: its handlers.
         private var _ofBreeds:Vector.<Vector.<CollisionHandler>>;
 
-        // By the numbers of the two breeds: what was found since the last handler was added. Breeds that no handler names share what belongs
-        // to OTHERS.
-        private var _pairs:Vector.<Vector.<PairHandlers>>;
+        // The handlers of the pairs of breeds that were asked for since the last handler was added: a hash table with open addressing, at most half
+        // full. Its memory is in proportion to the pairs that meet.
+        private var _pairs:Vector.<PairHandlers>;
+        private var _pairCount:int = 0;
 
         /**
          * Adds a handler of a kind.
@@ -82,7 +87,7 @@ package starlogo.handlers
         /** Begins a frame: takes the handlers as they are now. */
         public function begin():void
         {
-            if (_count == _handlers.length && _pairs.length == Breeds.count + 1)
+            if (_count == _handlers.length)
             {
                 return;
             }
@@ -97,7 +102,8 @@ package starlogo.handlers
             {
                 enter(_handlers[_count]);
             }
-            _pairs = new Vector.<Vector.<PairHandlers>>(Breeds.count + 1, true);
+            _pairs = new Vector.<PairHandlers>(LEAST_SLOTS, true);
+            _pairCount = 0;
         }
 
         /**
@@ -108,20 +114,19 @@ package starlogo.handlers
          */
         public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            var length:int = _pairs.length - 1;
-            if (breed < length && otherBreed < length)
+            var pairs:Vector.<PairHandlers> = _pairs;
+            var last:int = pairs.length - 1;
+            var slot:int = (breed * SPREAD + otherBreed) & last;
+            var found:PairHandlers = pairs[slot];
+            while (found != null)
             {
-                var ofBreed:Vector.<PairHandlers> = _pairs[int(breed + 1)];
-                if (ofBreed != null)
+                if (found.breed == breed && found.otherBreed == otherBreed)
                 {
-                    var found:PairHandlers = ofBreed[int(otherBreed + 1)];
-                    if (found != null)
-                    {
-                        return found;
-                    }
+                    return found;
                 }
+                slot = (slot + 1) & last;
+                found = pairs[slot];
             }
-            // a pair for the first time, or a handler has made a new breed
             return find(breed, otherBreed);
         }
 
@@ -133,21 +138,40 @@ package starlogo.handlers
             {
                 return NONE;
             }
-            if (_pairs[index] == null)
+            var found:PairHandlers = new PairHandlers(between(index, otherIndex), between(otherIndex, index));
+            found.breed = breed;
+            found.otherBreed = otherBreed;
+            if (2 * (_pairCount + 1) > _pairs.length)
             {
-                _pairs[index] = new Vector.<PairHandlers>(_pairs.length, true);
+                grow();
             }
-            var ofBreed:Vector.<PairHandlers> = _pairs[index];
-            if (ofBreed[otherIndex] == null)
+            put(found);
+            _pairCount++;
+            return found;
+        }
+
+        private function grow():void
+        {
+            var before:Vector.<PairHandlers> = _pairs;
+            _pairs = new Vector.<PairHandlers>(2 * before.length, true);
+            for each (var pair:PairHandlers in before)
             {
-                ofBreed[otherIndex] = new PairHandlers(between(index, otherIndex), between(otherIndex, index));
+                if (pair != null)
+                {
+                    put(pair);
+                }
             }
-            if (breed + 1 < _pairs.length && otherBreed + 1 < _pairs.length)
+        }
+
+        private function put(pair:PairHandlers):void
+        {
+            var last:int = _pairs.length - 1;
+            var slot:int = (pair.breed * SPREAD + pair.otherBreed) & last;
+            while (_pairs[slot] != null)
             {
-                _pairs[breed + 1] = ofBreed;
-                ofBreed[otherBreed + 1] = ofBreed[otherIndex];
+                slot = (slot + 1) & last;
             }
-            return ofBreed[otherIndex];
+            _pairs[slot] = pair;
         }
 
         private function enter(handler:CollisionHandler):void

@@ -8,6 +8,12 @@ package starlogo.handlers
      */
     public final class PairHandlers
     {
+        /** The number of the first agent's breed. */
+        public var breed:int = -1;
+
+        /** The number of the second agent's breed. */
+        public var otherBreed:int = -1;
+
         /** The handlers of all kinds. */
         public var handlers:Vector.<CollisionHandler>;
 

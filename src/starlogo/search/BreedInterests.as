@@ -29,10 +29,14 @@ package starlogo.search
         /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
-        // By number: a bit for each other number, whether the two are of interest. It has _words elements. It is null for a breed that no pair
-        // names, and for OTHERS until a pair has ANY_BREED.
-        private var _bits:Vector.<Vector.<int>> = new <Vector.<int>>[null];
-        private var _words:int = 1;
+        // A page has a bit for each of 1,024 numbers, so its place in a row is the number without its last ten bits. Most pages are empty, and
+        // all empty ones are this one. So the memory hardly grows with the square of the number of breeds.
+        private static const EMPTY:Vector.<int> = new Vector.<int>(32, true);
+
+        // By number: its row of _pageCount pages, with a bit for each other number: whether the two are of interest. The row is null for a breed
+        // that no pair names, and for OTHERS until a pair has ANY_BREED.
+        private var _bits:Vector.<Vector.<Vector.<int>>> = new <Vector.<Vector.<int>>>[null];
+        private var _pageCount:int = 1;
 
         // The numbers that have bits. How many of them are breeds of agents, and how many pairs of these are of interest.
         private var _numbers:Vector.<int> = new Vector.<int>();
@@ -116,7 +120,7 @@ package starlogo.search
         internal function read(table:AgentTable):int
         {
             var agents:Vector.<Agent> = table.agents;
-            var bits:Vector.<Vector.<int>> = _bits;
+            var bits:Vector.<Vector.<Vector.<int>>> = _bits;
             var others:int = bits[OTHERS] == null ? -1 : OTHERS;
             if (others == OTHERS && areAll && agents[RowList.GROUND] == null && agents[RowList.EDGES] == null)
             {
@@ -161,13 +165,13 @@ package starlogo.search
         internal function keepOfInterest(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var numbers:Vector.<int> = ofRows;
-            var bits:Vector.<int> = _bits[numbers[row]];
+            var pages:Vector.<Vector.<int>> = _bits[numbers[row]];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
                 var number:int = numbers[rows[other]];
-                if ((bits[number >> 5] & (1 << number)) != 0)
+                if ((pages[number >> 10][number >> 5 & 31] & 1 << number) != 0)
                 {
                     others[kept] = other;
                     kept++;
@@ -192,11 +196,16 @@ package starlogo.search
             {
                 _bits.length = number + 1;
             }
-            while (number >= 32 * _words)
+            while (number >> 10 >= _pageCount)
             {
-                widen();
+                _pageCount *= 2;
+                for each (var named:int in _numbers)
+                {
+                    widen(_bits[named]);
+                }
             }
-            _bits[number] = new Vector.<int>(_words);
+            _bits[number] = new Vector.<Vector.<int>>();
+            widen(_bits[number]);
             _numbers.push(number);
             if (!isOfAgents(number))
             {
@@ -232,24 +241,33 @@ package starlogo.search
         {
             if (!hasBit(number, other))
             {
-                _bits[number][other >> 5] |= 1 << other;
-                _bits[other][number >> 5] |= 1 << number;
+                setBit(_bits[number], other);
+                setBit(_bits[other], number);
                 _agentPairs += isOfAgents(number) && isOfAgents(other) ? 1 : 0;
             }
         }
 
-        private function widen():void
+        private function widen(pages:Vector.<Vector.<int>>):void
         {
-            _words *= 2;
-            for each (var number:int in _numbers)
+            while (pages.length < _pageCount)
             {
-                _bits[number].length = _words;
+                pages.push(EMPTY);
             }
         }
 
         private function hasBit(number:int, other:int):Boolean
         {
-            return (_bits[number][other >> 5] & (1 << other)) != 0;
+            return (_bits[number][other >> 10][other >> 5 & 31] & 1 << other) != 0;
+        }
+
+        private static function setBit(pages:Vector.<Vector.<int>>, other:int):void
+        {
+            var page:int = other >> 10;
+            if (pages[page] == EMPTY)
+            {
+                pages[page] = new Vector.<int>(32, true);
+            }
+            pages[page][other >> 5 & 31] |= 1 << other;
         }
     }
 }

@@ -103,7 +103,7 @@ test('the pages of both APIs open as files without script errors', { timeout: 12
 	await open('typedoc/index.html');
 	await open('typedoc/classes/index.Agent.html');
 	assert.equal(await page.textContent('h1'), 'Class Agent');
-	await open('asdoc/starlogo/agents/Agent.html');
+	await open('asdoc/starlogo/bounding/Sphere.html');
 	const rows = () => page.evaluate(() => [...document.querySelectorAll('#summaryTableProperty tr')].filter((row) => row.offsetHeight > 0).length);
 	const own = await rows();
 	await page.click('text=Show Inherited Public Properties');

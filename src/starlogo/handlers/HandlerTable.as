@@ -116,7 +116,7 @@ package starlogo.handlers
         {
             var pairs:Vector.<PairHandlers> = _pairs;
             var last:int = pairs.length - 1;
-            var slot:int = (breed * SPREAD + otherBreed) & last;
+            var slot:int = breed * SPREAD + otherBreed & last;
             var found:PairHandlers = pairs[slot];
             while (found != null)
             {
@@ -124,13 +124,14 @@ package starlogo.handlers
                 {
                     return found;
                 }
-                slot = (slot + 1) & last;
+                slot = slot + 1 & last;
                 found = pairs[slot];
             }
-            return find(breed, otherBreed);
+            return find(breed, otherBreed, slot);
         }
 
-        private function find(breed:int, otherBreed:int):PairHandlers
+        // Finds the handlers of a pair that is not in the table. Puts them into a free slot.
+        private function find(breed:int, otherBreed:int, slot:int):PairHandlers
         {
             var index:int = interests.indexOfNumber(breed);
             var otherIndex:int = interests.indexOfNumber(otherBreed);
@@ -138,40 +139,19 @@ package starlogo.handlers
             {
                 return NONE;
             }
+            if (2 * (_pairCount + 1) > _pairs.length)
+            {
+                // a larger table begins empty: pairs that are asked for again are found again
+                _pairs = new Vector.<PairHandlers>(2 * _pairs.length, true);
+                _pairCount = 0;
+                slot = breed * SPREAD + otherBreed & _pairs.length - 1;
+            }
             var found:PairHandlers = new PairHandlers(between(index, otherIndex), between(otherIndex, index));
             found.breed = breed;
             found.otherBreed = otherBreed;
-            if (2 * (_pairCount + 1) > _pairs.length)
-            {
-                grow();
-            }
-            put(found);
+            _pairs[slot] = found;
             _pairCount++;
             return found;
-        }
-
-        private function grow():void
-        {
-            var before:Vector.<PairHandlers> = _pairs;
-            _pairs = new Vector.<PairHandlers>(2 * before.length, true);
-            for each (var pair:PairHandlers in before)
-            {
-                if (pair != null)
-                {
-                    put(pair);
-                }
-            }
-        }
-
-        private function put(pair:PairHandlers):void
-        {
-            var last:int = _pairs.length - 1;
-            var slot:int = (pair.breed * SPREAD + pair.otherBreed) & last;
-            while (_pairs[slot] != null)
-            {
-                slot = (slot + 1) & last;
-            }
-            _pairs[slot] = pair;
         }
 
         private function enter(handler:CollisionHandler):void

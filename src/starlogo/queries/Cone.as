@@ -23,11 +23,6 @@ package starlogo.queries
         private var _sine:Number = 0;
         private var _cosine:Number = 1;
 
-        /** Begins without a cone. */
-        public function Cone()
-        {
-        }
-
         /**
          * Sets the cone.
          *

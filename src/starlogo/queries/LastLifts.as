@@ -26,11 +26,6 @@ package starlogo.queries
         private var _last:ContactPoint = new ContactPoint();
         private var _isBetween:Boolean = false;
 
-        /** Begins without a row. */
-        public function LastLifts()
-        {
-        }
-
         /**
          * Lifts a row. If that does not free it, for example between two opposite walls, it stays.
          *

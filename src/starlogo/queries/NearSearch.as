@@ -23,11 +23,6 @@ package starlogo.queries
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
-        /** Begins without a search. */
-        public function NearSearch()
-        {
-        }
-
         /**
          * Finds the rows near a place.
          *

@@ -46,11 +46,6 @@ package starlogo.queries
         private var _inModel:Ray = new Ray();
         private var _solid:SolidRay = new SolidRay();
 
-        /** Begins without a ray. */
-        public function RowRays()
-        {
-        }
-
         /**
          * Begins with the rows of a table. Set the ray first.
          *

@@ -68,11 +68,6 @@ package starlogo.queries
         private var _z:Vector.<Number>;
         private var _sizes:Extents;
 
-        /** Begins as an empty tree. */
-        public function RowTree()
-        {
-        }
-
         /**
          * Builds the tree again. It keeps the columns, because <code>move()</code> reads them later.
          *

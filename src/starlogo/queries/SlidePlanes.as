@@ -54,11 +54,6 @@ package starlogo.queries
         private var _tried:Vector3D = new Vector3D();
         private var _without:int = -1;
 
-        /** Begins without a motion. */
-        public function SlidePlanes()
-        {
-        }
-
         /**
          * Begins a motion, without planes.
          *

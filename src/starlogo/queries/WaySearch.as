@@ -43,11 +43,6 @@ package starlogo.queries
         private var _next:int = 0;
         private var _end:int = 0;
 
-        /** Begins without a search. */
-        public function WaySearch()
-        {
-        }
-
         /**
          * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
          *

@@ -302,8 +302,15 @@ package starlogo.search
             }
             listMembers();
             var count:int = interests.keepOfInterest(fixture, _memberRows, _candidates, _memberCount);
-            count = _isSwept ? keepTouchingMotions(null, fixture, _memberRows, _candidates, count)
-                : _pairs.keepTouching(table, null, fixture, _memberRows, _candidates, count);
+            if (_isSwept)
+            {
+                count = keepTouchingMotions(null, fixture, _memberRows, _candidates, count);
+            }
+            else
+            {
+                var body:Body = table.bodyOf(fixture);
+                count = _pairs.testsOf(body, body).keepMembers(table, _memberRows, _candidates, count, body);
+            }
             put(fixture, _memberRows, _candidates, count);
         }
 

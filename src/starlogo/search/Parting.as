@@ -9,7 +9,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Finds where two rows part if the first one moves along a direction. It tries places farther and farther away until the two do not touch. Then
+     * Finds where two bodies part if the first one moves along a direction. It tries places farther and farther away until the two do not touch. Then
      * it sweeps back to the place where they part. The surfaces have a normal at that place. Along this normal the way out is usually shorter. For
      * convex bodies it always is, because it is at most the depth times the cosine of the angle between the two directions. So it tries that
      * normal next. It improves a direction twice at most.
@@ -30,8 +30,8 @@ package starlogo.search
         // The most halvings. After 53 a Number has no more bits to halve.
         protected static const MOST_STEPS:int = 60;
 
-        // The pair under way, with the first body where it is moved to; its tests, the place of its first body when they touch, the larger extent of the two, and the gap across which
-        // they touch because their places are rounded.
+        // The tests of the pair under way; the first body, where it is moved to, and the second; the place of the first body when they touch; the
+        // larger extent of the two; and the gap across which they touch because their places are rounded.
         protected var _tests:PairTests;
         protected var _a:Body = new Body();
         protected var _b:Body;

@@ -94,9 +94,9 @@ package starlogo.search
         /**
          * Keeps the candidates that touch a row, and moves them to the beginning of the list.
          *
-         * @param bins knows how far apart the extents of touching rows may be; null for the ground and the edges of the world
+         * @param bins knows how far apart the extents of touching rows may be
          * @param rows the candidates are indices in this list of rows
-         * @param others the candidates. If the row is an agent's, their circles on the ground overlap its circle
+         * @param others the candidates, whose circles on the ground overlap the row's circle
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
@@ -104,11 +104,6 @@ package starlogo.search
         {
             var forms:Vector.<int> = table.forms;
             var form:int = forms[row];
-            if (form >= ModelShape.GROUND)
-            {
-                var fixture:Body = table.bodyOf(row);
-                return testsOf(fixture, fixture).keepMembers(table, rows, others, count, fixture);
-            }
             if (form == ModelShape.TREE)
             {
                 return trees.keepTouching(table, bins, row, rows, others, count);

@@ -26,11 +26,6 @@ package starlogo.terrain
         // The gap across which agents may still touch, because of rounding.
         private var _gap:Number = 0;
 
-        /** Creates a test without ground. */
-        public function QuickLook()
-        {
-        }
-
         /**
          * Removes members from a list that are known not to touch the ground. Nothing is known about trees, and about agents whose middle is
          * outside of the terrain.

@@ -25,11 +25,6 @@ package starlogo.terrain
         /** The length that any way out of the last contact has at least; 0 if it is not known. */
         public var needed:Number = 0;
 
-        /** Creates a test without a model. */
-        public function TerrainPair()
-        {
-        }
-
         /** Whether the two overlap or touch where the model stands. */
         public function areOverlapping():Boolean
         {

@@ -94,8 +94,9 @@ before(async () => {
 });
 after(() => browser.close());
 
-test('the pages of both APIs open as files without script errors', { timeout: 120000 }, async () => {
+test('the pages of both APIs open as files without script errors', { timeout: 600000 }, async () => {
 	const page = await browser.newPage();
+	page.setDefaultTimeout(120000);
 	const errors = [];
 	page.on('pageerror', (error) => errors.push(String(error)));
 	const open = (name) => page.goto(pathToFileURL(path.join(folder, 'docs', name)).href, { waitUntil: 'load' });
@@ -113,7 +114,7 @@ test('the pages of both APIs open as files without script errors', { timeout: 12
 	assert.deepEqual(errors, []);
 });
 
-test('the example client compiles against the SWC alone, and runs', { timeout: 300000 }, async () => {
+test('the example client compiles against the SWC alone, and runs', { timeout: 900000 }, async () => {
 	const client = path.join(folder, 'examples/client');
 	const [, command] = /^ {4}mxmlc (.*)$/m.exec(text('examples/client/README.md').replaceAll(/\\\n */g, ''));
 	mxmlc(command.split(' '), { cwd: client });
@@ -124,7 +125,7 @@ test('the example client compiles against the SWC alone, and runs', { timeout: 3
 	await assertIsDrawn(path.join(pictures, 'client.png'), ['223,232,207', '185,167,140']);
 });
 
-test('the example page runs on the module alone', { timeout: 120000 }, async () => {
+test('the example page runs on the module alone', { timeout: 600000 }, async () => {
 	const server = await serve(null, { '': folder });
 	try {
 		const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
@@ -133,7 +134,7 @@ test('the example page runs on the module alone', { timeout: 120000 }, async () 
 		page.on('pageerror', (error) => said.push(String(error)));
 		page.on('request', (request) => request.url().startsWith(server.url) || request.url().startsWith('data:') || said.push(request.url()));
 		await page.goto(`${server.url}examples/page/`);
-		await page.waitForFunction(() => Number(/frame (\d+)/.exec(document.querySelector('output').textContent)?.[1]) >= 150, null, { timeout: 90000 });
+		await page.waitForFunction(() => Number(/frame (\d+)/.exec(document.querySelector('output').textContent)?.[1]) >= 150, null, { timeout: 300000 });
 		const [, turns, hits] = /(\d+) turns, (\d+) hits/.exec(await page.textContent('output')).map(Number);
 		await page.screenshot({ path: path.join(pictures, 'page.png') });
 		assert.deepEqual(said, []);

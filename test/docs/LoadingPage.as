@@ -34,7 +34,7 @@ package docs
             Async.handleEvent(this, shown["loader"], Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals("bear,dragon", _loaded.join());
-                }, 20000);
+                }, 120000);
         }
     }
 }

@@ -26,7 +26,7 @@ package docs
             Async.handleEvent(this, shown["loader"], Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertTrue(greatLand.hasModel("bear"));
-                }, 20000);
+                }, 120000);
         }
     }
 }

@@ -106,7 +106,7 @@ test('the documentation has a link to each example', () => {
 });
 
 for (const { name, title, file } of examples) {
-	test(`${name} shows what it says`, { timeout: 120000 }, async () => {
+	test(`${name} shows what it says`, { timeout: 600000 }, async () => {
 		const [frames, isShown] = SHOWN[name];
 		await show(name, frames);
 		const text = await output();
@@ -120,7 +120,7 @@ for (const { name, title, file } of examples) {
 	});
 }
 
-test('the pointer leads what is yours, Play goes on, and dark is dark', { timeout: 60000 }, async () => {
+test('the pointer leads what is yours, Play goes on, and dark is dark', { timeout: 300000 }, async () => {
 	await page.emulateMedia({ colorScheme: 'dark' });
 	await show('first-collision', 5);
 	const before = numbersOf(await output())[0];
@@ -135,7 +135,7 @@ test('the pointer leads what is yours, Play goes on, and dark is dark', { timeou
 	await page.emulateMedia({ colorScheme: null });
 });
 
-test('keys move the player that slides, and no wall lets it through', { timeout: 60000 }, async () => {
+test('keys move the player that slides, and no wall lets it through', { timeout: 300000 }, async () => {
 	await show('slide', 1);
 	await page.keyboard.down('ArrowRight');
 	await page.getByRole('button', { name: 'Play' }).click();
@@ -146,7 +146,7 @@ test('keys move the player that slides, and no wall lets it through', { timeout:
 	assert.deepEqual(said.splice(0), []);
 });
 
-test('a colour that is ticked again is filtered no more', { timeout: 60000 }, async () => {
+test('a colour that is ticked again is filtered no more', { timeout: 300000 }, async () => {
 	await show('filters', 5);
 	assert.match(await output(), /left out: green$/);
 	await page.getByLabel('green').check();
@@ -155,7 +155,7 @@ test('a colour that is ticked again is filtered no more', { timeout: 60000 }, as
 	assert.deepEqual(said.splice(0), []);
 });
 
-test('opened as a file, a page says what it needs', { timeout: 60000 }, async () => {
+test('opened as a file, a page says what it needs', { timeout: 300000 }, async () => {
 	await page.goto(`file://${path.join(folder, 'first-collision.html')}`);
 	assert.match(await page.textContent('.notice'), /antw examples/);
 	assert.match(await page.textContent('pre'), /onCollision/);

@@ -11,7 +11,7 @@ package soak
     {
         private static const SIZE:int = 3000;
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function largeFilesAreModels():void
         {
             var run:LoadRun = new LoadRun(["OBJ 2000", "COLLADA 2000"], LargeFiles.make);
@@ -19,11 +19,11 @@ package soak
                 {
                     assertEquals("", run.errors.join());
                     assertEquals(2, run.models);
-                }, 15000);
+                }, 120000);
             run.start();
         }
 
-        [Test(async, timeout="60000")]
+        [Test(async, timeout="330000")]
         public function allEnd():void
         {
             var names:Array = HostileFiles.names.filter(isForThisMachine);
@@ -39,7 +39,7 @@ package soak
                     {
                         assertTrue(error, error.indexOf("model \"model\"") == 0 && error.indexOf("it can't be added") < 0);
                     }
-                }, 55000);
+                }, 275000);
             run.start();
         }
 

@@ -14,25 +14,25 @@ package soak
         private static const HASH:String = "9f481353";
         private static const FRAMES_HASHED:int = 200;
 
-        [Test(async, timeout="60000")]
+        [Test(async, timeout="330000")]
         public function whatAGameSeesIsTheSameEverywhere():void
         {
             var run:SoakRun = new SoakRun(FRAMES_HASHED, FRAMES_HASHED / 2);
             Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals(HASH, run.hash);
-                }, 50000);
+                }, 250000);
             run.start();
         }
 
-        [Test(async, timeout="120000")]
+        [Test(async, timeout="630000")]
         public function aMixedGame():void
         {
             var run:SoakRun = new SoakRun(Effort.choose(560, 1200), CHECK_EVERY);
             Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals("", run.problem);
-                }, 110000);
+                }, 550000);
             run.start();
         }
     }

@@ -137,7 +137,7 @@ package standins
             assertEquals("\u00E4", _bytes.readMultiByte(2, "utf-16"));
         }
 
-        [Test(async, timeout="10000")]
+        [Test(async, timeout="150000")]
         public function loadsAFileWithEvents():void
         {
             var loader:URLLoader = newLoader();
@@ -151,13 +151,13 @@ package standins
                     assertEquals(ProgressEvent.PROGRESS, _events[0]);
                     assertEquals(Event.COMPLETE, _events[_events.length - 1]);
                     assertFalse(_events.indexOf(IOErrorEvent.IO_ERROR) >= 0);
-                }, 10000);
+                }, 120000);
             loader.load(new URLRequest(FILE));
             assertNull(loader.data);
             assertEquals(0, _events.length);
         }
 
-        [Test(async, timeout="10000")]
+        [Test(async, timeout="150000")]
         public function loadsText():void
         {
             var loader:URLLoader = newLoader();
@@ -166,11 +166,11 @@ package standins
                 {
                     assertTrue(loader.data is String);
                     assertTrue(loader.data.indexOf("newmtl") > 0);
-                }, 10000);
+                }, 120000);
             loader.load(new URLRequest(FILE));
         }
 
-        [Test(async, timeout="10000")]
+        [Test(async, timeout="150000")]
         public function saysThatThereIsNoFile():void
         {
             var loader:URLLoader = newLoader();
@@ -178,7 +178,7 @@ package standins
                 {
                     assertTrue(event.text, event.text.indexOf("Error #2032") == 0);
                     assertFalse(_events.indexOf(Event.COMPLETE) >= 0);
-                }, 10000);
+                }, 120000);
             loader.load(new URLRequest("/assets/nothing"));
         }
 

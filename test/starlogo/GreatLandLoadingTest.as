@@ -37,7 +37,7 @@ package starlogo
             _loader = new ModelLoader(_greatLand, BUDGET);
         }
 
-        [Test(async, timeout="60000")]
+        [Test(async, timeout="330000")]
         public function twelveModelsLoadWhileTheGameRuns():void
         {
             var frames:int = 0;
@@ -69,10 +69,10 @@ package starlogo
                     var other:GreatLand = new GreatLand();
                     other.addModel(dragon);
                     assertEquals(LibraryContents.of(other, "dragon"), LibraryContents.of(_greatLand, "dragon"));
-                }, 60000);
+                }, 300000);
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function anAgentWhoseModelIsLoadingTakesNoPart():void
         {
             var agent:Agent = new Agent("bear");
@@ -107,7 +107,7 @@ package starlogo
                 });
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function oneThatIsAddedMeanwhileServesUntilThen():void
         {
             var agent:Agent = new Agent("bear");
@@ -126,7 +126,7 @@ package starlogo
                 });
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function aFitterThatFailsIsReported():void
         {
             var problem:String = null;

@@ -33,14 +33,14 @@ package starlogo.away3d
         private static const CLASSES:Array = [AxisAlignedBoundingBox, BoundingVolumeBase, ObjectContainer3D, Geometry, ISubGeometry, Object3D, Entity, Mesh,
                 SegmentSet, MaterialBase, LineSegment, Segment, SubGeometry];
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function declarationsAreAsTheRealThing():void
         {
             var loader:Loader = new Loader();
             loader.contentLoaderInfo.addEventListener(Event.COMPLETE, Async.asyncHandler(this, function(event:Event, data:Object):void
                     {
                         compareAll(loader.contentLoaderInfo.applicationDomain);
-                    }, 20000));
+                    }, 120000));
             // a domain of its own: the names are the same
             loader.loadBytes(Fixtures.bytes("/away3d-api/library.swf"), new LoaderContext(false, new ApplicationDomain(null)));
         }

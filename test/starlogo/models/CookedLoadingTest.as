@@ -66,7 +66,7 @@ package starlogo.models
             assertEquals("which is beside nothing", "a/manifest.json,data:text/plain,v", askedFor());
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function whatItNamesIsTakenAndNothingElseRead():void
         {
             var made:Model = new ObjModel("bear", OBJ);
@@ -86,7 +86,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function whereThereIsNoneItIsReadWithoutError():void
         {
             var cooked:ByteArray = newGame().bake(new ObjModel("bear", OBJ));
@@ -124,7 +124,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function forOtherArgumentsTheSourceIsRead():void
         {
             var cooked:ByteArray = newGame().bake(new ObjModel("bear", OBJ));
@@ -148,7 +148,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function aTransformBesideTheModelIsCookedWithIt():void
         {
             var transform:ModelTransform = ModelTransform.fromText("rotate 0 90 0\nscale 1 2 3");
@@ -167,7 +167,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function aCookedFileIsAModelByItself():void
         {
             var cooked:ByteArray = newGame().bake(new ObjModel("bear", OBJ));
@@ -187,7 +187,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="60000")]
+        [Test(async, timeout="330000")]
         public function aGamesModelsKeepToTheBudget():void
         {
             var files:Object = {};
@@ -288,7 +288,7 @@ package starlogo.models
             Async.handleEvent(this, loader, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     check();
-                }, 15000);
+                }, 120000);
         }
     }
 }

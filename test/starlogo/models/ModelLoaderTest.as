@@ -46,7 +46,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function choosesTheReader():void
         {
             _loader.loadText("obj text", OBJ);
@@ -60,7 +60,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function takesModelsFromSources():void
         {
             var source:CountedSource = new CountedSource("made", 5, false);
@@ -93,7 +93,7 @@ package starlogo.models
             assertEquals(0, _loader.pendingCount);
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function fetchesFiles():void
         {
             _loader.load("missing", "/fixtures/models/missing.obj");
@@ -114,7 +114,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function goesOnAfterAnError():void
         {
             _loader.loadText("broken", "v 1 2");
@@ -133,7 +133,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="10000")]
+        [Test(async, timeout="150000")]
         public function keepsToItsBudget():void
         {
             var progress:Array = [];
@@ -159,7 +159,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function keepsToItsBudgetWithRealFiles():void
         {
             Fixtures.assume("/assimp/OBJ/spider.obj", "the package assimp-testmodels is not installed");
@@ -201,7 +201,7 @@ package starlogo.models
             assertEquals(1, cancelled);
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function cancelsOneAmongOthers():void
         {
             _receiver.stepMs = 20;
@@ -228,7 +228,7 @@ package starlogo.models
                     assertEquals(0, _loader.pendingCount);
                     assertEquals(0, _receiver.expected.length);
                     check();
-                }, 5000);
+                }, 120000);
         }
 
         private static function grid(size:int):String

@@ -40,7 +40,7 @@ package starlogo.models
             }
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function livesWhileItHasWork():void
         {
             beginWithoutKeeping();
@@ -50,7 +50,7 @@ package starlogo.models
                 {
                     assertEquals("loaded text,model \"file\": no vertices,complete", _log.join());
                     assertFalse("nothing holds it any more", ModelLoader.isAnyWorking);
-                }, 20000);
+                }, 120000);
         }
 
         /** As a game does that listens, and keeps no reference. */
@@ -137,7 +137,7 @@ package starlogo.models
             assertEquals(1, a.closeCount);
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function whatWasCancelledDoesNotArrive():void
         {
             _loader = new TestedLoader(this, BUDGET);
@@ -159,7 +159,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function beginsNoStepWhenItsBudgetIsSpent():void
         {
             _loader = new TestedLoader(this, BUDGET);
@@ -176,7 +176,7 @@ package starlogo.models
                 });
         }
 
-        [Test(async, timeout="20000")]
+        [Test(async, timeout="150000")]
         public function doesOneStepAFrameWithoutABudget():void
         {
             _loader = new TestedLoader(this, 0);
@@ -224,7 +224,7 @@ package starlogo.models
             Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     check();
-                }, 20000);
+                }, 120000);
         }
     }
 }

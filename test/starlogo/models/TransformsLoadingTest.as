@@ -71,7 +71,7 @@ package starlogo.models
             assertEquals(1, _loader.fetches[1].closeCount);
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function standInPlaceOfTheUpAxis():void
         {
             var turned:ModelTransform = ModelTransform.fromText("rotate 90 0 270\nscale 1 2 3");
@@ -94,10 +94,10 @@ package starlogo.models
                     var upright:String = new ObjModel("a", OBJ, "y").vertices.join();
                     assertEquals("turned " + new ObjModel("a", OBJ, turned, Model.VOLUME).vertices.join() + "\nmissing " + upright +
                             "\nnothing said " + upright + "\ngiven " + new ObjModel("a", OBJ, turned, Model.AS_GIVEN).vertices.join(), _log.join("\n"));
-                }, 5000);
+                }, 120000);
         }
 
-        [Test(async, timeout="5000")]
+        [Test(async, timeout="150000")]
         public function scalingsThatAreNoneAreErrors():void
         {
             _loader.loadText("a", OBJ, "z", "huge");
@@ -108,7 +108,7 @@ package starlogo.models
                     assertTrue(_log[0], _log[0].indexOf('model "a": the scaling must be') == 0);
                     assertTrue(_log[1], _log[1].indexOf('model "b": the up axis must be') == 0);
                     assertEquals("c 1,0,0,3,0,0,1,4,0,1,0,8", _log[2]);
-                }, 5000);
+                }, 120000);
         }
 
         private function addresses():String

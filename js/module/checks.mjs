@@ -176,8 +176,8 @@ function article(name) {
 /** Whether a parameter may be null: the documentation of the parameter or of its member says so. */
 export function mayBeNull(parameter, member, type) {
 	if (parameter.value === "null") return true;
-	// Flash's own error for a null listener has only a number
-	if (parameter.type === "Function" && type.qname.startsWith("flash.")) return false;
+	// Flash's own error for a null listener, or a null type of event, has only a number
+	if (type.qname.startsWith("flash.") && (parameter.type === "Function" || parameter.name === "type")) return false;
 	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
 }
 

@@ -150,6 +150,7 @@ test("handlers and listeners are functions", () => {
 	const loader = new ModelLoader(new GreatLand());
 	for (const listener of [null, undefined, {}, "f", { handleEvent() {} }]) refused(() => loader.addEventListener("complete", listener), "listener must be a function");
 	refused(() => loader.addEventListener(3, () => 0), "type must be");
+	refused(() => loader.addEventListener(undefined, () => 0), "type must be"); // the platform has an Event without COMPLETE
 	refused(() => loader.addEventListener("complete", () => 0, "yes"), "useCapture must be");
 	refused(() => loader.dispatchEvent({ type: "complete" }), "event must be an Event");
 	assert.equal(loader.hasEventListener("complete"), false);

@@ -24,12 +24,13 @@ package flash.events
         /**
          * Adds a listener. One that is already added stays with its old priority.
          *
-         * @throws TypeError if the listener is null
+         * @throws TypeError if the type or the listener is null
          */
         public function addEventListener(type:String, listener:Function, useCapture:Boolean = false, priority:int = 0,
                 useWeakReference:Boolean = false):void
         {
-            check(listener);
+            check(type, "type");
+            check(listener, "listener");
             var all:Array = listenersTo(type);
             if (indexOf(all, listener, useCapture) >= 0)
             {
@@ -48,10 +49,11 @@ package flash.events
             }
         }
 
-        /** @throws TypeError if the listener is null */
+        /** @throws TypeError if the type or the listener is null */
         public function removeEventListener(type:String, listener:Function, useCapture:Boolean = false):void
         {
-            check(listener);
+            check(type, "type");
+            check(listener, "listener");
             var all:Array = listenersTo(type);
             var place:int = indexOf(all, listener, useCapture);
             if (place < 0)
@@ -137,11 +139,11 @@ package flash.events
             return -1;
         }
 
-        private static function check(listener:Function):void
+        private static function check(value:Object, name:String):void
         {
-            if (listener == null)
+            if (value == null)
             {
-                throw new TypeError("Error #2007: Parameter listener must be non-null.");
+                throw new TypeError("Error #2007: Parameter " + name + " must be non-null.");
             }
         }
     }

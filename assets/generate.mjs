@@ -1,4 +1,5 @@
-// Writes the models of this directory and the table in its README, and those of examples/three, which are some of them as glTF.
+// Writes the models of this directory and the table in its README, those of examples/three, which are some of them as glTF, and the level of
+// examples/level.
 //
 //   node assets/generate.mjs           writes them
 //   node assets/generate.mjs --check   writes nothing; fails if a file differs from what would be written
@@ -9,6 +10,7 @@ import { glb } from "./generator/gltf.mjs";
 import { measure } from "./generator/measure.mjs";
 import { mtl, obj } from "./generator/obj.mjs";
 import { flatten } from "./generator/scene.mjs";
+import { level } from "./generator/models/level.mjs";
 import { models } from "./generator/models/index.mjs";
 import { withTable } from "./generator/readme.mjs";
 
@@ -38,6 +40,7 @@ for (const model of models) {
         flatten(nodes).forEach(part => objColours.add(part.colour));
     }
 }
+files.set("../examples/level/level.glb", glb({ name: "level", nodes: level() }).toString("latin1"));
 files.set("palette.mtl", mtl(objColours));
 files.set("README.md", withTable(read("README.md"), rows));
 

@@ -3,7 +3,8 @@
  * Times the ES module in Node beside other engines, and what only the module has: bindings, snapshots' bytes, memory. The benchmarks that players run
  * too are those of benchmarks.mjs.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground
+ *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground,
+ *                                                         level
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * It is the time of the processors, of all threads of this process, so that other programs count as little as possible.
@@ -360,6 +361,47 @@ function snapshots() {
 	print("Snapshots of 10,000 agents, ms", ["", "snapshot", "restore", "bytes"], rows);
 }
 
+/** The level of the example, one mesh, beside other engines: preparing it, rays, a camera's sphere, a capsule that walks. */
+async function level() {
+	const { ENGINES, readLevel } = await import("./levels.mjs");
+	const mesh = readLevel();
+	const random = randomNumbers(51);
+	const between = (from, to) => from + (to - from) * random();
+	const names = Object.keys(ENGINES);
+	const levels = names.map((name) => ENGINES[name](mesh));
+	const aimed = Array.from({ length: 8000 }, () => {
+		const [angle, rise] = [between(0, 2 * Math.PI), between(-0.3, 0.3)];
+		const flat = Math.sqrt(1 - rise * rise);
+		return { from: [between(-35, 35), between(-35, 35), between(2, 5)], to: [flat * Math.cos(angle), flat * Math.sin(angle), rise] };
+	}).filter(({ from }) => levels[0].isFree(from, 0.25));
+	const starts = Array.from({ length: 20 }, (_, i) => [22 * Math.cos(2.4 * i) * Math.sqrt(i / 20), 22 * Math.sin(2.4 * i) * Math.sqrt(i / 20), 6]);
+	const prepare = (name) => ENGINES[name](mesh).ray([0, 0, 5], [0, 0, -1], 100);
+	const preparing = measure(names.map((name) => ({ run: () => prepare(name) })), 5);
+	const distances = levels.map(({ ray }) => aimed.map(({ from, to }) => ray(from, to, 60)));
+	const rays = measure(levels.map(({ ray }) => ({ run: () => aimed.forEach(({ from, to }) => ray(from, to, 60)) })), 5);
+	const ways = aimed.map(({ to }) => to.map((value) => 6 * value));
+	const cameras = levels.map(({ sphere }) => sphere && aimed.map(({ from }, i) => sphere(from, 0.25, ways[i])));
+	const casts = levels.map(({ sphere }) => sphere && measure([{ run: () => aimed.forEach(({ from }, i) => sphere(from, 0.25, ways[i])) }], 3)[0]);
+	const walks = levels.map(({ walker }) => {
+		if (!walker) return null;
+		const walkers = starts.map(walker);
+		let frame = 0;
+		const stride = () => walkers.forEach((each, i) => each.walk(0.06 * Math.cos(i + frame / 90), 0.06 * Math.sin(i + frame / 90)));
+		const [ms] = measure([{ prepare: () => frame++, run: stride }], 300);
+		return { ms, fell: walkers.filter(({ place }) => place[2] < -6).length };
+	});
+	const near = (one, other) => one === other || Math.abs(one - other) < 1e-3 * (1 + Math.abs(one));
+	print(`A level of ${mesh.triangles.length / 3} triangles`, ["", ...names], [
+		["preparing it and a first ray, ms", ...preparing],
+		["a ray, microseconds", ...rays.map((ms) => 1000 * ms / aimed.length)],
+		["a sphere's cast, microseconds", ...casts.map((ms) => (ms ? 1000 * ms / aimed.length : "-"))],
+		["a capsule's walk, microseconds", ...walks.map((walk) => (walk ? 1000 * walk.ms / starts.length : "-"))],
+		[`of ${aimed.length} rays the same`, ...distances.map((all) => all.filter((value, i) => near(value, distances[0][i])).length)],
+		["casts the same", ...cameras.map((all) => (all ? all.filter((value, i) => near(value, cameras[0][i])).length : "-"))],
+		["fell through", ...walks.map((walk) => (walk ? walk.fell : "-"))],
+	]);
+}
+
 /** Frames on a ground of a million cells; a hill that rises; rays across it, beside three-mesh-bvh on the same triangles. */
 function ground() {
 	const cells = 1000;
@@ -422,4 +464,4 @@ function ground() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground, level]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -1,0 +1,210 @@
+/**
+ * A level as one mesh, in this engine and in others, each as its documentation says that it is fastest: z is up, and a level is what `prepare`
+ * gives of a model's numbers, ready for its first ray. Each has `ray`, and where it can `sphere` and `walker`;
+ * the first can say where a ball is free.
+ */
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+import { engine } from "./games.mjs";
+
+const { Agent, AgentQueries, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
+
+const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
+const load = (name) => import(pathToFileURL(tools.resolve(name)));
+const three = await load("three");
+const { MeshBVH } = await load("three-mesh-bvh");
+const rapier = await load("@dimforge/rapier3d-compat");
+const RAPIER = rapier.default ?? rapier;
+// its package.json names no entry for require
+const crashcat = await import(new URL("../../js/module/node_modules/crashcat/dist/index.js", import.meta.url));
+await RAPIER.init();
+crashcat.registerAll();
+
+/** The capsule that walks: it is a person's size. */
+export const RADIUS = 0.3;
+export const HEIGHT = 1.8;
+const STEP = 0.3;
+const SLOPE = 50;
+const FALL = 0.2;
+const radians = (degrees) => (degrees * Math.PI) / 180;
+
+/** The example's level: { vertices, triangles }, a unit a patch. */
+export function readLevel() {
+	const { vertices, triangles } = GltfModel.fromBytes("level", readFileSync(new URL("../../examples/level/level.glb", import.meta.url)), null, Model.AS_GIVEN);
+	return { vertices, triangles };
+}
+
+/** The surface of the capsule that walks, its lowest point at the origin. */
+function capsuleModel() {
+	const [sides, rings] = [16, 8];
+	const vertices = [];
+	const triangles = [];
+	for (let ring = 0; ring <= 2 * rings + 1; ring++) {
+		const angle = (Math.PI / 2) * ((ring <= rings ? ring : ring - 1) / rings - 1);
+		const [radius, height] = [RADIUS * Math.cos(angle), RADIUS * Math.sin(angle) + (ring <= rings ? RADIUS : HEIGHT - RADIUS)];
+		for (let side = 0; side < sides; side++) {
+			const around = (2 * Math.PI * side) / sides;
+			vertices.push(radius * Math.cos(around), radius * Math.sin(around), height);
+			const [here, next] = [ring * sides + side, ring * sides + ((side + 1) % sides)];
+			if (ring > 0) triangles.push(here - sides, next - sides, next, here - sides, next, here);
+		}
+	}
+	return new Model("walker", vertices, triangles, Model.AS_GIVEN);
+}
+
+/** This engine: the level is one hierarchical agent, and triangles decide. */
+function inEngine({ vertices, triangles }) {
+	const land = new GreatLand();
+	land.loadTightestFit = false;
+	land.addModel(new Model("level", vertices, triangles, Model.AS_GIVEN));
+	const collider = Object.assign(new CombinationCollider(land), { exact: true });
+	const queries = new AgentQueries(collider);
+	const agents = [Object.assign(new Agent("level", "levels"), { hierarchical: true })];
+	queries.update(agents);
+	const [origin, direction, hit, shapeHit] = [new Vector3D(), new Vector3D(), new RayHit(), new ShapeHit()];
+	const place = ([x, y, z]) => {
+		origin.setTo(x, y, z);
+		return origin;
+	};
+	return {
+		ray: (from, to, reach) => {
+			place(from);
+			direction.setTo(...to);
+			return queries.cast(origin, direction, reach, null, hit)?.distance ?? Infinity;
+		},
+		sphere: (from, radius, way) => queries.castShape(new Sphere(place(from), radius), ...way, null, shapeHit)?.time ?? 1,
+		isFree: (from, radius) => queries.overlapping(new Sphere(place(from), radius)).length === 0,
+		walker: (from) => {
+			if (!land.hasModel("walker")) {
+				land.loadTightestFit = true;
+				land.addModel(capsuleModel());
+			}
+			const walker = new Agent("walker", "walkers");
+			walker.moveTo(...from);
+			agents.push(walker);
+			queries.update(agents);
+			const options = Object.assign(new WalkOptions(), { stepHeight: STEP, snap: STEP, slopeDegrees: SLOPE, fall: FALL });
+			const footing = new Footing();
+			return {
+				walk: (dx, dy) => queries.walk(walker, dx, dy, options, footing),
+				get place() { return [walker.x, walker.y, walker.z]; },
+			};
+		},
+	};
+}
+
+/** three-mesh-bvh with its default settings: it knows rays. */
+function inBvh({ vertices, triangles }) {
+	const geometry = new three.BufferGeometry();
+	geometry.setAttribute("position", new three.BufferAttribute(new Float32Array(vertices), 3));
+	geometry.setIndex(new three.BufferAttribute(new Uint32Array(triangles), 1));
+	const bvh = new MeshBVH(geometry);
+	const ray = new three.Ray();
+	return {
+		ray: (from, to, reach) => {
+			ray.origin.set(...from);
+			ray.direction.set(...to);
+			return bvh.raycastFirst(ray, three.DoubleSide, 0, reach)?.distance ?? Infinity;
+		},
+	};
+}
+
+function inRapier({ vertices, triangles }) {
+	const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
+	world.createCollider(RAPIER.ColliderDesc.trimesh(new Float32Array(vertices), new Uint32Array(triangles)));
+	world.step();
+	const ray = new RAPIER.Ray({ x: 0, y: 0, z: 0 }, { x: 0, y: 0, z: 1 });
+	const vector = ([x, y, z]) => ({ x, y, z });
+	const upright = { x: 0, y: 0, z: 0, w: 1 };
+	const balls = new Map();
+	const ballOf = (radius) => balls.get(radius) ?? balls.set(radius, new RAPIER.Ball(radius)).get(radius);
+	return {
+		ray: (from, to, reach) => {
+			ray.origin = vector(from);
+			ray.dir = vector(to);
+			return world.castRay(ray, reach, true)?.timeOfImpact ?? Infinity;
+		},
+		sphere: (from, radius, way) => world.castShape(vector(from), upright, vector(way), ballOf(radius), 0, 1, true)?.time_of_impact ?? 1,
+		walker: (from) => {
+			const controller = world.createCharacterController(0.01);
+			controller.setUp({ x: 0, y: 0, z: 1 });
+			controller.enableAutostep(STEP, 0.1, false);
+			controller.enableSnapToGround(STEP);
+			controller.setMaxSlopeClimbAngle(radians(SLOPE));
+			controller.setSlideEnabled(true);
+			const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased());
+			// Rapier's capsules stand along y
+			const capsule = RAPIER.ColliderDesc.capsule(HEIGHT / 2 - RADIUS, RADIUS).setRotation({ x: Math.SQRT1_2, y: 0, z: 0, w: Math.SQRT1_2 });
+			const collider = world.createCollider(capsule, body);
+			const at = vector([from[0], from[1], from[2] + HEIGHT / 2]);
+			const settle = () => {
+				body.setTranslation(at, true);
+				collider.setTranslation(at);
+			};
+			settle();
+			return {
+				walk: (dx, dy) => {
+					controller.computeColliderMovement(collider, { x: dx, y: dy, z: controller.computedGrounded() ? -0.01 : -FALL }, RAPIER.QueryFilterFlags.EXCLUDE_KINEMATIC);
+					const { x, y, z } = controller.computedMovement();
+					at.x += x;
+					at.y += y;
+					at.z += z;
+					settle();
+				},
+				get place() { return [at.x, at.y, at.z - HEIGHT / 2]; },
+			};
+		},
+	};
+}
+
+function inCrashcat({ vertices, triangles }) {
+	const settings = crashcat.createWorldSettings();
+	const layer = crashcat.addObjectLayer(settings, crashcat.addBroadphaseLayer(settings));
+	crashcat.enableCollision(settings, layer, layer);
+	const world = crashcat.createWorld(settings);
+	const shape = crashcat.triangleMesh.create({ positions: [...vertices], indices: [...triangles] });
+	crashcat.rigidBody.create(world, { shape, motionType: crashcat.MotionType.STATIC, objectLayer: layer, position: [0, 0, 0] });
+	const filter = crashcat.filter.forWorld(world);
+	const rays = crashcat.createClosestCastRayCollector();
+	const shapes = crashcat.createClosestCastShapeCollector();
+	const raySettings = { ...crashcat.createDefaultCastRaySettings(), collideWithBackfaces: true };
+	const shapeSettings = { ...crashcat.createDefaultCastShapeSettings(), collideWithBackfaces: true };
+	const [upright, one] = [[0, 0, 0, 1], [1, 1, 1]];
+	const balls = new Map();
+	const ballOf = (radius) => balls.get(radius) ?? balls.set(radius, crashcat.sphere.create({ radius })).get(radius);
+	return {
+		ray: (from, to, reach) => {
+			rays.reset();
+			crashcat.castRay(world, rays, raySettings, from, to, reach, filter);
+			return rays.hit.status === crashcat.CastRayStatus.COLLIDING ? rays.hit.fraction * reach : Infinity;
+		},
+		sphere: (from, radius, way) => {
+			shapes.reset();
+			crashcat.castShape(world, shapes, shapeSettings, ballOf(radius), from, upright, one, way, filter);
+			return shapes.hit.status === crashcat.CastShapeStatus.COLLIDING ? shapes.hit.fraction : 1;
+		},
+		walker: (from) => {
+			const capsule = crashcat.capsule.create({ radius: RADIUS, halfHeightOfCylinder: HEIGHT / 2 - RADIUS });
+			const { kcc } = crashcat;
+			// its capsules stand along y
+			const turn = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
+			const character = kcc.create({ shape: capsule, up: [0, 0, 1], maxSlopeAngle: radians(SLOPE) }, [from[0], from[1], from[2] + HEIGHT / 2], turn);
+			const options = { ...kcc.createDefaultUpdateSettings(), stickToFloorStepDown: [0, 0, -STEP], walkStairsStepUp: [0, 0, STEP] };
+			const [seconds, gravity] = [1 / 60, [0, 0, -9.81]];
+			return {
+				walk: (dx, dy) => {
+					const falls = character.ground.state === kcc.GroundState.ON_GROUND ? 0 : -FALL / seconds;
+					character.linearVelocity[0] = dx / seconds;
+					character.linearVelocity[1] = dy / seconds;
+					character.linearVelocity[2] = falls;
+					kcc.update(world, character, seconds, gravity, options, undefined, filter);
+				},
+				get place() { return [character.position[0], character.position[1], character.position[2] - HEIGHT / 2]; },
+			};
+		},
+	};
+}
+
+/** How each prepares a level, by its name. */
+export const ENGINES = { engine: inEngine, "three-mesh-bvh": inBvh, Rapier: inRapier, crashcat: inCrashcat };

@@ -1,7 +1,10 @@
 package starlogo.bounding
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /** Base class of Capsule and Cylinder: an axis between two points, and a radius. Abstract. */
     public class AxialStructure extends BoundingStructure
@@ -47,6 +50,20 @@ package starlogo.bounding
             placePoint(end, placement, placed.end);
             placed.radius = radius * placement.size;
             return placed;
+        }
+
+        /** @private */
+        override engine function numbers():Vector.<Number>
+        {
+            return new <Number>[start.x, start.y, start.z, end.x, end.y, end.z, radius];
+        }
+
+        /** @private */
+        override engine function setNumbers(numbers:Vector.<Number>):void
+        {
+            start.setTo(numbers[0], numbers[1], numbers[2]);
+            end.setTo(numbers[3], numbers[4], numbers[5]);
+            radius = numbers[6];
         }
     }
 }

@@ -30,8 +30,8 @@ package starlogo.bounding
         /** The kind of a Box. */
         public static const BOX:int = 2;
 
-        /** The kind of a Cylinder. */
-        public static const CYLINDER:int = 3;
+        /** The kind of a structure that no test of the engine takes: a Cylinder, or a structure of your own. */
+        public static const OTHER:int = 9;
 
         // The limits of coordinates and lengths. The tests of pairs multiply four of them.
         private static const LARGEST:Number = 1e70;
@@ -39,7 +39,7 @@ package starlogo.bounding
 
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        /** The kind of this structure: SPHERE, CAPSULE, BOX or CYLINDER. Read only. */
+        /** The kind of this structure: SPHERE, CAPSULE, BOX or OTHER. Read only. */
         public var kind:int;
 
         /**
@@ -197,6 +197,26 @@ package starlogo.bounding
         engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
             throw missing("turnedExtentsInto");
+        }
+
+        /**
+         * All numbers of the structure, in a list of their own.
+         *
+         * @private
+         */
+        engine function numbers():Vector.<Number>
+        {
+            throw missing("numbers");
+        }
+
+        /**
+         * Sets all numbers of the structure, in the order of <code>numbers()</code>. They are not checked; <code>clone()</code> checks them.
+         *
+         * @private
+         */
+        engine function setNumbers(numbers:Vector.<Number>):void
+        {
+            throw missing("setNumbers");
         }
 
         /**

@@ -187,6 +187,25 @@ package starlogo.bounding
             out[5] = reachZ + z * Math.abs(turned.z) + margin;
         }
 
+        /** @private */
+        override engine function numbers():Vector.<Number>
+        {
+            return new <Number>[center.x, center.y, center.z, axisX.x, axisX.y, axisX.z, axisY.x, axisY.y, axisY.z, axisZ.x, axisZ.y, axisZ.z,
+                    halfX, halfY, halfZ];
+        }
+
+        /** @private */
+        override engine function setNumbers(numbers:Vector.<Number>):void
+        {
+            center.setTo(numbers[0], numbers[1], numbers[2]);
+            axisX.setTo(numbers[3], numbers[4], numbers[5]);
+            axisY.setTo(numbers[6], numbers[7], numbers[8]);
+            axisZ.setTo(numbers[9], numbers[10], numbers[11]);
+            halfX = numbers[12];
+            halfY = numbers[13];
+            halfZ = numbers[14];
+        }
+
         // Writes the extent along an axis of the space. The box's own axes have the given components along it.
         private function writeExtentOf(middle:Number, alongX:Number, alongY:Number, alongZ:Number, margin:Number, out:Vector.<Number>,
                 offset:int):void

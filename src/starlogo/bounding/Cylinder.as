@@ -23,7 +23,7 @@ package starlogo.bounding
          */
         public function Cylinder(start:Vector3D, end:Vector3D, radius:Number)
         {
-            super(CYLINDER, start, end, radius, "cylinder");
+            super(OTHER, start, end, radius, "cylinder");
         }
 
         /** @inheritDoc */

@@ -112,6 +112,19 @@ package starlogo.bounding
         }
 
         /** @private */
+        override engine function numbers():Vector.<Number>
+        {
+            return new <Number>[center.x, center.y, center.z, radius];
+        }
+
+        /** @private */
+        override engine function setNumbers(numbers:Vector.<Number>):void
+        {
+            center.setTo(numbers[0], numbers[1], numbers[2]);
+            radius = numbers[3];
+        }
+
+        /** @private */
         override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;

@@ -54,12 +54,13 @@ package starlogo.debug
                     var capsule:Capsule = Capsule(structure);
                     drawRound(pen, capsule.start, capsule.end, capsule.radius, true);
                     break;
-                case BoundingStructure.CYLINDER:
-                    var cylinder:Cylinder = Cylinder(structure);
-                    drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, false);
-                    break;
                 default:
-                    throw new ArgumentError("this kind of structure can't be drawn: " + structure);
+                    var cylinder:Cylinder = structure as Cylinder;
+                    if (cylinder == null)
+                    {
+                        throw new ArgumentError("this kind of structure can't be drawn: " + structure);
+                    }
+                    drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, false);
             }
             return pen.lines;
         }

@@ -7,7 +7,7 @@ package starlogo.intersection
 
     /**
      * Computes the sweep, the contact and the distance of two structures. Each pair of kinds has its own subclass, and PairTable has an
-     * instance of each. This class itself stands for pairs without a test.
+     * instance of each. Abstract.
      *
      * @private
      */
@@ -19,11 +19,9 @@ package starlogo.intersection
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
          * @param motion the motion of a; receives the time
-         * @throws ArgumentError if there is no test for the pair
          */
         public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            throw missing(a, b);
         }
 
         /**
@@ -33,11 +31,9 @@ package starlogo.intersection
          * @param b of the pair's second kind, in the same space
          * @param displacement moves a from its stored place to the motion's start
          * @param out receives the contact
-         * @throws ArgumentError if there is no test for the pair
          */
         public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            throw missing(a, b);
         }
 
         /**
@@ -46,16 +42,9 @@ package starlogo.intersection
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
          * @param out receives the distance and the points
-         * @throws ArgumentError if there is no test for the pair
          */
         public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
         {
-            throw missing(a, b);
-        }
-
-        private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
-        {
-            return new ArgumentError("there is no sweep, contact or distance test for " + a + " and " + b);
         }
     }
 }

@@ -7,17 +7,12 @@ package starlogo.intersection
      */
     public final class PairTable
     {
-        // For pairs with a cylinder, and for pairs in the wrong order.
-        private static const NONE:PairKernel = new PairKernel();
-
         /**
-         * The kernels, by four times the first structure's kind plus the second's. The first kind must not be higher than the second: the
-         * other entries have no test.
+         * The kernels, by three times the first structure's kind plus the second's. The first kind must not be higher than the second.
          */
         public static const KERNELS:Vector.<PairKernel> = new <PairKernel>[
-                new PointPoint(), new PointSegment(), new PointBox(), NONE,
-                NONE, new SegmentSegment(), new SegmentBox(), NONE,
-                NONE, NONE, new BoxPair(), NONE,
-                NONE, NONE, NONE, NONE];
+                new PointPoint(), new PointSegment(), new PointBox(),
+                null, new SegmentSegment(), new SegmentBox(),
+                null, null, new BoxPair()];
     }
 }

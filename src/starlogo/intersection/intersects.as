@@ -19,7 +19,7 @@ package starlogo.intersection
      */
     public function intersects(a:BoundingStructure, b:BoundingStructure):Boolean
     {
-        switch (a.kind << 2 | b.kind)
+        switch (3 * a.kind + b.kind)
         {
             case 0:
                 return sphereSphere(a as Sphere, b as Sphere);
@@ -27,17 +27,17 @@ package starlogo.intersection
                 return sphereCapsule(a as Sphere, b as Capsule);
             case 2:
                 return sphereBox(a as Sphere, b as Box);
-            case 4:
+            case 3:
                 return sphereCapsule(b as Sphere, a as Capsule);
-            case 5:
+            case 4:
                 return capsuleCapsule(a as Capsule, b as Capsule);
-            case 6:
+            case 5:
                 return capsuleBox(a as Capsule, b as Box);
-            case 8:
+            case 6:
                 return sphereBox(b as Sphere, a as Box);
-            case 9:
+            case 7:
                 return capsuleBox(b as Capsule, a as Box);
-            case 10:
+            case 8:
                 return boxBox(a as Box, b as Box);
             default:
                 throw new ArgumentError("there is no intersection test for " + a + " and " + b);

@@ -4,9 +4,6 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
-    import starlogo.libraries.cooked.FitsReader;
-    import starlogo.libraries.cooked.FitsWriter;
-    import starlogo.libraries.cooked.StoreIndex;
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
@@ -20,9 +17,9 @@ package starlogo.libraries
      * Keeps the results computed for models from one game to the next (thesis §7.9). So each machine computes them only once. Give it to a
      * GreatLand: the GreatLand looks here before it computes, and stores new results here.
      *
-     * <p>An entry is found by the model's geometry and all settings that matter. The model's name does not matter. Every entry is checked
-     * like a cooked file. A changed, incomplete or forged entry is ignored and replaced. If there is not enough room, the least recently
-     * used entries are removed. If nothing can be stored, games still work.</p>
+     * <p>An entry is a cooked file without the model. It is found by the model's geometry and all settings that matter. The model's name
+     * does not matter. A changed, incomplete or forged entry is ignored and replaced. If there is not enough room, the least recently used
+     * entries are removed. If nothing can be stored, games still work.</p>
      *
      * <p>Several games may share a storage at the same time, for example in several tabs. Each entry is stored separately, so no game
      * overwrites another's entries. If two games write the list of entries at the same time, an entry may be missing from the list until
@@ -33,7 +30,10 @@ package starlogo.libraries
         /** The default capacity, in bytes. Flash Player lets a site store 100 KB without asking the user. */
         public static const DEFAULT_CAPACITY:int = 90000;
 
-        private static const INDEX:String = "index";
+        // The list of entries is a text. It has a line for each entry, the least recently used one first: the name, and the length in bytes.
+        private static const LIST:String = "index";
+        private static const ENTRIES:RegExp = /[0-9a-f]{32} \d{1,9}\n/g;
+        private static const NAME_LENGTH:int = 32;
 
         private var _storage:FitStorage;
         private var _capacity:Number;
@@ -53,7 +53,7 @@ package starlogo.libraries
                 throw new RangeError("the capacity must be 0 bytes or more, not " + capacity);
             }
             _capacity = capacity;
-            _storage = storage == null ? new SharedFitStorage() : storage;
+            _storage = storage || new SharedFitStorage();
         }
 
         /** The most bytes that it keeps. */
@@ -65,7 +65,7 @@ package starlogo.libraries
         /** The number of bytes that it has now. */
         public function get length():Number
         {
-            return readIndex().total;
+            return lengthOf(entriesBut(null));
         }
 
         /**
@@ -80,7 +80,7 @@ package starlogo.libraries
         {
             var fits:ModelFits = new ModelFits();
             finish(reading(model, geometryOf(model, settings), settings, fits));
-            return fits.structures == null && fits.tree == null ? null : fits;
+            return fits.hasStructures || fits.hasHierarchy ? fits : null;
         }
 
         /**
@@ -106,11 +106,25 @@ package starlogo.libraries
         /** Removes all entries. */
         public function clear():void
         {
-            for each (var name:String in readIndex().names)
+            for each (var entry:String in entriesBut(null))
             {
-                _storage.remove(name);
+                _storage.remove(nameIn(entry));
             }
-            _storage.remove(INDEX);
+            _storage.remove(LIST);
+        }
+
+        /**
+         * The fingerprint by which a model is found. None of its steps is done yet.
+         *
+         * @private
+         */
+        engine function geometryOf(model:Model, settings:FitSettings):GeometryFingerprint
+        {
+            if (model == null || settings == null)
+            {
+                throw new ArgumentError("the model and the settings must not be null: " + model + ", " + settings);
+            }
+            return new GeometryFingerprint(model.vertices, model.triangles);
         }
 
         /**
@@ -128,29 +142,21 @@ package starlogo.libraries
             var file:CookedFile;
             return new StepSequence().add(geometry).begin(function():Steps
                 {
-                    file = new CookedFile(bytesOf(geometry.fingerprint, settings));
+                    var name:String = geometry.fingerprint.toString() + settings;
+                    var bytes:ByteArray = _storage.read(name);
+                    if (bytes != null)
+                    {
+                        list(entriesBut(name), name, bytes);
+                    }
+                    file = new CookedFile(bytes);
                     return file;
                 }).call(function():void
                 {
                     if (file.isFor(geometry.fingerprint))
                     {
-                        FitsReader.read(file, model, settings, fits);
+                        fits.readFrom(file, model, settings);
                     }
                 });
-        }
-
-        // null if there are none
-        private function bytesOf(geometry:Fingerprint, settings:FitSettings):ByteArray
-        {
-            var name:String = nameOf(geometry, settings);
-            var bytes:ByteArray = _storage.read(name);
-            if (bytes != null)
-            {
-                var index:StoreIndex = readIndex();
-                index.put(name, bytes.length);
-                _storage.write(INDEX, index.toBytes());
-            }
-            return bytes;
         }
 
         /**
@@ -173,63 +179,61 @@ package starlogo.libraries
          */
         engine function keep(geometry:Fingerprint, settings:FitSettings, fits:ModelFits):Boolean
         {
-            var bytes:ByteArray = FitsWriter.write(fits, settings, geometry);
+            var bytes:ByteArray = fits.toFile(settings, geometry);
             if (_isOff || bytes.length > _capacity)
             {
                 return false;
             }
-            var name:String = nameOf(geometry, settings);
-            var index:StoreIndex = readIndex();
-            index.remove(name);
-            while (index.total + bytes.length > _capacity)
+            var name:String = geometry.toString() + settings;
+            var others:Array = entriesBut(name);
+            var isKept:Boolean = lengthOf(others) + bytes.length <= _capacity && _storage.write(name, bytes);
+            while (!isKept && others.length > 0)
             {
-                drop(index);
-            }
-            var isKept:Boolean = _storage.write(name, bytes);
-            while (!isKept && index.names.length > 0)
-            {
-                drop(index);
-                isKept = _storage.write(name, bytes);
+                _storage.remove(nameIn(others.shift()));
+                isKept = lengthOf(others) + bytes.length <= _capacity && _storage.write(name, bytes);
             }
             // there is no room even for one entry
             _isOff = !isKept;
-            if (isKept)
-            {
-                index.put(name, bytes.length);
-            }
-            _storage.write(INDEX, index.toBytes());
+            list(others, name, isKept ? bytes : null);
             return isKept;
         }
 
-        private function drop(index:StoreIndex):void
+        // The list without one name. Damaged lines are left out.
+        private function entriesBut(name:String):Array
         {
-            var oldest:String = index.names[0];
-            _storage.remove(oldest);
-            index.remove(oldest);
-        }
-
-        private function readIndex():StoreIndex
-        {
-            return StoreIndex.read(_storage.read(INDEX));
-        }
-
-        private static function nameOf(geometry:Fingerprint, settings:FitSettings):String
-        {
-            return geometry.toString() + settings.toString();
-        }
-
-        /**
-         * The fingerprint by which a model is found. None of its steps is done yet.
-         *
-         * @private
-         */
-        engine function geometryOf(model:Model, settings:FitSettings):GeometryFingerprint
-        {
-            if (model == null || settings == null)
+            var bytes:ByteArray = _storage.read(LIST);
+            var entries:Array = [];
+            for each (var entry:String in bytes == null ? null : bytes.readUTFBytes(bytes.length).match(ENTRIES))
             {
-                throw new ArgumentError("the model and the settings must not be null: " + model + ", " + settings);
+                if (nameIn(entry) != name)
+                {
+                    entries.push(entry);
+                }
             }
-            return new GeometryFingerprint(model.vertices, model.triangles);
+            return entries;
+        }
+
+        // Writes the list, with one more entry unless its bytes are null.
+        private function list(others:Array, name:String, bytes:ByteArray):void
+        {
+            var text:ByteArray = new ByteArray();
+            text.writeUTFBytes(others.join("") + (bytes == null ? "" : name + " " + bytes.length + "\n"));
+            _storage.write(LIST, text);
+        }
+
+        private static function nameIn(entry:String):String
+        {
+            return entry.substr(0, NAME_LENGTH);
+        }
+
+        private static function lengthOf(entries:Array):Number
+        {
+            var sum:Number = 0;
+            for each (var entry:String in entries)
+            {
+                sum += Number(entry.substr(NAME_LENGTH + 1));
+            }
+            return sum;
         }
     }
 }

@@ -4,8 +4,6 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
-    import starlogo.libraries.cooked.FitsReader;
-    import starlogo.libraries.cooked.FitsWriter;
     import starlogo.libraries.cooked.TreeReader;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedShape;
@@ -21,16 +19,17 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ModelBuild implements Steps
+    public final class ModelBuild extends StepSequence
     {
+        /** The builder that has the hierarchy or builds it when it is needed. Read it when no step is left. Null if none was wanted. */
+        public var hierarchy:SolidHierarchyBuilder;
+
         private var _model:Model;
         private var _structures:StructuresBuild;
-        private var _hierarchy:SolidHierarchyBuilder;
         private var _settings:FitSettings;
         private var _store:FitStore;
         private var _geometry:GeometryFingerprint;
         private var _fits:ModelFits = new ModelFits();
-        private var _work:StepSequence = new StepSequence();
 
         /**
          * @param model the model
@@ -44,30 +43,30 @@ package starlogo.libraries
         {
             _model = model;
             _structures = structures;
-            _hierarchy = hierarchy;
             _settings = settings;
+            this.hierarchy = hierarchy;
             if (model.cooked != null)
             {
-                FitsReader.read(model.cooked, model, settings, _fits);
+                _fits.readFrom(model.cooked, model, settings);
             }
             _store = isComplete ? null : store;
             if (_store != null)
             {
                 _geometry = store.geometryOf(model, settings);
-                _work.add(store.reading(model, _geometry, settings, _fits));
+                add(store.reading(model, _geometry, settings, _fits));
             }
-            _work.call(useFits);
+            call(useFits);
             if (structures != null)
             {
-                _work.add(structures);
+                add(structures);
             }
             if (hierarchy != null)
             {
-                _work.begin(divide);
+                begin(divide);
             }
             if (_store != null)
             {
-                _work.call(keep);
+                call(keep);
             }
         }
 
@@ -80,19 +79,7 @@ package starlogo.libraries
         /** Whether the structures were read and not computed. Read it when no step is left. */
         public function get areStructuresRead():Boolean
         {
-            return _structures != null && _fits.structures != null;
-        }
-
-        /** The builder that has the hierarchy or builds it when it is needed. Read it when no step is left. Null if none was wanted. */
-        public function get hierarchy():SolidHierarchyBuilder
-        {
-            return _hierarchy;
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _work.step();
+            return _structures != null && _fits.hasStructures;
         }
 
         /**
@@ -102,40 +89,40 @@ package starlogo.libraries
          */
         public function toCooked(wanted:Fingerprint):ByteArray
         {
-            if (_hierarchy != null)
+            if (hierarchy != null)
             {
-                _hierarchy.finished.prepare();
+                hierarchy.finished.prepare();
             }
-            return FitsWriter.write(fits, _settings, wanted, CookedShape.of(_model));
+            return fits.toFile(_settings, wanted, CookedShape.of(_model));
         }
 
         private function get isComplete():Boolean
         {
-            return (_structures == null || _fits.structures != null) && (_hierarchy == null || _fits.tree != null)
-                && (!wantsSurface || _fits.surface != null);
+            return (_structures == null || _fits.hasStructures) && (hierarchy == null || _fits.hasHierarchy)
+                && (!_settings.wantsSurface || _model.triangles == null || _fits.hasSurface);
         }
 
         private function useFits():void
         {
-            if (_structures != null && _fits.structures != null)
+            if (areStructuresRead)
             {
                 _structures.useRead(_fits.structures);
             }
-            if (_hierarchy != null && _fits.tree != null)
+            if (hierarchy != null && _fits.hasHierarchy)
             {
-                _hierarchy.useStored(new TreeReader(_fits.tree), _fits.surface);
+                hierarchy.useStored(new TreeReader(_fits.tree), _fits.surface);
             }
         }
 
         // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
         private function divide():Steps
         {
-            return _hierarchy.isTaken && !_settings.wantsSurface ? null : _hierarchy;
+            return hierarchy.isTaken && !_settings.wantsSurface ? null : hierarchy;
         }
 
         private function keep():void
         {
-            if ((!isComplete || _hierarchy != null && !_hierarchy.isTaken) && _store.mayHold(_model))
+            if ((!isComplete || hierarchy != null && !hierarchy.isTaken) && _store.mayHold(_model))
             {
                 _store.keep(_geometry.fingerprint, _settings, fits);
             }
@@ -143,12 +130,7 @@ package starlogo.libraries
 
         private function get fits():ModelFits
         {
-            return ModelFits.of(structures, _hierarchy == null ? null : _hierarchy.finished);
-        }
-
-        private function get wantsSurface():Boolean
-        {
-            return _settings.wantsSurface && _model.triangles != null;
+            return ModelFits.of(structures, hierarchy == null ? null : hierarchy.finished);
         }
     }
 }

@@ -1,9 +1,17 @@
 package starlogo.libraries
 {
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
     import starlogo.engine;
+    import starlogo.geometry.Fingerprint;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.VertexBounds;
     import starlogo.libraries.cooked.TreeWriter;
+    import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.solid.SolidHierarchy;
     import starlogo.solid.Surface;
@@ -12,10 +20,13 @@ package starlogo.libraries
 
     /**
      * The results that were computed for a model: the smallest structures, the division of the triangles in the hierarchy, and the surface.
-     * A cooked file contains it and a FitStore keeps it. A checksum protects both.
+     * A cooked file contains it (docs/cooked.md) and a FitStore keeps it as one. A checksum protects both.
      */
     public final class ModelFits
     {
+        // A structure's numbers are at most this factor times the model's largest coordinate. Numbers up to 1 are always allowed.
+        private static const LARGEST_FACTOR:Number = 10;
+
         /**
          * The smallest structure of each kind, or null. The index is the kind's number. The list is null if there are no structures.
          *
@@ -71,10 +82,7 @@ package starlogo.libraries
         engine static function of(shape:ShapeStructures, hierarchy:SolidHierarchy):ModelFits
         {
             var fits:ModelFits = new ModelFits();
-            if (shape != null)
-            {
-                fits.structures = shape.smallest;
-            }
+            fits.structures = shape == null ? null : shape.smallest;
             if (hierarchy != null)
             {
                 fits.tree = CookedFile.newBytes();
@@ -83,6 +91,136 @@ package starlogo.libraries
                 fits.surface = hierarchy.isPrepared ? hierarchy.surface : null;
             }
             return fits;
+        }
+
+        /**
+         * Takes the fits of a cooked file, and keeps those that are already here. It ignores sections of other settings and sections with
+         * impossible numbers. It does not check whether the geometry is the model's, because the file's checksum guarantees that.
+         *
+         * @param file all its steps must be done
+         * @param model the model
+         * @param settings the settings of the wanted fits
+         *
+         * @private
+         */
+        engine function readFrom(file:CookedFile, model:Model, settings:FitSettings):void
+        {
+            var bounds:VertexBounds = new VertexBounds();
+            bounds.add(model.vertices, 0, model.vertices.length / 3);
+            if (bounds.largest > VertexBounds.LARGEST_COORDINATE)
+            {
+                // no fitter accepts such a model, so the record is wrong
+                return;
+            }
+            if (settings.structures != null)
+            {
+                structures ||= readStructures(file.section(CookedFile.STRUCTURES, settings.structures), Math.max(1, LARGEST_FACTOR * bounds.largest));
+            }
+            if (settings.hierarchy == null)
+            {
+                return;
+            }
+            var bytes:ByteArray = file.section(CookedFile.SURFACE, settings.hierarchy);
+            var read:Surface = bytes == null ? null : Surface.read(bytes, model.triangles == null ? 0 : model.triangles.length / 3);
+            if (tree == null || surface == null && read != null)
+            {
+                tree = file.section(CookedFile.HIERARCHY, settings.hierarchy);
+                surface = read;
+            }
+        }
+
+        /**
+         * Makes the bytes of a cooked file.
+         *
+         * @param settings the settings with which the fits were computed
+         * @param wanted the fingerprint of the model's arguments
+         * @param shape the section of the model; null if the model is read from elsewhere
+         *
+         * @private
+         */
+        engine function toFile(settings:FitSettings, wanted:Fingerprint, shape:ByteArray = null):ByteArray
+        {
+            var ofStructures:ByteArray = CookedFile.newBytes();
+            var ofTree:ByteArray = CookedFile.newBytes();
+            var ofSurface:ByteArray = CookedFile.newBytes();
+            if (structures != null && settings.structures != null)
+            {
+                writeStructures(ofStructures);
+            }
+            if (tree != null && settings.hierarchy != null)
+            {
+                ofTree.writeBytes(tree);
+                if (surface != null)
+                {
+                    surface.writeTo(ofSurface);
+                }
+            }
+            return CookedFile.write(new <Fingerprint>[wanted, settings.structures, settings.hierarchy, settings.hierarchy],
+                    new <ByteArray>[shape || CookedFile.newBytes(), ofStructures, ofTree, ofSurface]);
+        }
+
+        // First a bit for each kind: whether there is a structure. Then the numbers of the structures.
+        private function writeStructures(out:ByteArray):void
+        {
+            var kinds:int = 0;
+            out.writeInt(0);
+            for each (var structure:BoundingStructure in structures)
+            {
+                kinds |= structure == null ? 0 : 1 << structure.kind;
+                for each (var number:Number in structure == null ? null : structure.numbers())
+                {
+                    out.writeDouble(number);
+                }
+            }
+            out.position = 0;
+            out.writeInt(kinds);
+        }
+
+        private static function readStructures(bytes:ByteArray, limit:Number):Vector.<BoundingStructure>
+        {
+            var o:Vector3D = new Vector3D();
+            var read:Vector.<BoundingStructure> = new <BoundingStructure>[new Sphere(o, 0), new Capsule(o, o, 0),
+                    new Box(o, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0)];
+            var kinds:int = bytes == null || bytes.length < 4 ? 0 : bytes.readInt();
+            for (var kind:int = 0; kind < read.length; kind++)
+            {
+                if ((kinds >> kind & 1) == 0)
+                {
+                    read[kind] = null;
+                }
+                else if (!readNumbers(read[kind], bytes, limit))
+                {
+                    return null;
+                }
+            }
+            return kinds > 0 && kinds >> read.length == 0 && bytes.bytesAvailable == 0 ? read : null;
+        }
+
+        // Returns whether the bytes have the numbers of such a structure.
+        private static function readNumbers(structure:BoundingStructure, bytes:ByteArray, limit:Number):Boolean
+        {
+            var numbers:Vector.<Number> = structure.numbers();
+            var areRight:Boolean = bytes.bytesAvailable >= 8 * numbers.length;
+            for (var i:int = 0; i < numbers.length && areRight; i++)
+            {
+                numbers[i] = bytes.readDouble();
+                areRight = Math.abs(numbers[i]) <= limit;
+            }
+            structure.setNumbers(numbers);
+            try
+            {
+                // The constructor refuses numbers that make no structure. It straightens a box's axes, which changes their last bits only.
+                var made:Vector.<Number> = areRight ? structure.clone().numbers() : numbers;
+            }
+            catch (error:Error)
+            {
+                return false;
+            }
+            for (i = 0; i < numbers.length; i++)
+            {
+                areRight = areRight && Math.abs(made[i] - numbers[i]) <= 100 * Tolerances.ROUNDING;
+            }
+            return areRight;
         }
     }
 }

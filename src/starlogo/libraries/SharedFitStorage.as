@@ -24,32 +24,31 @@ package starlogo.libraries
         public function read(name:String):ByteArray
         {
             var shared:SharedObject = sharedOf(name);
-            var kept:ByteArray = shared == null ? null : shared.data.bytes as ByteArray;
-            return kept == null ? null : copyOf(kept);
+            return shared == null ? null : copyOf(shared.data.bytes as ByteArray);
         }
 
         /** @inheritDoc */
         public function write(name:String, bytes:ByteArray):Boolean
         {
             var shared:SharedObject = sharedOf(name);
-            if (shared == null)
-            {
-                return false;
-            }
+            var isKept:Boolean = false;
             try
             {
-                shared.data.bytes = copyOf(bytes);
-                if (shared.flush() == SharedObjectFlushStatus.FLUSHED)
+                if (shared != null)
                 {
-                    return true;
+                    shared.data.bytes = copyOf(bytes);
+                    isKept = shared.flush() == SharedObjectFlushStatus.FLUSHED;
                 }
             }
             catch (error:Error)
             {
                 // there is no room, or the user has refused it
             }
-            shared.clear();
-            return false;
+            if (!isKept)
+            {
+                remove(name);
+            }
+            return isKept;
         }
 
         /** @inheritDoc */
@@ -78,6 +77,10 @@ package starlogo.libraries
 
         private static function copyOf(bytes:ByteArray):ByteArray
         {
+            if (bytes == null)
+            {
+                return null;
+            }
             var copy:ByteArray = new ByteArray();
             copy.writeBytes(bytes);
             copy.position = 0;

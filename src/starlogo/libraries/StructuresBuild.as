@@ -103,7 +103,7 @@ package starlogo.libraries
         {
             var fitter:Fitter = _fitters[_checked];
             var structure:BoundingStructure = _fits[_checked].structure;
-            if (structure == null || structure.kind == BoundingStructure.CYLINDER)
+            if (structure == null || structure.kind > BoundingStructure.BOX)
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }

@@ -30,7 +30,7 @@ package starlogo.bounding
             assertEquals(BoundingStructure.SPHERE, samples[0].kind);
             assertEquals(BoundingStructure.CAPSULE, samples[1].kind);
             assertEquals(BoundingStructure.BOX, samples[2].kind);
-            assertEquals(BoundingStructure.CYLINDER, samples[3].kind);
+            assertEquals(BoundingStructure.OTHER, samples[3].kind);
         }
 
         [Test]

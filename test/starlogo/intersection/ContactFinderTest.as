@@ -8,14 +8,11 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.findTimeOfImpact;
-    import support.assertThrows;
 
     /** Contacts part what overlaps, and lie in the middle of it. */
     public class ContactFinderTest
@@ -78,20 +75,6 @@ package starlogo.intersection
             from.startZ = 0.9;
             _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _touch);
             assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
-        }
-
-        [Test]
-        public function cylindersAreNotCollided():void
-        {
-            var cylinder:Cylinder = new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1);
-            assertThrows(ArgumentError, /contact/, function():void
-                {
-                    _finder.find(cylinder, cylinder, _touch);
-                });
-            assertThrows(ArgumentError, /sweep/, function():void
-                {
-                    findTimeOfImpact(cylinder, cylinder, new RelativeMotion());
-                });
         }
 
         private function checkParts(name:String, a:BoundingStructure, b:BoundingStructure):void

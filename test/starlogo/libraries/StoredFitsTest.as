@@ -20,7 +20,6 @@ package starlogo.libraries
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
     import starlogo.geometry.VertexData;
-    import starlogo.libraries.cooked.FitsWriter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
@@ -394,7 +393,7 @@ package starlogo.libraries
 
         private function bytesOf(fits:ModelFits, model:Model):ByteArray
         {
-            return FitsWriter.write(fits, new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies), new Fingerprint(), CookedShape.of(model));
+            return fits.toFile(new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies), new Fingerprint(), CookedShape.of(model));
         }
 
         private static function damage(baked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

@@ -41,7 +41,6 @@ package starlogo.intersection.contact
          * @param a a Sphere, Capsule or Box
          * @param b a Sphere, Capsule or Box, in the same space
          * @param out receives the contact
-         * @throws ArgumentError if there is no test for the pair
          */
         public function find(a:BoundingStructure, b:BoundingStructure, out:ContactPoint):void
         {
@@ -49,11 +48,11 @@ package starlogo.intersection.contact
             {
                 // The kernel takes the pair in the other order, so the contact is turned back.
                 _turned.turn(displacement);
-                PairTable.KERNELS[b.kind << 2 | a.kind].findContact(b, a, _turned, out);
+                PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, _turned, out);
                 out.turn(displacement);
                 return;
             }
-            PairTable.KERNELS[a.kind << 2 | b.kind].findContact(a, b, displacement, out);
+            PairTable.KERNELS[3 * a.kind + b.kind].findContact(a, b, displacement, out);
         }
     }
 }

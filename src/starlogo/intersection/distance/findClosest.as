@@ -13,19 +13,18 @@ package starlogo.intersection.distance
      * @param a a Sphere, Capsule or Box; a radius, length or half-extent may be 0
      * @param b a Sphere, Capsule or Box, in the same space
      * @param out receives the distance and the points
-     * @throws ArgumentError if there is no test for the pair, because cylinders are never collided
      * @private
      */
     public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
     {
         if (a.kind > b.kind)
         {
-            PairTable.KERNELS[b.kind << 2 | a.kind].findClosest(b, a, out);
+            PairTable.KERNELS[3 * b.kind + a.kind].findClosest(b, a, out);
             out.turn();
         }
         else
         {
-            PairTable.KERNELS[a.kind << 2 | b.kind].findClosest(a, b, out);
+            PairTable.KERNELS[3 * a.kind + b.kind].findClosest(a, b, out);
         }
     }
 }

@@ -16,7 +16,6 @@ package starlogo.intersection.sweep
      * @param b a Sphere, Capsule or Box, in the same space
      * @param motion the motion of a; receives the time: 0 if they touch at the beginning, at most 1, or RelativeMotion.NEVER if they do not
      *     touch
-     * @throws ArgumentError if there is no test for the pair
      * @private
      */
     public function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -24,10 +23,10 @@ package starlogo.intersection.sweep
         if (a.kind > b.kind)
         {
             var turned:RelativeMotion = RelativeMotion.turned(motion);
-            PairTable.KERNELS[b.kind << 2 | a.kind].findTime(b, a, turned);
+            PairTable.KERNELS[3 * b.kind + a.kind].findTime(b, a, turned);
             motion.time = turned.time;
             return;
         }
-        PairTable.KERNELS[a.kind << 2 | b.kind].findTime(a, b, motion);
+        PairTable.KERNELS[3 * a.kind + b.kind].findTime(a, b, motion);
     }
 }

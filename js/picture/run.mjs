@@ -38,7 +38,7 @@ try {
 	const page = await browser.newPage();
 	page.on('pageerror', (error) => console.error(error));
 	await page.goto(server.url);
-	await page.waitForFunction(() => window.pictures, null, { timeout: 60000 });
+	await page.waitForFunction(() => window.pictures);
 	const pictures = [];
 	for (let next; (next = await page.evaluate(async () => (await window.pictures.next()).value ?? null)); ) {
 		pictures.push(Buffer.from(next.slice(next.indexOf(',') + 1), 'base64'));

@@ -9,7 +9,7 @@ import { root } from "./peers.mjs";
 
 const CDN = /^https:\/\/cdn\.jsdelivr\.net\/npm\/three@0\.(\d+)\.\d+\/(.*)$/;
 
-test("the example's models collide, turn away and are drawn", { timeout: 600000 }, async () => {
+test("the example's models collide, turn away and are drawn", async () => {
 	const server = await serve(null, { "/module": path.join(root, "bin/module"), "/examples": path.join(root, "examples") });
 	const browser = await launch();
 	try {
@@ -25,7 +25,7 @@ test("the example's models collide, turn away and are drawn", { timeout: 600000 
 		});
 		await page.goto(`${server.url}examples/three/`);
 		const turns = /^frame (\d+): a (?:bear|seagull) turns away from a \w+$/;
-		await page.waitForFunction((text) => new RegExp(text).exec(document.querySelector("output").textContent)?.[1] >= 25, turns.source, { timeout: 300000 });
+		await page.waitForFunction((text) => new RegExp(text).exec(document.querySelector("output").textContent)?.[1] >= 25, turns.source);
 		const colours = await page.evaluate(async () => {
 			const canvas = document.querySelector("canvas");
 			const bitmap = await new Promise((resolve) => {

@@ -27,8 +27,7 @@ export async function begin() {
 			if (isSolid) await page.route("**/en/index.html", (route) => route.fulfill({ body: solid(project), contentType: "text/html" }));
 			await page.goto(`${server.url}${project}/en/index.html`, { waitUntil: "commit" });
 			await page.waitForFunction(() => globalThis.viewport && globalThis.Execution?.AgentController.getBreedIDs().length > 2
-				&& slnova.ToggleButtonWidget && WidgetManager.getWidgetsByType(slnova.ToggleButtonWidget).length > 0, null, { timeout: 300000 });
-			page.setDefaultTimeout(300000);
+				&& slnova.ToggleButtonWidget && WidgetManager.getWidgetsByType(slnova.ToggleButtonWidget).length > 0);
 			await page.evaluate(() => {
 				slnova.ChartWidget.prototype.addData = () => {};
 				viewport.setExecRate(0);

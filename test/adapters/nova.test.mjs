@@ -190,7 +190,7 @@ test("shapes are the client's models by their addresses, with transform files; s
 	cube.state.x = -20;
 	assert.equal(game.pairs(), 1);
 	assert.ok(installation.areColliding(bear, ball) && !installation.areColliding(bear, none));
-	const end = Date.now() + 20000;
+	const end = Date.now() + 300000;
 	while (installation.pendingCount > 0 && Date.now() < end) await new Promise((resolve) => setTimeout(resolve, 10));
 	assert.ok(installation.greatLand.hasModel(shape));
 	assert.equal(installation.problems.length, 1);

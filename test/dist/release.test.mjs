@@ -8,6 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { strFromU8, unzipSync } from 'fflate';
 import { chromium } from 'playwright-core';
 import { NAME, ROOT, VERSION, inRoot } from '../../build/dist/project.mjs';
+import { PATIENCE } from '../headless/browsers.mjs';
 import { readSwf } from '../headless/swf.mjs';
 import { play } from '../headless/player.mjs';
 import { serve } from '../headless/server.mjs';
@@ -90,13 +91,13 @@ test('nothing of others is in the SWCs', () => {
 
 let browser;
 before(async () => {
-	browser = await chromium.launch({ executablePath: chrome, args: ['--no-sandbox'] });
+	browser = await chromium.launch({ executablePath: chrome, args: ['--no-sandbox'], timeout: PATIENCE });
 });
 after(() => browser.close());
 
-test('the pages of both APIs open as files without script errors', { timeout: 600000 }, async () => {
+test('the pages of both APIs open as files without script errors', async () => {
 	const page = await browser.newPage();
-	page.setDefaultTimeout(120000);
+	page.setDefaultTimeout(PATIENCE);
 	const errors = [];
 	page.on('pageerror', (error) => errors.push(String(error)));
 	const open = (name) => page.goto(pathToFileURL(path.join(folder, 'docs', name)).href, { waitUntil: 'load' });
@@ -114,7 +115,7 @@ test('the pages of both APIs open as files without script errors', { timeout: 60
 	assert.deepEqual(errors, []);
 });
 
-test('the example client compiles against the SWC alone, and runs', { timeout: 900000 }, async () => {
+test('the example client compiles against the SWC alone, and runs', async () => {
 	const client = path.join(folder, 'examples/client');
 	const [, command] = /^ {4}mxmlc (.*)$/m.exec(text('examples/client/README.md').replaceAll(/\\\n */g, ''));
 	mxmlc(command.split(' '), { cwd: client });
@@ -125,16 +126,17 @@ test('the example client compiles against the SWC alone, and runs', { timeout: 9
 	await assertIsDrawn(path.join(pictures, 'client.png'), ['223,232,207', '185,167,140']);
 });
 
-test('the example page runs on the module alone', { timeout: 600000 }, async () => {
+test('the example page runs on the module alone', async () => {
 	const server = await serve(null, { '': folder });
 	try {
 		const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
+		page.setDefaultTimeout(PATIENCE);
 		const said = [];
 		page.on('console', (message) => said.push(message.text()));
 		page.on('pageerror', (error) => said.push(String(error)));
 		page.on('request', (request) => request.url().startsWith(server.url) || request.url().startsWith('data:') || said.push(request.url()));
 		await page.goto(`${server.url}examples/page/`);
-		await page.waitForFunction(() => Number(/frame (\d+)/.exec(document.querySelector('output').textContent)?.[1]) >= 150, null, { timeout: 300000 });
+		await page.waitForFunction(() => Number(/frame (\d+)/.exec(document.querySelector('output').textContent)?.[1]) >= 150);
 		const [, turns, hits] = /(\d+) turns, (\d+) hits/.exec(await page.textContent('output')).map(Number);
 		await page.screenshot({ path: path.join(pictures, 'page.png') });
 		assert.deepEqual(said, []);
@@ -153,7 +155,7 @@ async function playUntil(swf, beginning, picture) {
 	let timer;
 	try {
 		await new Promise((resolve, reject) => {
-			timer = setTimeout(() => reject(new Error(`no line begins with "${beginning}":\n${lines.join('\n')}`)), 240000);
+			timer = setTimeout(() => reject(new Error(`no line begins with "${beginning}":\n${lines.join('\n')}`)), PATIENCE);
 			const trace = (line) => lines.push(line) && line.startsWith(beginning) && resolve();
 			play({ swf, chrome, parameters: { assets: '/assets' }, folders: { '/assets': path.join(folder, 'assets') }, width: 480, height: 360 },
 				{ trace, error: reject, crash: reject, writeFile() {}, exit() {} }).then((started) => {

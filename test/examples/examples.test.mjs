@@ -51,7 +51,6 @@ before(async () => {
 	page = await browser.newPage({ viewport: { width: 390, height: 844 } });
 	page.on('console', (message) => isOfPlayer(message) || /GPU stall/.test(message.text()) || said.push(message.text()));
 	page.on('pageerror', (error) => said.push(String(error)));
-	page.setDefaultTimeout(100000);
 	// the player's other ways to draw take seconds to begin without a graphics card
 	await page.addInitScript(() => { globalThis.RufflePlayer = { config: { preferredRenderer: 'canvas' } }; });
 	page.on('request', (request) => request.url().startsWith(new URL('/', site.url)) || /^(data|blob):/.test(request.url()) || said.push(request.url()));
@@ -108,7 +107,7 @@ test('the documentation has a link to each example', () => {
 });
 
 for (const { name, title, file } of examples) {
-	test(`${name} shows what it says`, { timeout: 600000 }, async () => {
+	test(`${name} shows what it says`, async () => {
 		const [frames, isShown] = SHOWN[name];
 		await show(name, frames);
 		const text = await output();
@@ -122,7 +121,7 @@ for (const { name, title, file } of examples) {
 	});
 }
 
-test('the pointer leads what is yours, Play goes on, and dark is dark', { timeout: 300000 }, async () => {
+test('the pointer leads what is yours, Play goes on, and dark is dark', async () => {
 	await page.emulateMedia({ colorScheme: 'dark' });
 	await show('first-collision', 5);
 	const before = numbersOf(await output())[0];
@@ -137,7 +136,7 @@ test('the pointer leads what is yours, Play goes on, and dark is dark', { timeou
 	await page.emulateMedia({ colorScheme: null });
 });
 
-test('keys move the player that slides, and no wall lets it through', { timeout: 300000 }, async () => {
+test('keys move the player that slides, and no wall lets it through', async () => {
 	await show('slide', 1);
 	await page.keyboard.down('ArrowRight');
 	await page.getByRole('button', { name: 'Play' }).click();
@@ -148,7 +147,7 @@ test('keys move the player that slides, and no wall lets it through', { timeout:
 	assert.deepEqual(said.splice(0), []);
 });
 
-test('a colour that is ticked again is filtered no more', { timeout: 300000 }, async () => {
+test('a colour that is ticked again is filtered no more', async () => {
 	await show('filters', 5);
 	assert.match(await output(), /left out: green$/);
 	await page.getByLabel('green').check();
@@ -157,7 +156,7 @@ test('a colour that is ticked again is filtered no more', { timeout: 300000 }, a
 	assert.deepEqual(said.splice(0), []);
 });
 
-test('opened as a file, a page says what it needs', { timeout: 300000 }, async () => {
+test('opened as a file, a page says what it needs', async () => {
 	await page.goto(`file://${path.join(folder, 'first-collision.html')}`);
 	assert.match(await page.textContent('.notice'), /antw examples/);
 	assert.match(await page.textContent('pre'), /onCollision/);

@@ -20,9 +20,9 @@ export async function display() {
 	process.env.DISPLAY = `:${String(number).trim()}`;
 }
 
-async function launchFirefox({ executablePath }) {
+async function launchFirefox({ executablePath, timeout }) {
 	await display();
-	return firefox.launch({ executablePath, channel: 'moz-firefox', firefoxUserPrefs: { 'webgl.force-enabled': true } });
+	return firefox.launch({ executablePath, timeout, channel: 'moz-firefox', firefoxUserPrefs: { 'webgl.force-enabled': true } });
 }
 
 const BROWSERS = {
@@ -47,8 +47,22 @@ export const missing = existsSync(BROWSERS[name].path) ? false : `${name} is not
 const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-rasterization', '--disable-gpu-compositing',
 	'--disable-dev-shm-usage', '--disable-background-networking', '--no-first-run'];
 
-/** Starts it. @param {string[]} args further ones, for Chromium */
-export const launch = (args = []) => BROWSERS[name].launch({ executablePath: BROWSERS[name].path, args: [...ARGUMENTS, ...args] });
+/** How long anything may take, in milliseconds. It ends what hangs. A machine that has other things to do is slow, and not broken. */
+export const PATIENCE = 300000;
+
+/** Starts it. Its pages wait as long as PATIENCE says. @param {string[]} args further ones, for Chromium */
+export async function launch(args = []) {
+	const browser = await BROWSERS[name].launch({ executablePath: BROWSERS[name].path, args: [...ARGUMENTS, ...args], timeout: PATIENCE });
+	for (const make of ['newContext', 'newPage']) {
+		const made = browser[make].bind(browser);
+		browser[make] = async (options) => {
+			const result = await made(options);
+			result.setDefaultTimeout(PATIENCE);
+			return result;
+		};
+	}
+	return browser;
+}
 
 /** Whether a line of the console says that a picture was waited for. The browser waits for it: it puts the page together on the processor. */
 export const saysItWaits = (text) => /GPU stall due to ReadPixels/.test(text);

@@ -1,6 +1,7 @@
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { chromium } from 'playwright-core';
+import { PATIENCE } from './browsers.mjs';
 import { serve } from './server.mjs';
 
 const require = createRequire(import.meta.url);
@@ -44,13 +45,14 @@ const crash = /unreachable|Unable to lock Ruffle core|panicked at|memory access 
 export async function play(options, on) {
 	const swfFolder = path.dirname(path.resolve(options.swf));
 	const server = await serve(page, { '/ruffle': ruffle, '/swf': swfFolder, ...options.folders });
-	const browser = await chromium.launch({ executablePath: options.chrome, args: browserArguments });
+	const browser = await chromium.launch({ executablePath: options.chrome, args: browserArguments, timeout: PATIENCE });
 	const close = async () => {
 		await browser.close();
 		server.close();
 	};
 	try {
 		const tab = await browser.newPage({ viewport: { width: options.width, height: options.height } });
+		tab.setDefaultTimeout(PATIENCE);
 		tab.on('crash', () => on.crash('the browser\'s page crashed, most likely out of memory'));
 		tab.on('pageerror', (error) => on.crash(String(error)));
 		tab.on('console', (message) => report(message.text(), on));

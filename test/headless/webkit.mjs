@@ -6,13 +6,12 @@ import { spawn } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
-import { display } from './browsers.mjs';
+import { PATIENCE, display } from './browsers.mjs';
 
 const DRIVER = '/usr/bin/WebKitWebDriver';
 const LIBRARIES = '/usr/lib';
 // what the protocol calls an element's name
 const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf';
-const PATIENCE_MS = 60000;
 
 /** Why there is none; false if it is there. */
 export const missing = existsSync(DRIVER) ? false : `webkit2gtk-driver is not installed: there is no ${DRIVER}`;
@@ -44,13 +43,12 @@ export async function openWebKit(port) {
 
 	async function begin() {
 		const capabilities = { alwaysMatch: { 'webkitgtk:browserOptions': { binary: miniBrowser(), args: ['--automation'] } } };
-		for (let left = 50; ; left--) {
+		for (const end = Date.now() + PATIENCE; ; await wait(100)) {
 			try {
 				return await ask(base, { capabilities });
 			} catch (error) {
 				// not yet listening
-				if (left === 0 || error.cause?.code !== 'ECONNREFUSED') throw error;
-				await wait(100);
+				if (Date.now() > end || error.cause?.code !== 'ECONNREFUSED') throw error;
 			}
 		}
 	}
@@ -72,7 +70,7 @@ export async function openWebKit(port) {
 		}),
 		/** Waits until a function gives something in the page that is true, and gives that. */
 		async until(action, ...args) {
-			for (const end = Date.now() + PATIENCE_MS; Date.now() < end; await wait(100)) {
+			for (const end = Date.now() + PATIENCE; Date.now() < end; await wait(100)) {
 				const value = await page.evaluate(action, ...args);
 				if (value) return value;
 			}

@@ -20,7 +20,7 @@ export function garbageOf(call, { warm = 100, calls = 50, rounds = 5 } = {}) {
 /** What a script of this folder prints as JSON, measured in a process of its own. */
 export function measure(script, ...options) {
 	const file = path.join(path.dirname(fileURLToPath(import.meta.url)), script);
-	// compiled when it is due, however busy the processors are
-	const flags = ["--expose-gc", "--min-semi-space-size=64", "--max-semi-space-size=64", "--no-concurrent-recompilation"];
+	// compiled and collected when it is due, however busy the processors are
+	const flags = ["--expose-gc", "--min-semi-space-size=64", "--max-semi-space-size=64", "--single-threaded"];
 	return JSON.parse(execFileSync(process.execPath, [...flags, file, ...options], { encoding: "utf8" }));
 }

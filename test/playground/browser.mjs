@@ -2,7 +2,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
+import { PATIENCE, isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -27,9 +27,6 @@ export async function dragBall(page, dx, dy) {
 	await page.mouse.move(at.x + dx, at.y + dy, { steps: 4 });
 	await page.mouse.up();
 }
-
-/** How long anything may take, in milliseconds. */
-export const PATIENCE = 120000;
 
 /** Lets a browser's context draw nothing in 3D, though all is as if it did: for what is no matter of pictures. The processor draws, and slowly. */
 export const drawNothing = (context) => context.addInitScript(() => {
@@ -56,8 +53,6 @@ export async function begin() {
 /** A page in a browser that remembers nothing; said is what came on the console, and from elsewhere. */
 async function newPage({ browser, url }, { isDrawn, ...options }) {
 	const context = await browser.newContext({ reducedMotion: 'reduce', ...options });
-	// a machine that has other things to do is slow, and not broken
-	context.setDefaultTimeout(PATIENCE);
 	if (!isDrawn) await drawNothing(context);
 	const page = await context.newPage();
 	const said = [];
@@ -147,7 +142,7 @@ export async function hold(page, address) {
 	return release;
 }
 
-export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: PATIENCE });
+export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`);
 
 /** Presses a button, by what is on it. If it is in the menu of Play, the menu is opened first. */
 export async function press(page, name) {
@@ -155,6 +150,14 @@ export async function press(page, name) {
 	if (isInMenu) await page.locator('.tool-menu').click();
 	await page.getByRole('button', { name, exact: true }).click();
 }
+
+/**
+ * Waits until a page has done what it does within some milliseconds of its own clock: what was due by then, and two pictures. A busy page takes
+ * longer.
+ */
+export const rest = (page, ms = 0) => page.evaluate((time) => new Promise((resolve) => {
+	setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))), time);
+}), ms);
 
 /** Waits for the title of the program that is open in Play. */
 export const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);
@@ -174,7 +177,7 @@ export async function tabTo(page, name, key = 'Tab') {
 		if ((await focused(page)).startsWith(name)) return;
 		await page.keyboard.press(key);
 		// Blockly moves the focus on by itself
-		await page.waitForTimeout(20);
+		await rest(page);
 	}
 	throw new Error(`the tab key does not come to “${name}”`);
 }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, finger, focused, open, press, ready, titled } from './browser.mjs';
+import { SIZES, begin, finger, focused, open, press, ready, rest, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -15,7 +15,7 @@ const LESSONS = ['blocks', 'helmet', 'wing', 'main', 'fast', 'starts', 'room', '
 /** Opens one of the page's or of the user's programs. */
 async function choose(page, name) {
 	await page.evaluate((wanted) => globalThis.playground.programs.choose(wanted), name);
-	await page.waitForTimeout(100);
+	await rest(page, 100);
 }
 const boxOf = (page, selector) => page.evaluate((each) => {
 	const { top, left, right, bottom, width, height } = document.querySelector(each).getBoundingClientRect();
@@ -37,7 +37,7 @@ async function openDrawer(page, name) {
 	const box = await page.locator('.blocklyToolboxCategory', { hasText: name }).boundingBox();
 	await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
 	await page.waitForFunction(() => globalThis.playground.editor.workspace.getFlyout().isVisible());
-	await page.waitForTimeout(100);
+	await rest(page, 100);
 }
 
 /** The edges of what is called so in the editor: each script, and the drawer. */
@@ -88,7 +88,7 @@ test('a block from the drawer pushes no script away, and joins one even if it is
 	for (const category of ['Movement', 'Looks', 'Collisions']) {
 		for (let i = 0; i < 5; i++) {
 			await page.evaluate(() => globalThis.playground.programs.choose('lesson-blocks', false, true));
-			await page.waitForTimeout(50);
+			await rest(page, 50);
 			const before = await scripts(page);
 			await openDrawer(page, category);
 			const open_ = await scripts(page);
@@ -104,14 +104,14 @@ test('a block from the drawer pushes no script away, and joins one even if it is
 			await page.mouse.move(from.x + 8, from.y + 10);
 			await page.mouse.down();
 			await page.mouse.move(from.x + 20, from.y + 14, { steps: 4 });
-			await page.waitForTimeout(300);
+			await rest(page, 300);
 			const to = await page.evaluate(() => {
 				const { left, bottom } = globalThis.playground.editor.workspace.getBlocksByType('starlogo_each')[0].getInputTargetBlock('DO').getSvgRoot().querySelector(':scope > .blocklyPath').getBoundingClientRect();
 				return { x: left, y: bottom - 7 };
 			});
 			await page.mouse.move(to.x + 8, to.y + 10 - 12, { steps: 6 });
 			await page.mouse.up();
-			await page.waitForTimeout(300);
+			await rest(page, 300);
 			const after_ = await scripts(page);
 			for (const { type, x, y } of before.tops) {
 				const same = after_.tops.find((each) => each.type === type);
@@ -151,7 +151,7 @@ test('a second script has its own place, wherever it is dropped, and however the
 	await page.mouse.move(left + 60, top + 60, { steps: 6 });
 	await page.mouse.up();
 	await page.waitForFunction(() => globalThis.playground.editor.workspace.getTopBlocks().length === 3);
-	await page.waitForTimeout(300);
+	await rest(page, 300);
 	assert.deepEqual(await overlaps(), []);
 	// the first one becomes longer
 	await page.evaluate(() => {
@@ -164,7 +164,7 @@ test('a second script has its own place, wherever it is dropped, and however the
 			turn.nextConnection.connect(block.previousConnection);
 		}
 	});
-	await page.waitForTimeout(400);
+	await rest(page, 400);
 	assert.deepEqual(await overlaps(), []);
 	assert.deepEqual(said, []);
 	await leave();

@@ -1,8 +1,8 @@
 /** Play before a class: from the first screen to lessons that are done, and to a game of one's own that is opened elsewhere. Nothing is drawn in 3D. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { isChromium } from '../headless/browsers.mjs';
-import { PATIENCE, SIZES, begin, finger, focused, open, own, press, ready, tabTo, tap, titled } from './browser.mjs';
+import { PATIENCE, isChromium } from '../headless/browsers.mjs';
+import { SIZES, begin, finger, focused, open, own, press, ready, rest, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -101,7 +101,7 @@ test('the first three lessons are done with the keyboard, from the first screen 
 	// the drawer: each category, in order
 	for (let i = 0; i < 30 && !(await page.evaluate(() => document.activeElement.closest('.blocklyToolbox'))); i++) {
 		await page.keyboard.press('Tab');
-		await page.waitForTimeout(20);
+		await rest(page);
 	}
 	const category = () => page.evaluate(() => globalThis.playground.editor.workspace.getToolbox().getSelectedItem()?.getName());
 	const seen = [await category()];
@@ -120,7 +120,7 @@ test('the first three lessons are done with the keyboard, from the first screen 
 	for (let i = 0; i < 12 && !(await isInside()); i++) {
 		await page.keyboard.press('ArrowDown');
 		await page.keyboard.press('Enter');
-		await page.waitForTimeout(50);
+		await rest(page);
 		if (!(await isInside())) await page.keyboard.press('m');
 	}
 	assert.ok(await isInside());
@@ -166,7 +166,7 @@ async function atRest(page, tell) {
 		const now = await tell();
 		if (JSON.stringify(now) === before) return now;
 		before = JSON.stringify(now);
-		await page.waitForTimeout(100);
+		await rest(page, 100);
 	}
 }
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, drawNothing, drop, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, drawNothing, drop, finger, hold, open, own, press, ready, rest, saved, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -62,7 +62,7 @@ const has = (page, count) => page.waitForFunction((wanted) => globalThis.playgro
 const idOf = (page, name) => page.evaluate((title) => globalThis.playground.programs.shelf.all.find((each) => each.name === title).id, name);
 const blocks = (page) => page.evaluate(() => globalThis.playground.editor.workspace.getAllBlocks().length);
 /** Waits for what Blockly tells after a change. */
-const settle = (page) => page.waitForTimeout(150);
+const settle = (page) => rest(page, 150);
 
 for (const [name, size] of Object.entries(SIZES)) {
 	test(`keys move the bear, and a thrown ball colours a turtle (${name})`, async () => {
@@ -329,7 +329,7 @@ test('the figures have all that touched since the last look, whoever has scripts
 	const looks = [];
 	for (let i = 0; i < 8; i++) {
 		looks.push(await page.evaluate(look));
-		await page.waitForTimeout(250);
+		await rest(page, 250);
 	}
 	await press(page, 'Stop');
 	assert.ok(looks.every((each) => each > 0), looks.join());
@@ -408,7 +408,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 	for (let i = 0; i < 6 && !(await block()); i++) {
 		await page.keyboard.press('Tab');
 		// Blockly moves the focus on by itself
-		await page.waitForTimeout(100);
+		await rest(page);
 	}
 	assert.ok(await block(), 'a block has the focus');
 	await page.keyboard.press('Delete');
@@ -420,7 +420,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 	await page.getByLabel('Collision system').focus();
 	for (let i = 0; i < 12 && !(await block()); i++) {
 		await page.keyboard.press('Shift+Tab');
-		await page.waitForTimeout(100);
+		await rest(page);
 	}
 	const seen = new Set([await block()]);
 	for (let i = 0; i < 6; i++) {
@@ -445,7 +445,7 @@ test('on a phone fingers scroll the page over the world, and Run is in sight bes
 		await touch('touchStart', { x, y });
 		for (let i = 1; i <= 10; i++) {
 			await touch('touchMove', { x, y: y - 20 * i });
-			await page.waitForTimeout(20);
+			await rest(page);
 		}
 		await touch('touchEnd');
 	};
@@ -830,7 +830,7 @@ test('the world comes before the blocks; the keyboard alone plays, edits, choose
 	// they are before the world
 	for (let i = 0; i < 20 && !(await block()); i++) {
 		await page.keyboard.press('Shift+Tab');
-		await page.waitForTimeout(50);
+		await rest(page);
 	}
 	assert.ok(await block(), 'a block has the focus');
 	const size = () => page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_size')[0].getInputTargetBlock('SIZE').getFieldValue('NUM'));

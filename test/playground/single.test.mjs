@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { PATIENCE, SIZES, drawNothing, press, ready, root } from './browser.mjs';
+import { SIZES, drawNothing, press, ready, root } from './browser.mjs';
 
 const NAME = 'starlogo-nova.html';
 const skip = isChromium ? false : 'one browser is enough';
@@ -26,7 +26,6 @@ after(async () => {
 /** A page in a browser that remembers nothing; said is what came on the console, and requests for other files. */
 async function newPage(options = {}) {
 	const context = await browser.newContext({ ...SIZES.desktop, reducedMotion: 'reduce', locale: 'en-US', ...options });
-	context.setDefaultTimeout(PATIENCE);
 	await drawNothing(context);
 	const page = await context.newPage();
 	const said = [];

@@ -17,7 +17,6 @@ import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
 const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
-const FRAME_MS = 1000 / 60;
 let parts;
 let greatLand;
 const made = new Map();
@@ -69,33 +68,6 @@ function played(state, frames, system) {
 		world.step();
 	}
 	return world;
-}
-
-/** A game of a crowd that walks, turns and changes colour where it meets. */
-const crowd = (count, hierarchical) => program(
-	start(create(count / 2, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(count / 2, 'seagulls', 'seagull', { type: 'starlogo_scatter' }),
-		...(hierarchical ? ['turtles', 'seagulls'].map((WHO) => ({ type: 'starlogo_hierarchical', fields: { WHO, ON: 'on' } })) : [])),
-	each('anyone', forward(0.05), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: value('math_random_int', {}, { FROM: number(-5), TO: number(5) }) } }),
-	{ type: 'starlogo_collision', fields: { BREED: 'turtles', OTHER: 'seagulls' }, inputs: inside({ type: 'starlogo_colour', fields: { WHO: 'collidee' }, inputs: { COLOUR: value('starlogo_any_colour') } }) },
-);
-
-for (const [what, count, hierarchical, system] of [['tightest fits', 300, false, 'tightest fits'], ['all hierarchical', 100, true, 'combination']]) {
-	test(`${count} agents, ${what}, leave a frame time for drawing`, () => {
-		const world = played(crowd(count, hierarchical), 60, system);
-		assert.equal(world.agents.length, count);
-		const times = [];
-		let collisions = 0;
-		for (let i = 0; i < 200; i++) {
-			const begin = performance.now();
-			world.step();
-			times.push(performance.now() - begin);
-			collisions += world.collisions.collision.statistics.collisions;
-		}
-		times.sort((a, b) => a - b);
-		console.log(`${count} agents, ${what}: ${times[100].toFixed(2)} ms a frame of ${FRAME_MS.toFixed(1)} (95 of 100 within ${times[190].toFixed(2)}), ${(collisions / 200).toFixed(0)} collisions`);
-		assert.ok(collisions > 0, 'some meet');
-		assert.ok(times[100] < FRAME_MS, `${times[100]} ms`);
-	});
 }
 
 test('the same program plays the same game', () => {

@@ -159,7 +159,7 @@ package starlogo
             }
         }
 
-        private function whenComplete(check:Function, timeout:int = 5000):void
+        private function whenComplete(check:Function, timeout:int = 120000):void
         {
             Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
                 {

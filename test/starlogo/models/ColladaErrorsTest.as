@@ -112,7 +112,7 @@ package starlogo.models
                         '<node><instance_controller url="#c"/></node>'));
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function manyOfManyOfMany():void
         {
             var nodes:String = '<node id="n0"><instance_geometry url="#a"/></node>';
@@ -172,7 +172,7 @@ package starlogo.models
             fails("", "no vertices", "<COLLADA" + attributes(100) + "/>");
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function fewElementsPlacedOften():void
         {
             var parts:Array = [new Array(3001).join("<translate>0 0 0</translate>"), new Array(3001).join('<instance_geometry url="#a"/>')];
@@ -184,7 +184,7 @@ package starlogo.models
             }
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function manyMeshesOfOneSource():void
         {
             var meshes:String = "";
@@ -197,7 +197,7 @@ package starlogo.models
                             Collada.triangles("0 1 2")) + "<library_geometries>" + meshes + "</library_geometries>"));
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function manyLists():void
         {
             var lists:String = "<triangles>" + Collada.INPUT + new Array(20001).join("<p>0 1 2</p>") + "</triangles>";

@@ -43,7 +43,7 @@ package starlogo.models
             refusesNumbers(skinned(2000, 2000).toBinary());
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function primitivesMayShareTheirPoints():void
         {
             var file:Gltf = skinned(501, 1);
@@ -84,7 +84,7 @@ package starlogo.models
             refusesNumbers(file.toBinary());
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function primitivesCountForEachNode():void
         {
             var file:Gltf = new Gltf();
@@ -117,7 +117,7 @@ package starlogo.models
                 });
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function aTransformIsReadOnce():void
         {
             var long:String = "<translate>0 0" + new Array(200001).join(" ") + "0</translate>";
@@ -127,7 +127,7 @@ package starlogo.models
             assertEquals(9000, model.vertices.length);
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function manySourcesOfOneMesh():void
         {
             var parts:Array = [];
@@ -141,7 +141,7 @@ package starlogo.models
                             "</mesh></geometry></library_geometries>")).vertices.length);
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function aSourceThatIsReadAgainCountsItsText():void
         {
             var meshes:Array = [];

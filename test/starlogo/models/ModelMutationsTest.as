@@ -13,7 +13,7 @@ package starlogo.models
     /** Damaged files: each loads, or fails with a ModelError, and soon. */
     public class ModelMutationsTest
     {
-        private static const LONGEST_MS:int = 10000;
+        private static const LONGEST_MS:int = 100000;
 
         private static const OBJ:String = "# a house\nmtllib house.mtl\no house\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1e0 0\r\n" +
             "v -1.5e-1 0.5 +2.\nv\t.5  .5 2.5 # top\nvt 0 0\nvt 1 1\nvn 0 0 1\ng walls\nusemtl brick\ns off\nf 1/1/1 2/2/1 3/1/1 4/2/1\n" +

@@ -10,7 +10,7 @@ package starlogo.models
     {
         private static const SQUARE:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function readsOldMacsLinesInFilesOfAnyLength():void
         {
             for each (var end:String in ["\r", "\n", "\r\n"])
@@ -114,7 +114,7 @@ package starlogo.models
             assertEquals(60000, new ObjModel("a", many + "v 0 0 0 \\").vertices.length);
         }
 
-        [Test(timeout="30000")]
+        [Test(timeout="600000")]
         public function limitsVerticesAndTriangles():void
         {
             const VERTICES:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
@@ -130,7 +130,7 @@ package starlogo.models
             assertEquals(9, new ObjModel("a", VERTICES + new Array(2).join(STRIP)).vertices.length);
         }
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function refusesNumbersOfTooManyDigits():void
         {
             for each (var digits:int in [10001, 900000])

@@ -14,7 +14,7 @@ package starlogo.models
         private static const TETRAHEDRON:Array = [[0, 0, 0, 0, 4, 0, 3, 0, 0], [0, 0, 0, 3, 0, 0, 0, 0, 2], [0, 0, 0, 0, 0, 2, 0, 4, 0],
                 [3, 0, 0, 0, 4, 0, 0, 0, 2]];
 
-        [Test(timeout="20000")]
+        [Test(timeout="600000")]
         public function readsOldMacsLinesInFilesOfAnyLength():void
         {
             var bytes:ByteArray = new ByteArray();

@@ -2,7 +2,6 @@ package starlogo.away3d
 {
     import flash.geom.Vector3D;
     import starlogo.models.Model;
-    import starlogo.steps.finish;
 
     /**
      * A model made from Away3D's own objects or geometry. A point (x, y, z) of Away3D, with y up, becomes (x, z, y) in the engine.
@@ -32,13 +31,8 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, source:Object)
         {
-            var reader:SourceReader = source as SourceReader;
-            if (reader == null)
-            {
-                reader = new SourceReader(name, source);
-                finish(reader);
-            }
-            super(name, reader.vertices, reader.triangles);
+            super(name, null, null, Model.FOOTPRINT,
+                    source is SourceReader ? SourceReader(source).shape : new SourceReader(name, source).readShape(Model.FOOTPRINT));
             var offset:Vector3D = this.source.offset;
             _origin = new Vector3D(offset.x, offset.z, offset.y);
         }

@@ -1,7 +1,6 @@
 package starlogo.geometry
 {
     import starlogo.geometry.hull.HullGrid;
-    import starlogo.geometry.hull.HullMesh;
     import starlogo.geometry.hull.InitialSimplex;
     import starlogo.geometry.hull.QuickHull;
     import starlogo.steps.StepSequence;
@@ -24,15 +23,22 @@ package starlogo.geometry
     public final class ConvexHull implements Steps
     {
         private var _vertices:Vector.<Number>;
-        private var _mesh:HullMesh;
-        private var _convexPoints:Vector.<Number>;
-        private var _grid:HullGrid = null;
+        private var _indices:Vector.<int> = new Vector.<int>();
+        private var _points:Vector.<Number> = new Vector.<Number>();
+        private var _triangles:Vector.<int> = new Vector.<int>();
+        private var _firstNeighbor:Vector.<int>;
+        private var _neighbors:Vector.<int>;
         private var _volume:Number = NaN;
 
-        // The current work.
+        // The current work. At the end, the corners of the triangles, the position of each vertex among the hull's corners, and pairs of a
+        // corner and a neighbour of it.
         private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
+        private var _grid:HullGrid = null;
         private var _quickHull:QuickHull;
+        private var _corners:Vector.<int>;
+        private var _place:Vector.<int>;
+        private var _pairs:Vector.<int> = new Vector.<int>();
 
         /**
          * Computes the hull.
@@ -47,7 +53,7 @@ package starlogo.geometry
         {
             _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
-            _work.add(_simplex).begin(newGrid).begin(newHull).begin(newMesh);
+            _work.add(_simplex).begin(newGrid).begin(newHull).call(numberCorners).call(joinCorners).call(countNeighbors).call(fillNeighbors);
             if (atOnce)
             {
                 finish(this);
@@ -93,27 +99,13 @@ package starlogo.geometry
         /** The hull's corners in ascending order, as indices of vertices. The first vertex has index 0. */
         public function get indices():Vector.<int>
         {
-            return _mesh.indices;
+            return _indices;
         }
 
         /** The hull's corners, x, y, z of each, in the same order as <code>indices</code>. */
         public function get points():Vector.<Number>
         {
-            return _mesh.points;
-        }
-
-        /**
-         * The hull's corners on the grid, x, y, z of each, in the same order as <code>indices</code>. They are off their places by up to
-         * <code>Tolerances.HULL</code> of the extent, but convex to the last digits. They are for walks along the hull's edges, because the
-         * rounding of <code>points</code> would mislead a walk if edges are seen end on.
-         */
-        public function get convexPoints():Vector.<Number>
-        {
-            if (_convexPoints == null)
-            {
-                _convexPoints = _grid == null ? points : _grid.placesOf(indices);
-            }
-            return _convexPoints;
+            return _points;
         }
 
         /**
@@ -122,7 +114,7 @@ package starlogo.geometry
          */
         public function get triangles():Vector.<int>
         {
-            return _mesh.triangles;
+            return _triangles;
         }
 
         /**
@@ -131,13 +123,13 @@ package starlogo.geometry
          */
         public function get firstNeighbor():Vector.<int>
         {
-            return _mesh.firstNeighbor;
+            return _firstNeighbor;
         }
 
         /** For each corner, the corners that share an edge with it, as positions in <code>indices</code>. */
         public function get neighbors():Vector.<int>
         {
-            return _mesh.neighbors;
+            return _neighbors;
         }
 
         /** The volume of the hull, in cubic units; 0 without triangles. No convex shape around the vertices has a smaller volume. */
@@ -148,47 +140,6 @@ package starlogo.geometry
                 _volume = measure();
             }
             return _volume;
-        }
-
-        /**
-         * Finds the corner that is farthest in a direction, by climbing from neighbour to neighbour. If several corners are equally far,
-         * the start decides which one is found. The number of steps is about the square root of the number of corners, and smaller if the
-         * start is near. Allocates nothing.
-         *
-         * @param x of the direction, a vector of any length
-         * @param y of the direction
-         * @param z of the direction
-         * @param from the corner to start from, as a position in <code>indices</code>
-         * @param points the corners' places: null for <code>points</code>; otherwise <code>convexPoints</code>, or a rotation of one of the
-         *     two
-         * @return the corner, as a position in <code>indices</code>
-         */
-        public function support(x:Number, y:Number, z:Number, from:int = 0, points:Vector.<Number> = null):int
-        {
-            var places:Vector.<Number> = points || _mesh.points;
-            var first:Vector.<int> = _mesh.firstNeighbor;
-            var joined:Vector.<int> = _mesh.neighbors;
-            var corner:int = from;
-            var at:int = 3 * corner;
-            var best:Number = places[at] * x + places[at + 1] * y + places[at + 2] * z;
-            do
-            {
-                from = corner;
-                var end:int = first[from + 1];
-                for (var i:int = first[from]; i < end; i++)
-                {
-                    var neighbor:int = joined[i];
-                    at = 3 * neighbor;
-                    var value:Number = places[at] * x + places[at + 1] * y + places[at + 2] * z;
-                    if (value > best)
-                    {
-                        best = value;
-                        corner = neighbor;
-                    }
-                }
-            }
-            while (corner != from);
-            return corner;
         }
 
         private function newGrid():Steps
@@ -209,30 +160,72 @@ package starlogo.geometry
                 var corners:Vector.<int> = _simplex.corners.concat();
                 corners[3] = dimension == 2 ? apex : corners[3];
                 _quickHull = new QuickHull(_grid.points, corners);
+                _grid = null;
             }
             return _quickHull;
         }
 
-        private function newMesh():Steps
+        // The triangles' corners, as indices of vertices. Vertices without volume get an extra point outside, the apex. Triangles and edges
+        // with the apex are left out later.
+        private function get foundCorners():Vector.<int>
         {
             var corners:Vector.<int> = _simplex.corners;
             switch (dimension)
             {
                 case 3:
-                    corners = _quickHull.triangles;
-                    break;
+                    return _quickHull.triangles;
                 case 2:
-                    corners = trianglesAtApex(_quickHull.triangles);
-                    break;
+                    return trianglesAtApex(_quickHull.triangles);
                 case 1:
-                    corners = new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
-                    break;
+                    return new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
                 default:
-                    corners = new <int>[corners[0], apex, apex];
+                    return new <int>[corners[0], apex, apex];
             }
-            _mesh = new HullMesh(_vertices, corners);
+        }
+
+        private function numberCorners():void
+        {
+            var corners:Vector.<int> = foundCorners;
+            var end:int = apex;
+            var place:Vector.<int> = new Vector.<int>(end + 1);
+            var count:int = corners.length;
+            var i:int;
             _quickHull = null;
-            return _mesh;
+            _corners = corners;
+            _place = place;
+            for (i = 0; i < count; i++)
+            {
+                place[corners[i]] = 1;
+            }
+            for (i = 0; i < end; i++)
+            {
+                if (place[i] == 1)
+                {
+                    place[i] = _indices.length;
+                    _indices.push(i);
+                    _points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
+                }
+            }
+        }
+
+        private function joinCorners():void
+        {
+            var corners:Vector.<int> = _corners;
+            var place:Vector.<int> = _place;
+            place[apex] = -1;
+            for (var i:int = 0; i < corners.length; i += 3)
+            {
+                var a:int = place[corners[i]];
+                var b:int = place[corners[int(i + 1)]];
+                var c:int = place[corners[int(i + 2)]];
+                join(a, b);
+                join(b, c);
+                join(c, a);
+                if (a >= 0 && b >= 0 && c >= 0)
+                {
+                    _triangles.push(a, b, c);
+                }
+            }
         }
 
         // The index of the point above a plane's vertices.
@@ -257,6 +250,46 @@ package starlogo.geometry
                 }
             }
             return found;
+        }
+
+        private function join(from:int, to:int):void
+        {
+            if (from >= 0 && to >= 0)
+            {
+                _pairs.push(from, to);
+            }
+        }
+
+        // Finds where each corner's neighbours begin, from the pairs of a corner and a neighbour.
+        private function countNeighbors():void
+        {
+            var pairs:Vector.<int> = _pairs;
+            var length:int = pairs.length;
+            var count:int = _indices.length;
+            var first:Vector.<int> = new Vector.<int>(count + 1);
+            var i:int;
+            for (i = 0; i < length; i += 2)
+            {
+                first[int(pairs[i] + 1)]++;
+            }
+            for (i = 0; i < count; i++)
+            {
+                first[i + 1] += first[i];
+            }
+            _firstNeighbor = first;
+        }
+
+        private function fillNeighbors():void
+        {
+            var pairs:Vector.<int> = _pairs;
+            var length:int = pairs.length;
+            var next:Vector.<int> = _firstNeighbor.concat();
+            _neighbors = new Vector.<int>(length / 2);
+            for (var i:int = 0; i < length; i += 2)
+            {
+                _neighbors[next[pairs[i]]++] = pairs[int(i + 1)];
+            }
+            _corners = _place = _pairs = null;
         }
 
         // The sum of the volumes of the tetrahedra from the first corner to each triangle.

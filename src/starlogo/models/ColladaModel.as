@@ -35,8 +35,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, source:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, ORIGIN);
-            setShape(new ColladaReader(name, source, upAxis).readShape(scaling, upAxis as ModelTransform));
+            super(name, null, null, scaling, new ColladaReader(name, source, upAxis).readShape(scaling));
         }
 
         /**

@@ -1,7 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.steps.finish;
+    import starlogo.models.cooked.CookedReader;
 
     /**
      * A model from a cooked file. <code>GreatLand.bake()</code>, <code>./antw bake</code> or <code>starlogo-bake</code> makes the file
@@ -20,10 +20,7 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(name, ORIGIN);
-            var load:CookedLoad = new CookedLoad(name, bytes);
-            finish(load);
-            load.giveTo(this);
+            super(name, null, null, null, new CookedReader(name, bytes).readShape(null));
         }
 
         /**

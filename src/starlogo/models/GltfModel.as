@@ -28,15 +28,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, ORIGIN);
-            var file:GltfFile = new GltfFile(name, bytes, null);
-            finish(file);
-            for each (var uri:String in file.missing)
-            {
-                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextTokens.shorten(uri) +
-                        "\" is another file and was not given: a ModelLoader's load() fetches it");
-            }
-            setShape(new GltfReader(name, file, upAxis).readShape(scaling, upAxis as ModelTransform));
+            super(name, null, null, scaling, readerOf(name, bytes, upAxis, buffers).readShape(scaling));
         }
 
         /**
@@ -55,6 +47,18 @@ package starlogo.models
                 buffers:Object = null):GltfModel
         {
             return new GltfModel(name, bytes, upAxis, scaling, buffers);
+        }
+
+        private static function readerOf(name:String, bytes:ByteArray, upAxis:Object, buffers:Object):GltfReader
+        {
+            var file:GltfFile = new GltfFile(name, bytes, null);
+            finish(file);
+            for each (var uri:String in file.missing)
+            {
+                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextTokens.shorten(uri) +
+                        "\" is another file and was not given: a ModelLoader's load() fetches it");
+            }
+            return new GltfReader(name, file, upAxis);
         }
     }
 }

@@ -47,7 +47,7 @@ package starlogo.models
          */
         public function LineReader(name:String, bytes:int, upAxis:Object)
         {
-            super(name, new ModelBudget(name, bytes), UpAxis.of(upAxis, name));
+            super(name, new ModelBudget(name, bytes), new UpAxis(upAxis, name, false));
         }
 
         /** @inheritDoc */

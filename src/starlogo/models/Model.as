@@ -3,6 +3,7 @@ package starlogo.models
     import starlogo.engine;
     import starlogo.geometry.VertexData;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -18,9 +19,6 @@ package starlogo.models
      */
     public class Model
     {
-        /** The vertices of a model whose shape is set later. */
-        internal static const ORIGIN:Vector.<Number> = new <Number>[0, 0, 0];
-
         /**
          * The default scaling, from the thesis (§2.2). The model is centred on the origin in x and y, its lowest vertex is at z = 0, and
          * the larger of its x and y extents is 1. Its height may be more than 1. If the x and y extents are both less than a millionth of
@@ -54,11 +52,11 @@ package starlogo.models
          *
          * @private
          */
-        engine var cooked:CookedFile = null;
+        engine var cooked:CookedFile;
 
         private var _name:String;
         private var _vertices:Vector.<Number>;
-        private var _triangles:Vector.<uint> = null;
+        private var _triangles:Vector.<uint>;
         private var _source:SourceFrame;
 
         /**
@@ -69,23 +67,29 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
+         * @param shape for the engine's own models: the shape that a reader has made; the other arguments are not used then
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, shape:Steps = null)
         {
-            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles, scaling);
-            finish(shape);
-            setShape(shape);
-        }
-
-        /** A model with a shape whose steps are all done. */
-        internal static function of(shape:NormalisedShape):Model
-        {
-            var model:Model = new Model(shape.name, ORIGIN);
-            model.setShape(shape);
-            return model;
+            var made:NormalisedShape = shape as NormalisedShape;
+            if (made == null)
+            {
+                made = new NormalisedShape(name, vertices, triangles, scaling);
+                finish(made);
+            }
+            _name = made.name;
+            _vertices = made.vertices;
+            _vertices.fixed = true;
+            _triangles = made.triangles;
+            if (_triangles != null)
+            {
+                _triangles.fixed = true;
+            }
+            _source = made.frame;
+            cooked = made.cooked;
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
@@ -123,20 +127,6 @@ package starlogo.models
             var shape:NormalisedShape = new NormalisedShape(_name, points, _triangles, _source.scaling, _source.transform);
             finish(shape);
             return VertexData.areSame(shape.vertices, _vertices) && shape.frame.isAs(_source) && String(shape.triangles) == String(_triangles);
-        }
-
-        /** Sets the shape. All its steps must be done. */
-        internal final function setShape(shape:NormalisedShape):void
-        {
-            _name = shape.name;
-            _vertices = shape.vertices;
-            _vertices.fixed = true;
-            _triangles = shape.triangles;
-            if (_triangles != null)
-            {
-                _triangles.fixed = true;
-            }
-            _source = shape.frame;
         }
     }
 }

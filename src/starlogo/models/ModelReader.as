@@ -1,5 +1,6 @@
 package starlogo.models
 {
+    import starlogo.models.cooked.CookedFile;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -25,33 +26,55 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
+        /** When no step is left: the shape that <code>shaped()</code> asked for. */
+        public var shape:Steps = null;
+
         /** Points without a surface. They become the model's vertices if there are no others. */
         protected var loosePoints:Vector.<Number> = new Vector.<Number>();
 
         /** What reading the file may cost. */
         protected var budget:ModelBudget;
 
-        /** The axis that points up in the file; null if the file says it itself. */
-        protected var upAxis:String;
+        /** The axis that points up in the file; null if the vertices come with z up. */
+        protected var up:UpAxis;
+
+        /** When all is read: turns, scales and moves the model; null for no change. */
+        protected var transform:ModelTransform;
+
+        /** How the model is scaled, as for Model's constructor. */
+        protected var scaling:String = null;
+
+        /** When all is read: the file's cooked results and the model's place in its source, of a file that has them. */
+        protected var cooked:CookedFile = null;
+
+        /** @copy #cooked */
+        protected var frame:SourceFrame = null;
 
         /**
          * @param name the model's name
          * @param budget what reading the file may cost
-         * @param upAxis the axis that points up in the file; null if the file says it itself
+         * @param up the axis that points up in the file; null if the vertices come with z up
          */
-        public function ModelReader(name:String, budget:ModelBudget, upAxis:String = null)
+        public function ModelReader(name:String, budget:ModelBudget, up:UpAxis = null)
         {
             this.budget = budget;
             this.name = name;
-            this.upAxis = upAxis;
+            this.up = up;
+            transform = up == null ? null : up.transform;
         }
 
-        /** Does all steps. Returns the shape, turned and scaled. */
-        internal final function readShape(scaling:String, transform:ModelTransform):NormalisedShape
+        /** Adds the steps that turn and scale what is read, and returns the reader. @param scaling as for Model's constructor */
+        public final function shaped(scaling:String):ModelReader
         {
-            finish(this);
-            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles, scaling, transform, unit);
-            finish(shape);
+            this.scaling = scaling;
+            begin(normalising).call(useFrame);
+            return this;
+        }
+
+        /** Does all steps. Returns the shape for Model's constructor. @param scaling as for Model's constructor */
+        public final function readShape(scaling:String):Steps
+        {
+            finish(shaped(scaling));
             return shape;
         }
 
@@ -74,11 +97,25 @@ package starlogo.models
         /** The steps that turn the vertices to z up. */
         protected final function turningUp():Steps
         {
-            var turn:AffineTransform = UpAxis.transform(upAxis);
-            return new StepSequence().slices(upAxis == UpAxis.Z ? 0 : vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            var turn:AffineTransform = up.turn;
+            return new StepSequence().slices(up.axis == UpAxis.Z ? 0 : vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     turn.place(vertices, first, end, vertices, first);
                 });
+        }
+
+        private function normalising():Steps
+        {
+            var made:NormalisedShape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, transform, unit);
+            made.cooked = cooked;
+            shape = made;
+            return made;
+        }
+
+        private function useFrame():void
+        {
+            var made:NormalisedShape = NormalisedShape(shape);
+            made.frame = frame || made.frame;
         }
     }
 }

@@ -5,6 +5,7 @@ package starlogo.models
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -29,6 +30,9 @@ package starlogo.models
 
         /** When no step is left: the shape's place and scale in its source. */
         public var frame:SourceFrame = new SourceFrame();
+
+        /** The cooked file that the shape was read from; null for none. */
+        public var cooked:CookedFile = null;
 
         private var _count:int;
         private var _transform:ModelTransform;

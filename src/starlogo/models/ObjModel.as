@@ -30,8 +30,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, source:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, ORIGIN);
-            setShape(new ObjReader(name, source, upAxis).readShape(scaling, upAxis as ModelTransform));
+            super(name, null, null, scaling, new ObjReader(name, source, upAxis).readShape(scaling));
         }
 
         /**

@@ -23,10 +23,7 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, ORIGIN);
-            var isBinary:Boolean = bytes != null && StlReader.isBinary(bytes);
-            var text:String = isBinary ? null : ModelFile.text(name, bytes, "STL");
-            setShape(new StlReader(name, isBinary ? bytes : null, text, upAxis).readShape(scaling, upAxis as ModelTransform));
+            super(name, null, null, scaling, StlReader.of(name, bytes, upAxis).readShape(scaling));
         }
 
         /**

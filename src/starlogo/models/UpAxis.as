@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /**
-     * The axis that points up in a file. Gives the transform that turns x or y up to z up.
+     * What callers pass as the up axis of a file: an axis, or a ModelTransform.
      *
      * @private
      */
@@ -16,29 +16,31 @@ package starlogo.models
         /** @copy #X */
         public static const Z:String = "z";
 
+        /** The axis that points up. "z" for a ModelTransform, which leaves the file as it is. Null if the file says it itself. */
+        public var axis:String;
+
+        /** The ModelTransform; null if there is none. */
+        public var transform:ModelTransform;
+
         /**
-         * The name of an up axis.
-         *
-         * @param upAxis a name, or a ModelTransform, which stands for "z"
+         * @param upAxis "x", "y", "z" or a ModelTransform
          * @param name the model's name
-         * @throws ModelError if it is neither
+         * @param mayBeNull whether the file can say it itself
+         * @throws ModelError if it is none of these
          */
-        public static function of(upAxis:Object, name:String):String
+        public function UpAxis(upAxis:Object, name:String, mayBeNull:Boolean)
         {
-            if (upAxis is ModelTransform)
-            {
-                return Z;
-            }
-            refuseIf(upAxis != X && upAxis != Y && upAxis != Z, name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " +
-                    (upAxis is String ? "\"" + upAxis + "\"" : upAxis));
-            return String(upAxis);
+            transform = upAxis as ModelTransform;
+            axis = transform != null ? Z : (upAxis == null ? null : String(upAxis));
+            refuseIf(axis == null ? !mayBeNull : axis != X && axis != Y && axis != Z, name,
+                    "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + (upAxis is String ? "\"" + upAxis + "\"" : upAxis));
         }
 
         /**
          * The turn to z up. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA specification's
          * table for up_axis gives the right and inward axes.)
          */
-        public static function transform(axis:String):AffineTransform
+        public function get turn():AffineTransform
         {
             switch (axis)
             {

@@ -85,7 +85,7 @@ package starlogo.fitting
 
         private static function isSearched(session:FitSession):Boolean
         {
-            return Effort.isFull || session.hull.convexPoints.length <= 3 * HULL_POINTS;
+            return Effort.isFull || session.hull.points.length <= 3 * HULL_POINTS;
         }
 
         private static function entriesOf(source:String):Array

@@ -178,7 +178,7 @@ package starlogo.models
             {
                 var shape:NormalisedShape = new NormalisedShape("a", box.vertices, box.triangles, random.pick(SCALINGS), randomTransform(random, i));
                 finish(shape);
-                assertTrue(Surfaces.volume(Model.of(shape)) > 0);
+                assertTrue(Surfaces.volume(new Model("a", null, null, null, shape)) > 0);
             }
             assertTrue("some are mirrored: " + _mirrored, _mirrored > 3 && _mirrored < 17);
         }

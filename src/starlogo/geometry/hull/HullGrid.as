@@ -46,34 +46,6 @@ package starlogo.geometry.hull
             }
         }
 
-        /**
-         * Some of the grid's points in the vertices' space, x, y, z of each.
-         *
-         * @param indices the indices of these points
-         */
-        public function placesOf(indices:Vector.<int>):Vector.<Number>
-        {
-            var placed:Vector.<Number> = new Vector.<Number>(3 * indices.length);
-            for (var i:int = 0; i < placed.length; i += 3)
-            {
-                var x:Number = 0;
-                var y:Number = 0;
-                var z:Number = 0;
-                for (var axis:int = 0; axis < 3; axis++)
-                {
-                    var unit:Number = (_highs[axis] - _lows[axis]) / QuickHull.GRID;
-                    var t:Number = _lows[axis] + points[3 * indices[i / 3] + axis] * unit;
-                    x += t * _axes[3 * axis];
-                    y += t * _axes[3 * axis + 1];
-                    z += t * _axes[3 * axis + 2];
-                }
-                placed[i] = x;
-                placed[i + 1] = y;
-                placed[i + 2] = z;
-            }
-            return placed;
-        }
-
         // Writes the vertices' places along the next axis, before rounding.
         private function measure(first:int, end:int):void
         {

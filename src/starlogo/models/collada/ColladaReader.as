@@ -3,7 +3,6 @@ package starlogo.models.collada
     import starlogo.models.Decimal;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
-    import starlogo.models.ModelTransform;
     import starlogo.models.TextTokens;
     import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
@@ -20,7 +19,6 @@ package starlogo.models.collada
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
-        private var _hasTransform:Boolean;
         private var _xml:XmlReader;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
@@ -34,9 +32,8 @@ package starlogo.models.collada
          */
         public function ColladaReader(name:String, source:String, upAxis:Object)
         {
-            super(name, new ModelBudget(name, source == null ? 0 : source.length), upAxis == null ? null : UpAxis.of(upAxis, name));
+            super(name, new ModelBudget(name, source == null ? 0 : source.length), new UpAxis(upAxis, name, true));
             refuseIf(source == null, name, "there is no text to read");
-            _hasTransform = upAxis is ModelTransform;
             _xml = new XmlReader(name, source, budget);
             add(_xml).begin(walking).beginEach(readingNext);
         }
@@ -52,9 +49,9 @@ package starlogo.models.collada
             _document = new ColladaDocument(name, budget, _xml);
             _xml = null;
             var asset:ColladaElement = _document.root.child("asset");
-            upAxis ||= upAxisOf(asset);
-            unit = _hasTransform ? 1 : unitOf(asset);
-            _scene = new ColladaScene(_document, UpAxis.transform(upAxis));
+            up.axis ||= upAxisOf(asset);
+            unit = up.transform != null ? 1 : unitOf(asset);
+            _scene = new ColladaScene(_document, up.turn);
             return _scene;
         }
 

@@ -3,12 +3,15 @@ package starlogo.models.cooked
     import flash.errors.EOFError;
     import flash.utils.ByteArray;
     import starlogo.engine;
+    import starlogo.geometry.Fingerprint;
     import starlogo.models.Model;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
     import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -23,15 +26,7 @@ package starlogo.models.cooked
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
 
-        /** The model's scaling, when all is read. */
-        public var scaling:String = null;
-
-        /** The model's transform, when all is read; null for none. */
-        public var transform:ModelTransform = null;
-
-        /** The model's place and scale in its source, when all is read. It is null if the vertices still have to be normalised. */
-        public var frame:SourceFrame = null;
-
+        private var _asked:Fingerprint;
         private var _file:CookedFile;
         private var _bytes:ByteArray;
         private var _form:int;
@@ -43,13 +38,15 @@ package starlogo.models.cooked
 
         /**
          * @param name the model's name
-         * @param file all its steps must be done
+         * @param bytes the bytes of a possible cooked file
+         * @param asked the arguments for which the file must have been cooked; null for any
          */
-        public function CookedReader(name:String, file:CookedFile)
+        public function CookedReader(name:String, bytes:ByteArray, asked:Fingerprint = null)
         {
             super(name, new ModelBudget(name, ModelBudget.BYTES));
-            _file = file;
-            call(readHead);
+            _asked = asked;
+            _file = new CookedFile(bytes);
+            add(_file).begin(reading);
         }
 
         /** @inheritDoc */
@@ -66,8 +63,11 @@ package starlogo.models.cooked
             return false;
         }
 
-        private function readHead():void
+        // Reads the head. The work that it returns reads the numbers.
+        private function reading():Steps
         {
+            refuseIf(_asked != null && _file.isWhole && !_file.isFor(_asked), name, "the cooked file is for another up axis, transform or scaling");
+            cooked = _file;
             _bytes = _file.section(CookedFile.MODEL, null);
             refuseIf(_bytes == null, name, "the cooked file is damaged, or of another version: cook it again");
             scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
@@ -92,7 +92,8 @@ package starlogo.models.cooked
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
             vertices.length = 3 * vertexCount;
             triangles.length = 3 * triangleCount;
-            slices(vertexCount, VERTICES_PER_STEP, _form < CookedShape.SINGLE ? readMultiples : readNumbers).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
+            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, _form < CookedShape.SINGLE ? readMultiples : readNumbers)
+                .slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
         }
 
         private function readCount(most:int):int

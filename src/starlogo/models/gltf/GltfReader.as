@@ -33,7 +33,7 @@ package starlogo.models.gltf
          */
         public function GltfReader(name:String, file:GltfFile, upAxis:Object)
         {
-            super(name, file.budget, upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name));
+            super(name, file.budget, new UpAxis(upAxis == null ? UpAxis.Y : upAxis, name, false));
             _file = file;
             begin(walking).beginEach(readingNext).begin(droppingUnused);
         }
@@ -46,7 +46,7 @@ package starlogo.models.gltf
 
         private function walking():Steps
         {
-            _scene = new GltfScene(_file.json, UpAxis.transform(upAxis));
+            _scene = new GltfScene(_file.json, up.turn);
             return _scene;
         }
 

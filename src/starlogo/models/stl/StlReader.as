@@ -62,6 +62,13 @@ package starlogo.models.stl
             call(checkEnd).begin(turningUp);
         }
 
+        /** The reader of a file's bytes. */
+        public static function of(name:String, bytes:ByteArray, upAxis:Object):StlReader
+        {
+            return bytes != null && isBinary(bytes) ? new StlReader(name, bytes, null, upAxis)
+                : new StlReader(name, null, ModelFile.text(name, bytes, "STL"), upAxis);
+        }
+
         /**
          * Whether the bytes are a binary file: at least as long as the facet count requires. In a text file, four characters stand in the
          * count's place, so the count would be too large. Binary files that begin with "solid" are recognised too.

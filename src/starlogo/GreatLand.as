@@ -145,8 +145,8 @@ package starlogo
                     // null if there is none, because the entry's old data belong to another model
                     var shape:ShapeEntry = _shapes.made(model.name);
                     shape.setHierarchy(build.hierarchy);
-                    shape.structures = build.structures;
-                    shape.model = model;
+                    shape.setStructures(build.structures);
+                    shape.setModel(model);
                 });
         }
 
@@ -206,9 +206,9 @@ package starlogo
                 return false;
             }
             var shape:ShapeEntry = _shapes.of(name);
-            shape.model = null;
+            shape.setModel(null);
             shape.setHierarchy(null);
-            shape.structures = null;
+            shape.setStructures(null);
             return true;
         }
 

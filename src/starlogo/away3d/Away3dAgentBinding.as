@@ -5,6 +5,7 @@ package starlogo.away3d
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.VertexData;
 
     use namespace engine;
 
@@ -96,8 +97,8 @@ package starlogo.away3d
             }
             drawn.scaleX = drawn.scaleY = drawn.scaleZ = scale;
             // y and z are swapped, because it turns in the agent's space
-            turn.turn(scale * _originX - pivot.x, scale * _originZ - pivot.z, scale * _originY - pivot.y);
-            drawn.moveTo(_agent.x - pivot.x - turn.x, _agent.z - pivot.y - turn.z, _agent.y - pivot.z - turn.y);
+            var offset:Vector3D = turn.turn(scale * _originX - pivot.x, scale * _originZ - pivot.z, scale * _originY - pivot.y);
+            drawn.moveTo(_agent.x - pivot.x - offset.x, _agent.z - pivot.y - offset.z, _agent.y - pivot.z - offset.y);
             remember();
         }
 
@@ -120,10 +121,10 @@ package starlogo.away3d
             checkScale();
             var turn:SwappedTurn = sTurn;
             turn.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
-            turn.turn(scale * _originX - pivot.x, scale * _originY - pivot.y, scale * _originZ - pivot.z);
-            var x:Number = drawn.x + pivot.x + turn.x;
-            var y:Number = drawn.z + pivot.z + turn.z;
-            var z:Number = drawn.y + pivot.y + turn.y;
+            var offset:Vector3D = turn.turn(scale * _originX - pivot.x, scale * _originY - pivot.y, scale * _originZ - pivot.z);
+            var x:Number = drawn.x + pivot.x + offset.x;
+            var y:Number = drawn.z + pivot.z + offset.z;
+            var z:Number = drawn.y + pivot.y + offset.y;
             checkPlace(x, y, z, turn.heading + turn.pitch + turn.roll, scale * _width);
             if (x != _agent.x || y != _agent.y || z != _agent.z)
             {
@@ -138,19 +139,8 @@ package starlogo.away3d
 
         private function isUnchanged():Boolean
         {
-            if (_agent.revision != _revision)
-            {
-                return false;
-            }
             readTraits(sTraits);
-            for (var i:int = 0; i < 12; i++)
-            {
-                if (sTraits[i] != _traits[i])
-                {
-                    return false;
-                }
-            }
-            return true;
+            return _agent.revision == _revision && VertexData.areSame(sTraits, _traits);
         }
 
         private function remember():void

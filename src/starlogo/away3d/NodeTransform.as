@@ -55,10 +55,10 @@ package starlogo.away3d
             var p:Placement = sPlacement;
             var pivot:Vector3D = object.pivotPoint;
             p.setRotation(object.rotationZ, object.rotationY, object.rotationX);
+            var turned:Vector3D = new Vector3D();
+            p.turn(pivot, turned);
             return AffineTransform.of(p, object.scaleX, object.scaleY, object.scaleZ,
-                    object.x + pivot.x - (p.r00 * pivot.x + p.r01 * pivot.y + p.r02 * pivot.z),
-                    object.y + pivot.y - (p.r10 * pivot.x + p.r11 * pivot.y + p.r12 * pivot.z),
-                    object.z + pivot.z - (p.r20 * pivot.x + p.r21 * pivot.y + p.r22 * pivot.z));
+                    object.x + pivot.x - turned.x, object.y + pivot.y - turned.y, object.z + pivot.z - turned.z);
         }
     }
 }

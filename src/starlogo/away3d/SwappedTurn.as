@@ -20,18 +20,10 @@ package starlogo.away3d
         /** The result: degrees about x, the first turn. */
         public var roll:Number = 0;
 
-        /** A point after <code>turn()</code>, in the space that the angles came from. */
-        public var x:Number = 0;
-
-        /** @copy #x */
-        public var y:Number = 0;
-
-        /** @copy #x */
-        public var z:Number = 0;
-
         private var _placement:Placement = new Placement();
         private var _swapped:Placement = new Placement();
         private var _angles:Vector3D = new Vector3D();
+        private var _point:Vector3D = new Vector3D();
 
         /** Creates the identity rotation. */
         public function SwappedTurn()
@@ -53,12 +45,12 @@ package starlogo.away3d
             readRotation();
         }
 
-        /** Turns a point. The point is in the space that the angles came from. */
-        public function turn(fromX:Number, fromY:Number, fromZ:Number):void
+        /** Turns a point. The point is in the space that the angles came from. The next call overwrites the result. */
+        public function turn(x:Number, y:Number, z:Number):Vector3D
         {
-            x = _placement.r00 * fromX + _placement.r01 * fromY + _placement.r02 * fromZ;
-            y = _placement.r10 * fromX + _placement.r11 * fromY + _placement.r12 * fromZ;
-            z = _placement.r20 * fromX + _placement.r21 * fromY + _placement.r22 * fromZ;
+            _point.setTo(x, y, z);
+            _placement.turn(_point, _point);
+            return _point;
         }
 
         // Reads the matrix with rows and columns 1 and 2 swapped.

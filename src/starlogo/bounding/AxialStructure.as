@@ -46,8 +46,8 @@ package starlogo.bounding
                 out = newFor(out);
             }
             var placed:AxialStructure = out as AxialStructure;
-            placePoint(start, placement, placed.start);
-            placePoint(end, placement, placed.end);
+            placement.place(start, placed.start);
+            placement.place(end, placed.end);
             placed.radius = radius * placement.size;
             return placed;
         }

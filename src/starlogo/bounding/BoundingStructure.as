@@ -173,6 +173,17 @@ package starlogo.bounding
         }
 
         /**
+         * Enlarges a fitted structure by the distance at which surfaces still count as touching (Tolerances.SURFACES). So if the surfaces of
+         * two models touch, their structures touch too. This holds for flat and thin structures as well. A sphere is not enlarged: its
+         * radius is never small compared with the model, so the tests' own tolerance is enough.
+         *
+         * @private
+         */
+        engine function widenForSurfaces():void
+        {
+        }
+
+        /**
          * Writes the extents along the axes of the structure's space: minX, maxX, minY, maxY, minZ, maxZ. They are the tightest ones,
          * enlarged by a rounding error (Tolerances.ROUNDING). So the extents of structures that touch always touch or overlap. Allocates
          * nothing.
@@ -312,42 +323,6 @@ package starlogo.bounding
                 && isNear(zx * zx + zy * zy + zz * zz, 1);
             return areUnit && isNear(xx * yx + xy * yy + xz * yz, 0) && isNear(xx * zx + xy * zy + xz * zz, 0)
                 && isNear(yx * zx + yy * zy + yz * zz, 0);
-        }
-
-        /**
-         * Transforms a point by a placement.
-         *
-         * @param point in the model's space
-         * @param placement the model's placement
-         * @param out receives the point in the world; may be the point itself
-         */
-        protected static function placePoint(point:Vector3D, placement:Placement, out:Vector3D):void
-        {
-            var size:Number = placement.size;
-            var x:Number = point.x * size;
-            var y:Number = point.y * size;
-            var z:Number = point.z * size;
-            if (placement.isIdentity)
-            {
-                out.x = x + placement.x;
-                out.y = y + placement.y;
-                out.z = z + placement.z;
-                return;
-            }
-            out.x = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
-            out.y = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
-            out.z = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
-        }
-
-        /** Rotates a vector by the rotation of a placement. The result is written to out, which may be the vector itself. */
-        protected static function turnInto(vector:Vector3D, placement:Placement, out:Vector3D):void
-        {
-            var x:Number = vector.x;
-            var y:Number = vector.y;
-            var z:Number = vector.z;
-            out.x = placement.r00 * x + placement.r01 * y + placement.r02 * z;
-            out.y = placement.r10 * x + placement.r11 * y + placement.r12 * z;
-            out.z = placement.r20 * x + placement.r21 * y + placement.r22 * z;
         }
 
         /**

@@ -127,10 +127,10 @@ package starlogo.bounding
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;
             placed.halfZ = halfZ * size;
-            placePoint(center, placement, placed.center);
-            turnInto(axisX, placement, placed.axisX);
-            turnInto(axisY, placement, placed.axisY);
-            turnInto(axisZ, placement, placed.axisZ);
+            placement.place(center, placed.center);
+            placement.turn(axisX, placed.axisX);
+            placement.turn(axisY, placed.axisY);
+            placement.turn(axisZ, placed.axisZ);
             return placed;
         }
 
@@ -156,6 +156,14 @@ package starlogo.bounding
         }
 
         /** @private */
+        override engine function widenForSurfaces():void
+        {
+            // The tolerance depends on the model's radius about the middle of its extents. That radius is at most the square root of 3 times
+            // the radius of a sphere around the model.
+            widen(2 * Tolerances.SURFACES * (halfX + halfY + halfZ));
+        }
+
+        /** @private */
         override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
@@ -167,21 +175,21 @@ package starlogo.bounding
             turned.y = center.y * size;
             turned.z = center.z * size;
             var margin:Number = Tolerances.ROUNDING * (Math.abs(turned.x) + Math.abs(turned.y) + Math.abs(turned.z) + x + y + z);
-            turnInto(turned, placement, turned);
+            placement.turn(turned, turned);
             out[0] = turned.x;
             out[1] = turned.y;
             out[2] = turned.z;
 
             // For each axis, how far the box extends along x, y and z.
-            turnInto(axisX, placement, turned);
+            placement.turn(axisX, turned);
             var reachX:Number = x * Math.abs(turned.x);
             var reachY:Number = x * Math.abs(turned.y);
             var reachZ:Number = x * Math.abs(turned.z);
-            turnInto(axisY, placement, turned);
+            placement.turn(axisY, turned);
             reachX += y * Math.abs(turned.x);
             reachY += y * Math.abs(turned.y);
             reachZ += y * Math.abs(turned.z);
-            turnInto(axisZ, placement, turned);
+            placement.turn(axisZ, turned);
             out[3] = reachX + z * Math.abs(turned.x) + margin;
             out[4] = reachY + z * Math.abs(turned.y) + margin;
             out[5] = reachZ + z * Math.abs(turned.z) + margin;

@@ -88,6 +88,13 @@ package starlogo.bounding
         }
 
         /** @private */
+        override engine function widenForSurfaces():void
+        {
+            // as of a Box
+            widen(2 * Tolerances.SURFACES * (radius + 0.5 * Vector3D.distance(start, end)));
+        }
+
+        /** @private */
         override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
@@ -102,8 +109,8 @@ package starlogo.bounding
             var reach:Number = radius * size;
             reach += Tolerances.ROUNDING * (reach + (Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z)
                         + (Math.abs(half.x) + Math.abs(half.y) + Math.abs(half.z))));
-            turnInto(middle, placement, middle);
-            turnInto(half, placement, half);
+            placement.turn(middle, middle);
+            placement.turn(half, half);
             out[0] = middle.x;
             out[1] = middle.y;
             out[2] = middle.z;

@@ -71,7 +71,7 @@ package starlogo.bounding
             {
                 placed = newFor(out) as Sphere;
             }
-            // This repeats placePoint(), because the call alone would take a fifth of the time.
+            // This repeats Placement.place(), because the call alone would take a fifth of the time.
             var size:Number = placement.size;
             var x:Number = center.x * size;
             var y:Number = center.y * size;

@@ -16,18 +16,34 @@ package starlogo.geometry
      *
      * <p>The vertices are rounded to a grid of 2^25 steps along each of three axes. On this grid the hull is exact. In most cases these
      * are the coordinate axes. If the vertices are thin in another direction, the grid has axes along the vertices. The results are the
-     * vertices themselves, not rounded.</p>
+     * vertices themselves, not rounded. They are complete after the last step. Read only.</p>
      *
      * <p>The cost is n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>
      */
     public final class ConvexHull implements Steps
     {
+        /** The hull's corners in ascending order, as indices of vertices. The first vertex has index 0. */
+        public var indices:Vector.<int> = new Vector.<int>();
+
+        /** The hull's corners, x, y, z of each, in the same order as <code>indices</code>. */
+        public var points:Vector.<Number> = new Vector.<Number>();
+
+        /**
+         * The hull's surface: three corners for each triangle, as positions in <code>indices</code>, counter-clockwise seen from outside.
+         * Empty for vertices that span no volume.
+         */
+        public var triangles:Vector.<int> = new Vector.<int>();
+
+        /**
+         * For each corner, the position in <code>neighbors</code> at which its neighbours begin. The neighbours of corner i are at
+         * firstNeighbor[i] up to, but not including, firstNeighbor[i + 1]. So the list has one entry more than there are corners.
+         */
+        public var firstNeighbor:Vector.<int>;
+
+        /** For each corner, the corners that share an edge with it, as positions in <code>indices</code>. */
+        public var neighbors:Vector.<int>;
+
         private var _vertices:Vector.<Number>;
-        private var _indices:Vector.<int> = new Vector.<int>();
-        private var _points:Vector.<Number> = new Vector.<Number>();
-        private var _triangles:Vector.<int> = new Vector.<int>();
-        private var _firstNeighbor:Vector.<int>;
-        private var _neighbors:Vector.<int>;
         private var _volume:Number = NaN;
 
         // The current work. At the end, the corners of the triangles, the position of each vertex among the hull's corners, and pairs of a
@@ -94,42 +110,6 @@ package starlogo.geometry
         public function get axes():Vector.<Number>
         {
             return _simplex.axes;
-        }
-
-        /** The hull's corners in ascending order, as indices of vertices. The first vertex has index 0. */
-        public function get indices():Vector.<int>
-        {
-            return _indices;
-        }
-
-        /** The hull's corners, x, y, z of each, in the same order as <code>indices</code>. */
-        public function get points():Vector.<Number>
-        {
-            return _points;
-        }
-
-        /**
-         * The hull's surface: three corners for each triangle, as positions in <code>indices</code>, counter-clockwise seen from outside.
-         * Empty for vertices that span no volume.
-         */
-        public function get triangles():Vector.<int>
-        {
-            return _triangles;
-        }
-
-        /**
-         * For each corner, the position in <code>neighbors</code> at which its neighbours begin. The neighbours of corner i are at
-         * firstNeighbor[i] up to, but not including, firstNeighbor[i + 1]. So the list has one entry more than there are corners.
-         */
-        public function get firstNeighbor():Vector.<int>
-        {
-            return _firstNeighbor;
-        }
-
-        /** For each corner, the corners that share an edge with it, as positions in <code>indices</code>. */
-        public function get neighbors():Vector.<int>
-        {
-            return _neighbors;
         }
 
         /** The volume of the hull, in cubic units; 0 without triangles. No convex shape around the vertices has a smaller volume. */
@@ -201,9 +181,9 @@ package starlogo.geometry
             {
                 if (place[i] == 1)
                 {
-                    place[i] = _indices.length;
-                    _indices.push(i);
-                    _points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
+                    place[i] = indices.length;
+                    indices.push(i);
+                    points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
                 }
             }
         }
@@ -223,7 +203,7 @@ package starlogo.geometry
                 join(c, a);
                 if (a >= 0 && b >= 0 && c >= 0)
                 {
-                    _triangles.push(a, b, c);
+                    triangles.push(a, b, c);
                 }
             }
         }
@@ -236,16 +216,16 @@ package starlogo.geometry
 
         // The triangles between the apex and each edge of the outline of vertices in a plane. Each triangle is there twice, once for each
         // side.
-        private function trianglesAtApex(triangles:Vector.<int>):Vector.<int>
+        private function trianglesAtApex(ofPlane:Vector.<int>):Vector.<int>
         {
             var found:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < triangles.length; i++)
+            for (var i:int = 0; i < ofPlane.length; i++)
             {
-                if (triangles[i] == apex)
+                if (ofPlane[i] == apex)
                 {
                     var first:int = i - i % 3;
-                    var from:int = triangles[first + (i + 1) % 3];
-                    var to:int = triangles[first + (i + 2) % 3];
+                    var from:int = ofPlane[first + (i + 1) % 3];
+                    var to:int = ofPlane[first + (i + 2) % 3];
                     found.push(from, to, apex, to, from, apex);
                 }
             }
@@ -265,7 +245,7 @@ package starlogo.geometry
         {
             var pairs:Vector.<int> = _pairs;
             var length:int = pairs.length;
-            var count:int = _indices.length;
+            var count:int = indices.length;
             var first:Vector.<int> = new Vector.<int>(count + 1);
             var i:int;
             for (i = 0; i < length; i += 2)
@@ -276,18 +256,18 @@ package starlogo.geometry
             {
                 first[i + 1] += first[i];
             }
-            _firstNeighbor = first;
+            firstNeighbor = first;
         }
 
         private function fillNeighbors():void
         {
             var pairs:Vector.<int> = _pairs;
             var length:int = pairs.length;
-            var next:Vector.<int> = _firstNeighbor.concat();
-            _neighbors = new Vector.<int>(length / 2);
+            var next:Vector.<int> = firstNeighbor.concat();
+            neighbors = new Vector.<int>(length / 2);
             for (var i:int = 0; i < length; i += 2)
             {
-                _neighbors[next[pairs[i]]++] = pairs[int(i + 1)];
+                neighbors[next[pairs[i]]++] = pairs[int(i + 1)];
             }
             _corners = _place = _pairs = null;
         }

@@ -275,6 +275,45 @@ package starlogo.geometry
         }
 
         /**
+         * Transforms a point: scales, rotates and moves it.
+         *
+         * @param point in the model's space
+         * @param out receives the point in the world; may be the point itself
+         */
+        public function place(point:Vector3D, out:Vector3D):void
+        {
+            var fromX:Number = point.x * size;
+            var fromY:Number = point.y * size;
+            var fromZ:Number = point.z * size;
+            if (isIdentity)
+            {
+                out.x = fromX + x;
+                out.y = fromY + y;
+                out.z = fromZ + z;
+                return;
+            }
+            out.x = r00 * fromX + r01 * fromY + r02 * fromZ + x;
+            out.y = r10 * fromX + r11 * fromY + r12 * fromZ + y;
+            out.z = r20 * fromX + r21 * fromY + r22 * fromZ + z;
+        }
+
+        /**
+         * Rotates a vector.
+         *
+         * @param vector in the model's space
+         * @param out receives the result; may be the vector itself
+         */
+        public function turn(vector:Vector3D, out:Vector3D):void
+        {
+            var fromX:Number = vector.x;
+            var fromY:Number = vector.y;
+            var fromZ:Number = vector.z;
+            out.x = r00 * fromX + r01 * fromY + r02 * fromZ;
+            out.y = r10 * fromX + r11 * fromY + r12 * fromZ;
+            out.z = r20 * fromX + r21 * fromY + r22 * fromZ;
+        }
+
+        /**
          * Transforms points.
          *
          * @param from x, y, z of each

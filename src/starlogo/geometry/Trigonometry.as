@@ -181,17 +181,5 @@ package starlogo.geometry
             var low:Number = angle - high;
             return high * RADIANS_HIGH - radians + high * RADIANS_LOW + low * RADIANS_HIGH + low * RADIANS_LOW + angle * RADIANS_REST;
         }
-
-        // The rounding error of a product.
-        private static function roundingOf(a:Number, b:Number, product:Number):Number
-        {
-            var highA:Number = SPLIT * a;
-            highA -= highA - a;
-            var lowA:Number = a - highA;
-            var highB:Number = SPLIT * b;
-            highB -= highB - b;
-            var lowB:Number = b - highB;
-            return highA * highB - product + highA * lowB + lowA * highB + lowA * lowB;
-        }
     }
 }

@@ -101,7 +101,7 @@ package starlogo.libraries
         {
             var build:StructuresBuild = newBuild(name, vertices);
             finish(build);
-            shapes.made(name).structures = build.structures;
+            shapes.made(name).setStructures(build.structures);
         }
 
         /** Whether the library has structures for a shape. */

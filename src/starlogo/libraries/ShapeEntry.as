@@ -14,10 +14,16 @@ package starlogo.libraries
         /** The number of models of this name that are loading. */
         public var loading:int = 0;
 
+        /** The number of times that data under this name was replaced or removed. */
+        public var revision:int = 0;
+
+        /** The model; null if none was added. Set it with setModel(). */
+        public var model:Model = null;
+
+        /** The structures; null if there are none. Set them with setStructures(). */
+        public var structures:ShapeStructures = null;
+
         private var _table:ShapeTable;
-        private var _revision:int = 0;
-        private var _model:Model = null;
-        private var _structures:ShapeStructures = null;
         private var _builder:SolidHierarchyBuilder = null;
         private var _hierarchy:SolidHierarchy = null;
 
@@ -25,36 +31,6 @@ package starlogo.libraries
         public function ShapeEntry(table:ShapeTable)
         {
             _table = table;
-        }
-
-        /** The number of times that data under this name was replaced or removed. */
-        public function get revision():int
-        {
-            return _revision;
-        }
-
-        /** The model; null if none was added. */
-        public function get model():Model
-        {
-            return _model;
-        }
-
-        public function set model(value:Model):void
-        {
-            countChange(_model);
-            _model = value;
-        }
-
-        /** The structures; null if there are none. */
-        public function get structures():ShapeStructures
-        {
-            return _structures;
-        }
-
-        public function set structures(value:ShapeStructures):void
-        {
-            countChange(_structures);
-            _structures = value;
         }
 
         /** Whether there is a hierarchy. It may not be built yet. */
@@ -74,6 +50,20 @@ package starlogo.libraries
             return _hierarchy;
         }
 
+        /** Sets the model; null for none. */
+        public function setModel(value:Model):void
+        {
+            countChange(model);
+            model = value;
+        }
+
+        /** Sets the structures; null for none. */
+        public function setStructures(value:ShapeStructures):void
+        {
+            countChange(structures);
+            structures = value;
+        }
+
         /** Sets the builder that has the hierarchy, or that builds it when it is first needed; null for none. */
         public function setHierarchy(builder:SolidHierarchyBuilder):void
         {
@@ -86,7 +76,7 @@ package starlogo.libraries
         {
             if (before != null)
             {
-                _revision++;
+                revision++;
                 _table.revision++;
             }
         }

@@ -9,7 +9,6 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -19,15 +18,16 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class StructuresBuild implements Steps
+    public final class StructuresBuild extends StepSequence
     {
+        /** The structures, when no step is left. */
+        public var structures:ShapeStructures = null;
+
         private var _name:String;
         private var _vertices:Vector.<Number>;
         private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
-        private var _work:StepSequence = new StepSequence();
-        private var _structures:ShapeStructures = null;
         private var _checked:int = 0;
 
         /**
@@ -52,14 +52,14 @@ package starlogo.libraries
             }
             _fitters = fitters.concat();
             var session:FitSession = new FitSession(vertices, false);
-            _work.add(session);
+            add(session);
             for each (var fitter:Fitter in _fitters)
             {
                 var fit:Fit = fitter.beginOnce(session);
                 _fits.push(fit);
-                _work.add(fit);
+                add(fit);
             }
-            _work.repeat(checkNext).call(choose);
+            repeat(checkNext).call(choose);
         }
 
         /**
@@ -69,13 +69,7 @@ package starlogo.libraries
          */
         public function useRead(read:Vector.<BoundingStructure>):void
         {
-            _structures = new ShapeStructures(read, _keepsAll);
-        }
-
-        /** The structures, when no step is left. */
-        public function get structures():ShapeStructures
-        {
-            return _structures;
+            structures = new ShapeStructures(read, _keepsAll);
         }
 
         /**
@@ -85,11 +79,11 @@ package starlogo.libraries
          *     coordinate is not finite; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
          *     refuses the vertices; the message names the shape
          */
-        public function step():Boolean
+        override public function step():Boolean
         {
             try
             {
-                return _structures == null && _work.step();
+                return structures == null && super.step();
             }
             catch (error:ArgumentError)
             {
@@ -140,9 +134,11 @@ package starlogo.libraries
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
             {
-                found.push(widened(fit.structure));
+                var structure:BoundingStructure = fit.structure.clone();
+                structure.widenForSurfaces();
+                found.push(structure);
             }
-            _structures = new ShapeStructures(found, _keepsAll);
+            structures = new ShapeStructures(found, _keepsAll);
         }
 
         private function named(problem:String):ArgumentError

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.geometry.roundingOf;
+
     /**
      * Reads decimal numbers with the same result on every machine. The result is the nearest Number. If the decimal is almost halfway
      * between two Numbers (within 1e-12 of their distance), the result is one of these two. The players' own functions differ in the last
@@ -28,8 +30,7 @@ package starlogo.models
         private static const LARGEST_EXPONENT:Number = 99999;
         private static const POWERS:Vector.<Number> = powersOfTen(22);
 
-        // 2^27 + 1 splits a Number into two halves whose products are exact. The largest Numbers cannot be split.
-        private static const SPLITTER:Number = 134217729;
+        // roundingOf() cannot split larger Numbers
         private static const LARGEST_TO_SPLIT:Number = 1e290;
 
         /**
@@ -87,7 +88,7 @@ package starlogo.models
         private static function scaled(first:Number, second:Number, shift:int, exponent:Number):Number
         {
             var product:Number = first * POWERS[shift];
-            var rest:Number = errorOf(first, POWERS[shift], product);
+            var rest:Number = roundingOf(first, POWERS[shift], product);
             var high:Number = product + second;
             rest += second - (high - product);
             product = high;
@@ -100,32 +101,20 @@ package starlogo.models
                 if (exponent > 0)
                 {
                     product = high * power;
-                    rest = product > LARGEST_TO_SPLIT ? 0 : errorOf(high, power, product) + low * power;
+                    rest = product > LARGEST_TO_SPLIT ? 0 : roundingOf(high, power, product) + low * power;
                     exponent -= step;
                 }
                 else
                 {
                     product = high / power;
                     var back:Number = product * power;
-                    rest = (high - back - errorOf(product, power, back) + low) / power;
+                    rest = (high - back - roundingOf(product, power, back) + low) / power;
                     exponent += step;
                 }
                 high = product + rest;
                 low = rest - (high - product);
             }
             return high;
-        }
-
-        // The rounding error of a product.
-        private static function errorOf(a:Number, b:Number, product:Number):Number
-        {
-            var split:Number = SPLITTER * a;
-            var aHigh:Number = split - (split - a);
-            var aLow:Number = a - aHigh;
-            split = SPLITTER * b;
-            var bHigh:Number = split - (split - b);
-            var bLow:Number = b - bHigh;
-            return aLow * bLow - (product - aHigh * bHigh - aLow * bHigh - aHigh * bLow);
         }
 
         private static function powersOfTen(most:int):Vector.<Number>

@@ -9,7 +9,6 @@ package starlogo.libraries.cooked
     import starlogo.hierarchy.NodeMaker;
     import starlogo.hierarchy.StoredTree;
     import starlogo.models.cooked.CookedNumbers;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -21,7 +20,7 @@ package starlogo.libraries.cooked
      *
      * @private
      */
-    public final class TreeReader implements StoredTree
+    public final class TreeReader extends StepSequence implements StoredTree
     {
         private static const ITEMS_PER_STEP:int = 1500;
         private static const NODES_PER_STEP:int = 300;
@@ -35,9 +34,7 @@ package starlogo.libraries.cooked
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _maxDepth:int;
-        private var _width:int;
         private var _isListed:Vector.<Boolean>;
-        private var _work:StepSequence;
         private var _isRefused:Boolean = false;
 
         // _plan has five numbers for each node: its first item, the end of its items, its level, its right child (0 for a leaf), and its
@@ -68,19 +65,17 @@ package starlogo.libraries.cooked
             _vertices = vertices;
             _triangles = triangles;
             _maxDepth = maxDepth;
-            _width = TreeWriter.widthFor(count);
             _isListed = new Vector.<Boolean>(count, true);
             addToPlan(0, count, 1);
-            _work = new StepSequence().add(new Slices(count, ITEMS_PER_STEP, readOrder)).repeat(readDivisions)
-                .repeat(measureNodes).repeat(makeNodes);
+            slices(count, ITEMS_PER_STEP, readOrder).repeat(readDivisions).repeat(measureNodes).repeat(makeNodes);
         }
 
         /** @inheritDoc */
-        public function step():Boolean
+        override public function step():Boolean
         {
             try
             {
-                return _work.step() && !_isRefused;
+                return super.step() && !_isRefused;
             }
             catch (error:EOFError)
             {
@@ -102,9 +97,10 @@ package starlogo.libraries.cooked
             var order:Vector.<int> = _hierarchy.order;
             var isListed:Vector.<Boolean> = _isListed;
             var count:int = order.length;
+            var width:int = TreeWriter.widthFor(count);
             for (var i:int = first; i < end; i++)
             {
-                var item:int = _width == 1 ? bytes.readUnsignedByte() : (_width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
+                var item:int = width == 1 ? bytes.readUnsignedByte() : (width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
                 if (item < 0 || item >= count || isListed[item])
                 {
                     _isRefused = true;

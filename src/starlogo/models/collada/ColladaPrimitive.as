@@ -98,7 +98,7 @@ package starlogo.models.collada
             {
                 case "triangles":
                     _text = new ColladaWords(_lists);
-                    add(_text).call(checkTriangles).repeat(readTriangles);
+                    add(_text).begin(readingTriangles);
                     break;
                 case "polylist":
                     _text = new ColladaWords(_lists);
@@ -117,23 +117,21 @@ package starlogo.models.collada
             }
         }
 
-        private function checkTriangles():void
+        private function readingTriangles():Steps
         {
             _words = _text.words;
             refuseIf(cornerCount % 3 != 0, _document.modelName, "expected three corners for each triangle, but found " + cornerCount, _element);
             _document.checkCount(_element, cornerCount / 3, "triangles");
+            return new Slices(cornerCount, CORNERS_PER_STEP, readTriangles);
         }
 
-        private function readTriangles():Boolean
+        private function readTriangles(first:int, end:int):void
         {
-            var end:int = Math.min(_words.length, _word + CORNERS_PER_STEP * _stride);
             var at:int = _triangles.length;
-            while (_word < end)
+            for (var i:int = first; i < end; i++)
             {
-                _triangles[at++] = cornerAt(_word);
-                _word += _stride;
+                _triangles[at++] = cornerAt(i * _stride);
             }
-            return _word < _words.length;
         }
 
         private function checkingSizes():Steps

@@ -69,7 +69,7 @@ package starlogo.geometry
         {
             _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
-            _work.add(_simplex).begin(newGrid).begin(newHull).call(numberCorners).call(joinCorners).call(countNeighbors).call(fillNeighbors);
+            _work.add(_simplex).begin(newGrid).begin(newHull).call(takeCorners).call(numberCorners).call(joinCorners).call(countNeighbors).call(fillNeighbors);
             if (atOnce)
             {
                 finish(this);
@@ -145,33 +145,36 @@ package starlogo.geometry
             return _quickHull;
         }
 
-        // The triangles' corners, as indices of vertices. Vertices without volume get an extra point outside, the apex. Triangles and edges
-        // with the apex are left out later.
-        private function get foundCorners():Vector.<int>
+        // Sets the triangles' corners, as indices of vertices. Vertices without volume get an extra point outside, the apex. Triangles and
+        // edges with the apex are left out later.
+        private function takeCorners():void
         {
             var corners:Vector.<int> = _simplex.corners;
             switch (dimension)
             {
                 case 3:
-                    return _quickHull.triangles;
+                    corners = _quickHull.triangles;
+                    break;
                 case 2:
-                    return trianglesAtApex(_quickHull.triangles);
+                    corners = trianglesAtApex(_quickHull.triangles);
+                    break;
                 case 1:
-                    return new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
+                    corners = new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
+                    break;
                 default:
-                    return new <int>[corners[0], apex, apex];
+                    corners = new <int>[corners[0], apex, apex];
             }
+            _corners = corners;
+            _quickHull = null;
         }
 
         private function numberCorners():void
         {
-            var corners:Vector.<int> = foundCorners;
+            var corners:Vector.<int> = _corners;
             var end:int = apex;
             var place:Vector.<int> = new Vector.<int>(end + 1);
             var count:int = corners.length;
             var i:int;
-            _quickHull = null;
-            _corners = corners;
             _place = place;
             for (i = 0; i < count; i++)
             {

@@ -76,11 +76,11 @@ package starlogo.models
             }
         }
 
-        /** Starts to fetch the files that a glTF file names. */
+        /** Starts to fetch the files that a glTF file names, if there is one. */
         public function fetchBuffers(gltf:GltfFile):void
         {
             _all.length = 0;
-            for each (var uri:String in gltf.missing)
+            for each (var uri:String in gltf == null ? null : gltf.missing)
             {
                 if (!hasFolder)
                 {
@@ -90,10 +90,10 @@ package starlogo.models
             }
         }
 
-        /** Gives the files that have come to the glTF file that names them. */
+        /** Gives the files that have come to the glTF file that names them, if there is one. */
         public function giveBuffers(gltf:GltfFile):void
         {
-            for (var i:int = 0; i < gltf.missing.length; i++)
+            for (var i:int = 0; gltf != null && i < gltf.missing.length; i++)
             {
                 gltf.setBuffer(gltf.missing[i], _all[i].bytes, _all[i].problem);
             }

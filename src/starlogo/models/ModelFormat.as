@@ -1,11 +1,14 @@
 package starlogo.models
 {
+    import flash.utils.ByteArray;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.stl.StlReader;
 
-    /** Detects the format of a text file from its content. If the content does not tell, the file's name does. */
+    /** Detects the format of a file from its content. If the content does not tell, the file's name does. */
     internal final class ModelFormat
     {
+        internal static const COOKED:String = "cooked";
         internal static const OBJ:String = "obj";
         internal static const COLLADA:String = "dae";
         internal static const GLTF:String = "gltf";
@@ -16,14 +19,25 @@ package starlogo.models
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
+        /** The format of a file in a binary form; null if the bytes are in none. */
+        internal static function ofBytes(bytes:ByteArray):String
+        {
+            return CookedFile.isCooked(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
+        }
+
         /**
-         * The format of a text.
+         * The format of a file.
          *
+         * @param bytes the file in a binary form, if there is no text
          * @param text the file's text
          * @param url the file's address; null if it has none
          */
-        internal static function of(text:String, url:String):String
+        internal static function of(bytes:ByteArray, text:String, url:String):String
         {
+            if (text == null)
+            {
+                return ofBytes(bytes);
+            }
             text = TextTokens.unmarked(text);
             if (TAG.test(text.substr(0, 1000)))
             {

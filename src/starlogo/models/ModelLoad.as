@@ -2,7 +2,6 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.collada.ColladaReader;
-    import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.cooked.argumentsFingerprint;
     import starlogo.models.gltf.GltfFile;
@@ -103,7 +102,7 @@ package starlogo.models
         {
             call(function():void
                 {
-                    if (text == null && !(bytes != null && (CookedFile.isCooked(bytes) || GltfFile.isBinary(bytes) || StlReader.isBinary(bytes))))
+                    if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
                     {
                         text = ModelFile.text(name, bytes);
                         bytes = null;
@@ -178,47 +177,42 @@ package starlogo.models
             setFile(_files.file.bytes, null);
         }
 
-        // Opens bytes in a binary form, unless there is text.
+        // Opens the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
         private function open(bytes:ByteArray, text:String):void
         {
-            if (text == null && CookedFile.isCooked(bytes))
-            {
-                read(new CookedReader(name, bytes));
-                return;
-            }
-            switch (text != null ? ModelFormat.of(text, _files.url) : (GltfFile.isBinary(bytes) ? ModelFormat.GLTF : ModelFormat.STL))
-            {
-                case ModelFormat.GLTF:
-                    openGltf(new GltfFile(name, bytes, text));
-                    break;
-                case ModelFormat.STL:
-                    read(new StlReader(name, bytes, text, _upAxis));
-                    break;
-                case ModelFormat.COLLADA:
-                    read(new ColladaReader(name, text, _upAxis as ModelTransform));
-                    break;
-                default:
-                    read(new ObjReader(name, text, _upAxis));
-            }
-        }
-
-        private function openGltf(file:GltfFile):void
-        {
-            add(file).call(function():void
+            var format:String = ModelFormat.of(bytes, text, _files.url);
+            var gltf:GltfFile = format == ModelFormat.GLTF ? new GltfFile(name, bytes, text) : null;
+            begin(function():Steps
                 {
-                    _files.fetchBuffers(file);
+                    return gltf;
                 }).call(function():void
                 {
-                    _files.giveBuffers(file);
-                    read(new GltfReader(name, file, _upAxis as ModelTransform));
-                });
+                    _files.fetchBuffers(gltf);
+                }).begin(function():Steps
+                {
+                    _files.giveBuffers(gltf);
+                    _files.letGo();
+                    _reader = (gltf == null ? newReader(format, bytes, text) : new GltfReader(name, gltf, _upAxis as ModelTransform)).shaped(_scaling);
+                    // this function lives as long as the reader works
+                    bytes = null;
+                    text = null;
+                    return _reader;
+                }).call(keepModel).begin(receiving);
         }
 
-        private function read(reader:ModelReader):void
+        private function newReader(format:String, bytes:ByteArray, text:String):ModelReader
         {
-            _files.letGo();
-            _reader = reader;
-            add(reader.shaped(_scaling)).call(keepModel).begin(receiving);
+            switch (format)
+            {
+                case ModelFormat.COOKED:
+                    return new CookedReader(name, bytes);
+                case ModelFormat.STL:
+                    return new StlReader(name, bytes, text, _upAxis);
+                case ModelFormat.COLLADA:
+                    return new ColladaReader(name, text, _upAxis as ModelTransform);
+                default:
+                    return new ObjReader(name, text, _upAxis);
+            }
         }
 
         private function keepModel():void

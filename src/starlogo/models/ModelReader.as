@@ -26,9 +26,6 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
-        /** When no step is left: the shape that <code>shaped()</code> asked for. */
-        public var shape:Steps = null;
-
         /** Points without a surface. They become the model's vertices if there are no others. */
         protected var loosePoints:Vector.<Number> = new Vector.<Number>();
 
@@ -50,6 +47,8 @@ package starlogo.models
         /** @copy #cooked */
         protected var frame:SourceFrame = null;
 
+        private var _shape:NormalisedShape = null;
+
         /**
          * @param name the model's name
          * @param budget what reading the file may cost
@@ -67,8 +66,16 @@ package starlogo.models
         public final function shaped(scaling:String):ModelReader
         {
             this.scaling = scaling;
-            begin(normalising).call(useFrame);
+            begin(normalising);
             return this;
+        }
+
+        /** When no step is left: the shape that <code>shaped()</code> asked for, for Model's constructor. */
+        public final function get shape():Steps
+        {
+            _shape.cooked = cooked;
+            _shape.frame = frame || _shape.frame;
+            return _shape;
         }
 
         /** Does all steps. Returns the shape for Model's constructor. @param scaling as for Model's constructor */
@@ -106,16 +113,8 @@ package starlogo.models
 
         private function normalising():Steps
         {
-            var made:NormalisedShape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, transform, unit);
-            made.cooked = cooked;
-            shape = made;
-            return made;
-        }
-
-        private function useFrame():void
-        {
-            var made:NormalisedShape = NormalisedShape(shape);
-            made.frame = frame || made.frame;
+            _shape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, transform, unit);
+            return _shape;
         }
     }
 }

@@ -11,7 +11,6 @@ package benchmark
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.NodePairTraversal;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.StructureTraversal;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.libraries.HierarchiesLibrary;
@@ -63,8 +62,7 @@ package benchmark
             addSwept("swept boxes", boxes, boxes, false);
             addSwept("swept exact", boxes, boxes, true);
             addSweptStructures("swept boxes and structures", boxes);
-            addBy("boxes, leaning, near, by StructureTraversal", boxes, new StructureTraversal(_pose, false));
-            addBy("boxes, leaning, near, by BoxTraversal", boxes, new BoxTraversal(_pose));
+            addBy("boxes, leaning, near, by BoxTraversal", boxes, new BoxTraversal());
             Measurement.runAll(_all, ROUNDS);
             var table:Table = new Table("a pair", "ns", "hits %", "visits", "hash");
             for (var i:int = 0; i < _all.length; i++)
@@ -96,7 +94,7 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _pose.relate(first[i], second[i]);
-                    var answer:Boolean = traversal.find(a.root, DEPTH, a.root, DEPTH, null);
+                    var answer:Boolean = traversal.find(_pose, a.root, DEPTH, a.root, DEPTH, null);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);

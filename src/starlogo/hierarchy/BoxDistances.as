@@ -1,19 +1,35 @@
 package starlogo.hierarchy
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.findClosest;
 
     use namespace engine;
 
     /**
-     * Finds the distance of two trees of boxes. The gap between two boxes' extents, along the axes of one box or the other, is a lower
-     * bound of their distance and takes few products. Only pairs at the end of the traversal are measured exactly. The larger of two nodes
-     * is divided.
+     * Finds the distance of two trees. The gap between two boxes' extents, along the axes of one box or the other, is a lower bound of their
+     * distance and takes few products. Only pairs that decide are measured exactly.
+     *
+     * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the leaves'
+     * contents. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
+     * To outweigh the rounding of long distances, a measured distance is reduced a little. The deeper the nodes are, the less it is
+     * reduced.</p>
      *
      * @private
      */
-    public final class BoxDistances extends DistanceTraversal
+    public final class BoxDistances extends NodePairTraversal
     {
+        /** What stands for the second model, in the first model's space: see StructureLeaf. Null if it is a tree. */
+        public var structure:BoundingStructure = null;
+
+        /** The closest points of the nearest pair, in the first model's space. */
+        public var points:ClosestPair = new ClosestPair();
+
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
@@ -38,15 +54,24 @@ package starlogo.hierarchy
         private var _abs22:Number;
         private var _scale:Number;
 
-        /** @inheritDoc */
-        public function BoxDistances(pose:RelativePose)
-        {
-            super(pose);
-        }
+        // How far both models together extend from their middles. The rounding error is relative to it.
+        private var _reach:Number;
+
+        // The vector from the first model's point to the second's at the smallest distance so far.
+        private var _directionX:Number;
+        private var _directionY:Number;
+        private var _directionZ:Number;
+
+        private var _measured:ClosestPair = new ClosestPair();
+        private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _moved:BoundingStructure = _boxB.clone();
 
         /** @inheritDoc */
-        override protected function begin():void
+        override protected function begin(a:HierarchyNode, b:HierarchyNode):void
         {
+            _reach = a.radius + b.radius * pose.placement.size;
+            _directionX = _directionY = _directionZ = 0;
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
             _scale = scale;
@@ -112,7 +137,7 @@ package starlogo.hierarchy
             }
 
             // A pair that is too far away anyway need not be estimated exactly.
-            var far:Number = least + pose.gap + 2 * SLACK * (least + reach);
+            var far:Number = least + pose.gap + 2 * SLACK * (least + _reach);
             if (squared > far * far)
             {
                 bound = least;
@@ -146,9 +171,9 @@ package starlogo.hierarchy
             var apart:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
 
             // This line rules out most of the pairs that are not nearer.
-            var toX:Number = directionX;
-            var toY:Number = directionY;
-            var toZ:Number = directionZ;
+            var toX:Number = _directionX;
+            var toY:Number = _directionY;
+            var toZ:Number = _directionZ;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             if (length > 0)
             {
@@ -168,7 +193,7 @@ package starlogo.hierarchy
                     apart = gap;
                 }
             }
-            apart -= SLACK * (apart + reach) + pose.gap;
+            apart -= SLACK * (apart + _reach) + pose.gap;
             if (apart > bound)
             {
                 bound = apart;
@@ -176,17 +201,51 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function dividesFirst(a:HierarchyNode, b:HierarchyNode):Boolean
+        override protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
         {
-            return a.radius >= _scale * b.radius;
+            var found:ClosestPair = _measured;
+            if (leaves == null)
+            {
+                measure(a, b);
+            }
+            else
+            {
+                leaves.least = least;
+                bound = leaves.touch(a, b) ? leaves.least : Infinity;
+                found = leaves.points;
+            }
+            if (bound < least)
+            {
+                points.copyPoints(found);
+                _directionX = found.bX - found.aX;
+                _directionY = found.bY - found.aY;
+                _directionZ = found.bZ - found.aZ;
+            }
         }
 
-        /** @inheritDoc */
-        override protected function settle(a:HierarchyNode, b:HierarchyNode):void
+        // Measures the distance of two nodes.
+        private function measure(a:HierarchyNode, b:HierarchyNode):void
         {
-            measure(a, b);
-            bound = 0;
-            raise(a, b);
+            var second:BoundingStructure = structure;
+            if (second == null)
+            {
+                second = b.writeBox(_boxB).place(pose.placement, _moved);
+                pose.widen(second);
+            }
+            findClosest(a.writeBox(_boxA), second, _measured);
+            var distance:Number = _measured.distance;
+            bound = distance - Tolerances.NESTING * (levelsBelow(a) + levelsBelow(b)) * (distance + _reach);
+            if (!(bound > 0))
+            {
+                bound = 0;
+            }
+        }
+
+        // The number of levels that a tree may have below a node, plus one. A single structure counts as the last level.
+        private static function levelsBelow(node:HierarchyNode):int
+        {
+            var level:int = node.level;
+            return level == 0 || level > Tolerances.NESTED_LEVELS ? 1 : 1 + Tolerances.NESTED_LEVELS - level;
         }
     }
 }

@@ -22,12 +22,6 @@ package starlogo.hierarchy
     {
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
 
-        /** @inheritDoc */
-        public function BoxTraversal(pose:RelativePose)
-        {
-            super(pose, false);
-        }
-
         /**
          * @inheritDoc
          *
@@ -39,7 +33,7 @@ package starlogo.hierarchy
          * absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
          * and the only call is to the test of leaves.</p>
          */
-        override public function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
+        override public function find(pose:RelativePose, a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
         {
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;

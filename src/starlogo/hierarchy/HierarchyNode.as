@@ -33,7 +33,7 @@ package starlogo.hierarchy
         /** @private The hierarchy to which the node belongs. */
         engine var hierarchy:Hierarchy;
 
-        /** @private The number of levels down to this one. The root has 1. A node that stands for a single structure has 0. */
+        /** @private The number of levels down to this one. The root has 1. The node of a StructureLeaf has 0. */
         engine var level:int = 0;
 
         /**
@@ -75,8 +75,8 @@ package starlogo.hierarchy
         /** @private The axis along which the node is split: 0, 1 or 2. */
         engine var splitAxis:int = 0;
 
-        /** @private Null until <code>bounds</code> is read. If the node stands for a single structure, that structure. */
-        engine var structure:BoundingStructure;
+        // Null until bounds is read.
+        private var _bounds:Box = null;
 
         private var _vertexCount:int = 0;
 
@@ -122,12 +122,8 @@ package starlogo.hierarchy
          */
         public function get bounds():BoundingStructure
         {
-            if (structure == null)
-            {
-                structure = new Box(new Vector3D(x, y, z), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS,
-                        halfX, halfY, halfZ);
-            }
-            return structure;
+            _bounds ||= new Box(new Vector3D(x, y, z), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halfX, halfY, halfZ);
+            return _bounds;
         }
 
         /** The number of triangles under the node; 0 if only vertices are known. */

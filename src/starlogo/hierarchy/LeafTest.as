@@ -1,17 +1,27 @@
 package starlogo.hierarchy
 {
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
 
     /**
-     * Decides whether two leaves touch by their contents. It is asked only if the leaves' structures touch. Abstract: a lower package
+     * Decides about two leaves by their contents: whether they touch, when they touch, or how far they are apart. Abstract: a lower package
      * defines the contents.
      *
      * @private
      */
     public class LeafTest
     {
-        /** For moving models. Before the test: the latest time to look at. After it: when the leaves touch. From 0 to 1. */
-        public var time:Number = 0;
+        /** Before the test: the least time or distance so far. After it: that of the leaves, if it is less. Not for standing models. */
+        public var least:Number = 0;
+
+        /** For distances: the closest points of the leaves tested, and their distance, in the first model's space. */
+        public var points:ClosestPair = null;
+
+        /** Whether a leaf of the first model touches a leaf of the second, or is nearer than <code>least</code>. */
+        public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            return true;
+        }
 
         /**
          * For moving models, finds the contact of the contents that touch first, at the pose's time. It is in the first model's space.
@@ -20,12 +30,6 @@ package starlogo.hierarchy
          */
         public function findContact(out:ContactPoint):void
         {
-        }
-
-        /** Whether a leaf of the first model touches a leaf of the second. For moving models, whether they touch by <code>time</code>. */
-        public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
-        {
-            return true;
         }
     }
 }

@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -111,32 +110,6 @@ package starlogo.hierarchy
             motion.x = a.r00 * x + a.r10 * y + a.r20 * z;
             motion.y = a.r01 * x + a.r11 * y + a.r21 * z;
             motion.z = a.r02 * x + a.r12 * y + a.r22 * z;
-        }
-
-        /**
-         * Relates the first model to a box of the second. The space is the box's own: its origin is the box's middle, and its axes are the
-         * box's.
-         *
-         * @param box in the first model's space
-         * @param pose relates the two models
-         */
-        public function takeAxesOf(box:Box, pose:RelativePose):void
-        {
-            gap = pose.gap;
-            var relative:Placement = placement;
-            relative.size = pose.placement.size;
-            relative.x = box.center.x;
-            relative.y = box.center.y;
-            relative.z = box.center.z;
-            relative.r00 = box.axisX.x;
-            relative.r10 = box.axisX.y;
-            relative.r20 = box.axisX.z;
-            relative.r01 = box.axisY.x;
-            relative.r11 = box.axisY.y;
-            relative.r21 = box.axisY.z;
-            relative.r02 = box.axisZ.x;
-            relative.r12 = box.axisZ.y;
-            relative.r22 = box.axisZ.z;
         }
 
         /**

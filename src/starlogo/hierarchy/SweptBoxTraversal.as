@@ -9,9 +9,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides when two trees of moving boxes first touch. Parents touch no later than their children. So the children of a pair are tested
-     * when the pair is divided, and the child that touches first is visited first. The axes of the edges are tried only for pairs whose
-     * boxes decide.
+     * Finds when two moving trees first touch, from time 0 to time 1. Parents touch no later than their children. The axes of the edges are
+     * tried only for pairs whose boxes decide.
      *
      * @private
      */
@@ -20,13 +19,7 @@ package starlogo.hierarchy
         private var _sweep:BoxSweep = new BoxSweep();
 
         /** @inheritDoc */
-        public function SweptBoxTraversal(pose:RelativePose)
-        {
-            super(pose, true);
-        }
-
-        /** @inheritDoc */
-        override protected function beginRoots(a:HierarchyNode, b:HierarchyNode):void
+        override protected function begin(a:HierarchyNode, b:HierarchyNode):void
         {
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = pose.motion;
@@ -45,39 +38,28 @@ package starlogo.hierarchy
             _sweep.prepare();
             _sweep.gap = pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            nodeVisits++;
+        }
+
+        /** @inheritDoc */
+        override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
+        {
             sweep(a, b, false);
         }
 
         /** @inheritDoc */
-        override protected function visit(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):int
+        override protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
         {
-            if (aEnds && bEnds)
+            if (leaves == null)
             {
-                if (isByLeaves)
-                {
-                    return TOUCHING;
-                }
                 sweep(a, b, true);
-                return from < time ? TOUCHING : APART;
+                return;
             }
-            nodeVisits += 2;
-            var dividesA:Boolean = bEnds || (!aEnds && a.radius >= pose.placement.size * b.radius);
-            sweep(dividesA ? a.low : a, dividesA ? b : b.low, false);
-            var left:Number = from;
-            sweep(dividesA ? a.high : a, dividesA ? b : b.high, false);
-            if (left < from)
-            {
-                otherFrom = from;
-                from = left;
-                return dividesA ? LEFT_OF_A : LEFT_OF_B;
-            }
-            otherFrom = left;
-            return dividesA ? RIGHT_OF_A : RIGHT_OF_B;
+            leaves.least = least < 1 ? least : 1;
+            bound = leaves.touch(a, b) ? leaves.least : RelativeMotion.NEVER;
         }
 
-        // Sets the field from to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
-        // If that time is not before the field time, sets from to RelativeMotion.NEVER.
+        // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either. If that
+        // time is not before the least time, sets the bound to RelativeMotion.NEVER.
         private function sweep(a:HierarchyNode, b:HierarchyNode, withEdges:Boolean):void
         {
             var boxes:BoxSweep = _sweep;
@@ -95,13 +77,13 @@ package starlogo.hierarchy
             boxes.bX = b.halfX * scale;
             boxes.bY = b.halfY * scale;
             boxes.bZ = b.halfZ * scale;
-            boxes.latest = time < 1 ? time : 1;
+            boxes.latest = least < 1 ? least : 1;
             boxes.meetFaces();
             if (withEdges && boxes.time != RelativeMotion.NEVER)
             {
                 boxes.meetEdges();
             }
-            from = boxes.time;
+            bound = boxes.time;
         }
     }
 }

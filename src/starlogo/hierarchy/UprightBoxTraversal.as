@@ -18,18 +18,12 @@ package starlogo.hierarchy
     {
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
 
-        /** @inheritDoc */
-        public function UprightBoxTraversal(pose:RelativePose)
-        {
-            super(pose, false);
-        }
-
         /**
          * @inheritDoc
          *
          * <p>The steps for a pair are: the gap along z; whether b's middle is over a; the other faces of a; the faces of b.</p>
          */
-        override public function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
+        override public function find(pose:RelativePose, a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
         {
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;

@@ -2,14 +2,14 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.LeafDistance;
+    import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ClosestTriangles;
 
     use namespace engine;
 
     /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
-    internal final class NearestTriangles extends LeafDistance
+    internal final class NearestTriangles extends LeafTest
     {
         private static const POINT:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -46,7 +46,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function add(a:HierarchyNode, b:HierarchyNode):void
+        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             _moved.move(b);
             var count:int = b.end - b.first;
@@ -55,6 +55,9 @@ package starlogo.solid
                 addTriangle(a, i);
             }
             points.distance = Math.sqrt(_nearest.squared);
+            var isNearer:Boolean = points.distance < least;
+            least = points.distance;
+            return isNearer;
         }
 
         // Adds each triangle of a leaf of the first model, paired with a triangle of the second.

@@ -51,9 +51,9 @@ package starlogo.solid
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            var latest:Number = _motion === RelativeMotion.NONE ? 0 : time;
-            time = RelativeMotion.NEVER;
-            for (var i:int = a.first; i < a.end && time > 0; i++)
+            var latest:Number = _motion === RelativeMotion.NONE ? 0 : least;
+            least = RelativeMotion.NEVER;
+            for (var i:int = a.first; i < a.end && least > 0; i++)
             {
                 if (!isNear(i))
                 {
@@ -62,13 +62,13 @@ package starlogo.solid
                 _test.setTriangle(_solid.corners, 9 * i);
                 _test.time = latest;
                 _test.findTime();
-                if (_test.time < time)
+                if (_test.time < least)
                 {
-                    time = latest = _test.time;
+                    least = latest = _test.time;
                     _first = 9 * i;
                 }
             }
-            return time <= 1;
+            return least <= 1;
         }
 
         /** @inheritDoc */

@@ -35,8 +35,8 @@ package starlogo.solid
             moved.move(b);
             _sweep.tolerance = touching;
             var motion:RelativeMotion = pose.motion;
-            var latest:Number = time;
-            time = RelativeMotion.NEVER;
+            var latest:Number = least;
+            least = RelativeMotion.NEVER;
             var corners:Vector.<Number> = moved.corners;
             var spans:Vector.<Number> = moved.extents;
             var extents:Vector.<Number> = solidA.extents;
@@ -74,9 +74,9 @@ package starlogo.solid
                     motion.time = latest;
                     _sweep.findTime(motion);
                     var impact:Number = motion.time;
-                    if (impact < time)
+                    if (impact < least)
                     {
-                        time = latest = impact;
+                        least = latest = impact;
                         _firstA = 9 * i;
                         _firstB = 9 * (b.first + k);
                         if (impact == 0)
@@ -86,7 +86,7 @@ package starlogo.solid
                     }
                 }
             }
-            return time <= 1;
+            return least <= 1;
         }
 
         /** @inheritDoc */

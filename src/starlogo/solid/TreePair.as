@@ -8,12 +8,11 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxDistances;
     import starlogo.hierarchy.BoxTraversal;
-    import starlogo.hierarchy.DistanceTraversal;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.NodePairTraversal;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.StructureTraversal;
+    import starlogo.hierarchy.StructureLeaf;
     import starlogo.hierarchy.SweptBoxTraversal;
     import starlogo.hierarchy.UprightBoxTraversal;
     import starlogo.intersection.contact.ContactFinder;
@@ -30,8 +29,7 @@ package starlogo.solid
      *
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models
      * transforms the second model into the first model's space. There a traversal of pairs of nodes decides, depth-first, down to two nodes
-     * that are leaves or at their depth limit. The nodes' structures, boxes or others, decide which traversal it is. For exact tests,
-     * triangles decide about the leaves.</p>
+     * that are leaves or at their depth limit. A structure is a tree of one node. For exact tests, triangles decide about the leaves.</p>
      *
      * <p>The answers are nested. The leaves cover only the surface, so a ContainmentTest decides about a model inside a closed one.</p>
      *
@@ -44,72 +42,50 @@ package starlogo.solid
         private var _placementA:Placement;
         private var _depthA:int;
         private var _b:SolidHierarchy;
+        private var _structureB:BoundingStructure;
         private var _placementB:Placement;
         private var _depthB:int;
 
-        // Whether triangles decide about leaves, and whether the nodes visited are boxes.
+        // Whether triangles decide about leaves.
         private var _isExact:Boolean;
 
-        // A node that stands for a structure.
-        private var _leaf:HierarchyNode = new HierarchyNode();
-
-        // Transforms the second model into the first model's space. For a box, also the space of its axes, and the node that stands for it.
+        // The first model's placement at the beginning. Transforms the second model into the first model's space.
+        private var _start:Placement = new Placement();
         private var _pose:RelativePose = new RelativePose();
-        private var _boxPose:RelativePose = new RelativePose();
-        private var _boxLeaf:HierarchyNode = new HierarchyNode();
-        private var _movedBox:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        // for standing models
-        private var _uprightBoxes:UprightBoxTraversal;
-        private var _boxes:BoxTraversal;
-        private var _boxAndBoxes:BoxTraversal;
-        private var _structures:StructureTraversal;
+        private var _uprightBoxes:UprightBoxTraversal = new UprightBoxTraversal();
+        private var _boxes:BoxTraversal = new BoxTraversal();
+        private var _sweptBoxes:SweptBoxTraversal = new SweptBoxTraversal();
+        private var _distances:BoxDistances = new BoxDistances();
+
+        // What decides about leaves: one of these, or null. The last one is that of the first touch of moving models.
+        private var _leaf:StructureLeaf = new StructureLeaf();
         private var _trianglePairs:ExactPairTest;
+        private var _sweptPairs:SweptPairTest;
+        private var _nearest:NearestTriangles;
         private var _triangles:StructureTriangles = new StructureTriangles();
+        private var _decider:LeafTest;
         private var _containment:ContainmentTest;
 
-        // for moving models; the traversal that found the first touch
-        private var _sweptBoxes:SweptBoxTraversal;
-        private var _sweptStructures:StructureTraversal;
-        private var _sweptPairs:SweptPairTest;
-        private var _first:NodePairTraversal;
-        private var _decider:LeafTest;
-
-        // for distances
-        private var _boxDistances:BoxDistances;
-        private var _structureDistances:DistanceTraversal;
-        private var _nearest:NearestTriangles;
-
-        // The first model's placement at the current time. For each kind, a structure of the second model in the first model's space.
-        private var _start:Placement = new Placement();
+        // For contacts: nodes, and for each kind, a structure of the second model in the first model's space.
+        private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
         private var _finder:ContactFinder = new ContactFinder();
 
         /** Creates a test without a pair. All counts are 0. */
         public function TreePair()
         {
-            _leaf.x = _leaf.y = _leaf.z = _boxLeaf.x = _boxLeaf.y = _boxLeaf.z = 0;
-            _leaf.setHalfExtents(0, 0, 0);
-            _leaf.end = 1;
-            _uprightBoxes = new UprightBoxTraversal(_pose);
-            _boxes = new BoxTraversal(_pose);
-            _boxAndBoxes = new BoxTraversal(_boxPose);
-            _structures = new StructureTraversal(_pose, false);
             _trianglePairs = new ExactPairTest(_pose);
-            _containment = new ContainmentTest(_pose);
-            _sweptBoxes = new SweptBoxTraversal(_pose);
-            _sweptStructures = new StructureTraversal(_pose, true);
             _sweptPairs = new SweptPairTest(_pose);
-            _boxDistances = new BoxDistances(_pose);
-            _structureDistances = new DistanceTraversal(_pose);
             _nearest = new NearestTriangles(_pose);
+            _containment = new ContainmentTest(_pose);
         }
 
         /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
         {
-            return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _boxAndBoxes.nodeVisits + _structures.nodeVisits + _sweptBoxes.nodeVisits
-                + _sweptStructures.nodeVisits + _boxDistances.nodeVisits + _structureDistances.nodeVisits;
+            return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _sweptBoxes.nodeVisits + _distances.nodeVisits;
         }
 
         /** The number of pairs of triangles tested since resetCounts. */
@@ -121,8 +97,7 @@ package starlogo.solid
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            _uprightBoxes.nodeVisits = _boxes.nodeVisits = _boxAndBoxes.nodeVisits = _structures.nodeVisits = _sweptBoxes.nodeVisits = 0;
-            _sweptStructures.nodeVisits = _boxDistances.nodeVisits = _structureDistances.nodeVisits = 0;
+            _uprightBoxes.nodeVisits = _boxes.nodeVisits = _sweptBoxes.nodeVisits = _distances.nodeVisits = 0;
             _trianglePairs.triangleTests = _sweptPairs.triangleTests = _nearest.triangleTests = 0;
         }
 
@@ -152,9 +127,9 @@ package starlogo.solid
             {
                 _b = b;
             }
-            if (b == null && _leaf.structure !== structureB)
+            if (_structureB !== structureB)
             {
-                _leaf.structure = structureB;
+                _structureB = structureB;
             }
             _placementA = placementA;
             _placementB = placementB;
@@ -176,30 +151,26 @@ package starlogo.solid
             var pose:RelativePose = _pose;
             pose.relate(placementA, placementB);
             var decider:LeafTest = null;
+            var traversal:NodePairTraversal = pose.isUpright ? _uprightBoxes : _boxes;
             if (exact && a.hasTriangles && (b == null || b.hasTriangles))
             {
-                decider = prepareTriangles(a, b, structureB);
+                decider = prepareTriangles(a, b, structureB, RelativeMotion.NONE);
                 depthA = depthB = int.MAX_VALUE;
             }
-            var traversal:NodePairTraversal = _structures;
-            var second:HierarchyNode = _leaf;
+            var second:HierarchyNode;
             if (b != null)
             {
                 second = b.root;
-                traversal = pose.isUpright ? _uprightBoxes : _boxes;
             }
-            else if (structureB.kind == BoundingStructure.BOX)
+            else
             {
-                traversal = _boxAndBoxes;
-                second = _boxLeaf;
-                setBoxLeaf(Box(structureB));
-            }
-            else if (_leaf.structure !== structureB)
-            {
-                _leaf.structure = structureB;
+                decider = prepareLeaf(structureB, RelativeMotion.NONE, decider);
+                traversal = _boxes;
+                pose = _leaf.pose;
+                second = _leaf.node;
             }
             // Most models that are close but do not collide have roots that do not overlap. These are not inside of each other.
-            return traversal.find(a.root, depthA, second, depthB, decider)
+            return traversal.find(pose, a.root, depthA, second, depthB, decider)
                 || ((traversal.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
         }
 
@@ -222,7 +193,7 @@ package starlogo.solid
             }
             if (findFirst())
             {
-                motion.time = _first.time;
+                motion.time = _sweptBoxes.least;
                 return;
             }
             _start.x += motion.x;
@@ -241,13 +212,13 @@ package starlogo.solid
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             begin(motion);
-            if (findFirst() && _first.time <= motion.time + Tolerances.SAME_TIME)
+            if (findFirst() && _sweptBoxes.least <= motion.time + Tolerances.SAME_TIME)
             {
                 findContactOfFirst(motion, out);
             }
             else
             {
-                findContactOf(_a.root.bounds, rootB.bounds, motion, out);
+                findContactOf(_a.root.writeBox(_boxA), _b == null ? _structureB : _b.root.writeBox(_boxB), motion, out);
             }
         }
 
@@ -260,7 +231,7 @@ package starlogo.solid
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             begin(motion);
-            motion.time = findFirst() ? _first.time : RelativeMotion.NEVER;
+            motion.time = findFirst() ? _sweptBoxes.least : RelativeMotion.NEVER;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 findContactOfFirst(motion, out);
@@ -276,23 +247,21 @@ package starlogo.solid
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
-            _leaf.radius = _b == null ? DistanceTraversal.reachOf(_leaf.structure) : 0;
             if (_isExact)
             {
                 _nearest.begin(_a.solid, _b == null ? null : _b.solid);
-                _boxDistances.find(_a.root, _depthA, rootB, _depthB, _nearest);
-                out.copyPoints(_nearest.points);
-                out.distance = _nearest.points.distance;
             }
-            else
+            if (_b == null)
             {
-                var traversal:DistanceTraversal = _b != null ? _boxDistances : _structureDistances;
-                traversal.find(_a.root, _depthA, rootB, _depthB, null);
-                traversal.writePoints(out);
+                _leaf.begin(_structureB, _pose);
             }
+            _distances.structure = _b == null ? _leaf.moved : null;
+            search(_distances, _isExact ? _nearest : null);
+            out.copyPoints(_distances.points);
+            out.distance = _distances.least;
             out.distance *= _placementA.size;
             var placement:Placement = _placementA;
-            if (areTouching && out.distance > 0 && isOneInside(_a, _b, _leaf.structure))
+            if (areTouching && out.distance > 0 && isOneInside(_a, _b, _structureB))
             {
                 var point:Vector3D = _containment.innerPoint;
                 out.aX = out.bX = point.x;
@@ -324,7 +293,7 @@ package starlogo.solid
 
         private function overlapsAt(placementA:Placement):Boolean
         {
-            return areOverlapping(_a, placementA, _depthA, _b, _leaf.structure, _placementB, _depthB, _isExact);
+            return areOverlapping(_a, placementA, _depthA, _b, _structureB, _placementB, _depthB, _isExact);
         }
 
         private function begin(motion:RelativeMotion):void
@@ -337,25 +306,34 @@ package starlogo.solid
             _pose.relateMotion(_placementA, motion);
         }
 
-        // Sets the node of a box, in the space of its axes, with the margin of any node.
-        private function setBoxLeaf(box:Box):void
+        // Returns the test of a structure and the leaves of the first model: the given one, or the structure's own.
+        private function prepareLeaf(structureB:BoundingStructure, motion:RelativeMotion, decider:LeafTest):LeafTest
         {
-            var distance:Number = Math.abs(box.center.x) + Math.abs(box.center.y) + Math.abs(box.center.z);
-            var margin:Number = Tolerances.ROUNDING * (box.halfX + box.halfY + box.halfZ + distance);
-            _boxLeaf.setHalfExtents(box.halfX + margin, box.halfY + margin, box.halfZ + margin);
-            box.place(_pose.placement, _movedBox);
-            _boxPose.takeAxesOf(_movedBox, _pose);
+            _leaf.begin(structureB, _pose);
+            if (decider != null || structureB.kind == BoundingStructure.BOX)
+            {
+                return decider;
+            }
+            _leaf.motion = motion;
+            return _leaf;
         }
 
-        private function prepareTriangles(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure):LeafTest
+        private function prepareTriangles(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure, motion:RelativeMotion):LeafTest
         {
             if (b == null)
             {
-                _triangles.begin(a, structureB, _pose, RelativeMotion.NONE);
+                _triangles.begin(a, structureB, _pose, motion);
                 return _triangles;
             }
-            _trianglePairs.begin(a, b);
-            return _trianglePairs;
+            var pairs:TrianglePairTest = motion === RelativeMotion.NONE ? _trianglePairs : _sweptPairs;
+            pairs.begin(a, b);
+            return pairs;
+        }
+
+        private function search(traversal:NodePairTraversal, decider:LeafTest):Boolean
+        {
+            return _b == null ? traversal.find(_leaf.pose, _a.root, _depthA, _leaf.node, 1, decider)
+                : traversal.find(_pose, _a.root, _depthA, _b.root, _depthB, decider);
         }
 
         private function isOneInside(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure):Boolean
@@ -363,27 +341,15 @@ package starlogo.solid
             return b == null ? _containment.isStructureInside(a, moveToFirst(structureB)) : _containment.isOneInside(a, b);
         }
 
-        private function get rootB():HierarchyNode
-        {
-            return _b == null ? _leaf : _b.root;
-        }
-
         // Finds the first two triangles or nodes that touch while the first model moves.
         private function findFirst():Boolean
         {
-            _decider = null;
-            _first = _b != null ? _sweptBoxes : _sweptStructures;
-            if (_isExact && _b == null)
+            _decider = _isExact ? prepareTriangles(_a, _b, _structureB, _pose.motion) : null;
+            if (_b == null)
             {
-                _triangles.begin(_a, _leaf.structure, _pose, _pose.motion);
-                _decider = _triangles;
+                _decider = prepareLeaf(_structureB, _pose.motion, _decider);
             }
-            else if (_isExact)
-            {
-                _sweptPairs.begin(_a, _b);
-                _decider = _sweptPairs;
-            }
-            return _first.find(_a.root, _depthA, rootB, _depthB, _decider);
+            return search(_sweptBoxes, _decider);
         }
 
         // The contact of the two that findFirst has found, at the motion's time.
@@ -391,7 +357,7 @@ package starlogo.solid
         {
             if (!_isExact)
             {
-                findContactOf(_first.firstA.bounds, _first.firstB.bounds, motion, out);
+                findContactOf(_sweptBoxes.firstA.writeBox(_boxA), _b == null ? _structureB : _sweptBoxes.firstB.writeBox(_boxB), motion, out);
                 return;
             }
             _pose.motion.time = motion.time;

@@ -13,9 +13,10 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.StructureTraversal;
     import starlogo.hierarchy.UprightBoxTraversal;
+    import starlogo.intersection.intersects;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -59,38 +60,63 @@ package starlogo.solid
             }
         }
 
-        /** Trees of boxes have a traversal written out for them, upright ones another: they find what the one for all structures does. */
+        /** The traversals find what a loop over all pairs of nodes that decide finds. */
         [Test]
         public function boxesFindWhatStructuresDo():void
         {
             var random:SeededRandom = new SeededRandom(2117);
             var pose:RelativePose = new RelativePose();
-            var boxes:BoxTraversal = new BoxTraversal(pose);
-            var uprightBoxes:UprightBoxTraversal = new UprightBoxTraversal(pose);
-            var structures:StructureTraversal = new StructureTraversal(pose, false);
+            var boxes:BoxTraversal = new BoxTraversal();
+            var uprightBoxes:UprightBoxTraversal = new UprightBoxTraversal();
             var upright:int = 0;
             var bear:Hierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var ball:Hierarchy = hierarchyOf(BuiltInModel.sphere());
-            var count:int = Effort.choose(1000, 30000);
+            var count:int = Effort.choose(300, 30000);
             var hits:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var a:Hierarchy = random.pick([bear, ball]);
                 var b:Hierarchy = random.pick([bear, ball]);
                 pose.relate(randomPlacement(random), randomPlacement(random));
-                var depthA:int = random.integer(1, 8);
-                var depthB:int = random.integer(1, 8);
-                var answer:Boolean = structures.find(a.root, depthA, b.root, depthB, null);
-                assertEquals("pair " + i, answer, boxes.find(a.root, depthA, b.root, depthB, null));
+                var depthA:int = random.integer(1, 6);
+                var depthB:int = random.integer(1, 6);
+                var answer:Boolean = someOverlap(pose, deciding(a.root, depthA, []), deciding(b.root, depthB, []));
+                assertEquals("pair " + i, answer, boxes.find(pose, a.root, depthA, b.root, depthB, null));
                 if (pose.isUpright)
                 {
                     upright++;
-                    assertEquals("upright pair " + i, answer, uprightBoxes.find(a.root, depthA, b.root, depthB, null));
+                    assertEquals("upright pair " + i, answer, uprightBoxes.find(pose, a.root, depthA, b.root, depthB, null));
                 }
                 hits += answer ? 1 : 0;
             }
             assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);
             assertTrue(upright + " of " + count, upright > count / 10 && upright < count / 4);
+        }
+
+        private static function deciding(node:HierarchyNode, depth:int, out:Array):Array
+        {
+            if (node.cutoffLevel >= depth)
+            {
+                out.push(node.bounds);
+                return out;
+            }
+            return deciding(node.high, depth, deciding(node.low, depth, out));
+        }
+
+        private static function someOverlap(pose:RelativePose, a:Array, b:Array):Boolean
+        {
+            for each (var second:BoundingStructure in b)
+            {
+                second = second.place(pose.placement);
+                for each (var first:BoundingStructure in a)
+                {
+                    if (intersects(first, second))
+                    {
+                        return true;
+                    }
+                }
+            }
+            return false;
         }
 
         private static function randomPlacement(random:SeededRandom):Placement

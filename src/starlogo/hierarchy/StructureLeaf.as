@@ -1,0 +1,169 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.intersects;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.findTimeOfImpact;
+
+    use namespace engine;
+
+    /**
+     * A structure as a tree of one node. The node is the box around the structure, along the axes of a box or capsule. A box decides as any
+     * node does. For a sphere or capsule, this test decides, by the kernel of the structure and a node's box.
+     *
+     * @private
+     */
+    public final class StructureLeaf extends LeafTest
+    {
+        /** The only node, in the space of its own axes. */
+        public var node:HierarchyNode = new HierarchyNode();
+
+        /** That space's pose in the first model's space. */
+        public var pose:RelativePose = new RelativePose();
+
+        /** The structure in the first model's space, enlarged by the gap across which shapes touch. */
+        public var moved:BoundingStructure = null;
+
+        /** The structure's motion from there. It is RelativeMotion.NONE if the models stand still. */
+        public var motion:RelativeMotion;
+
+        // A structure for each kind, and the axis of a capsule.
+        private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _axis:Vector3D = new Vector3D();
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        /** Creates a leaf without a structure. */
+        public function StructureLeaf()
+        {
+            node.x = node.y = node.z = 0;
+            node.end = 1;
+        }
+
+        /**
+         * Begins with a structure.
+         *
+         * @param structure in its model's space
+         * @param models that model's pose in the first model's space. Its motion is kept
+         */
+        public function begin(structure:BoundingStructure, models:RelativePose):void
+        {
+            var kind:int = structure.kind;
+            moved = _placed[kind] = structure.place(models.placement, _placed[kind]);
+            models.widen(moved);
+            pose.gap = models.gap;
+            pose.motion = models.motion;
+            pose.placement.size = models.placement.size;
+            if (kind == BoundingStructure.BOX)
+            {
+                beginBox(Box(structure), Box(moved));
+            }
+            else if (kind == BoundingStructure.SPHERE)
+            {
+                var sphere:Sphere = Sphere(structure);
+                setMiddle(Sphere(moved).center);
+                setAxis(0, 0, 1);
+                setExtents(sphere.radius, 0);
+            }
+            else
+            {
+                beginCapsule(Capsule(structure), Capsule(moved));
+            }
+        }
+
+        /** @inheritDoc */
+        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            a.writeBox(_box);
+            if (motion === RelativeMotion.NONE)
+            {
+                return intersects(_box, moved);
+            }
+            findTimeOfImpact(moved, _box, motion);
+            if (!(motion.time <= least))
+            {
+                return false;
+            }
+            least = motion.time;
+            return true;
+        }
+
+        private function beginBox(box:Box, placed:Box):void
+        {
+            var relative:Placement = pose.placement;
+            setMiddle(placed.center);
+            relative.r00 = placed.axisX.x;
+            relative.r10 = placed.axisX.y;
+            relative.r20 = placed.axisX.z;
+            relative.r01 = placed.axisY.x;
+            relative.r11 = placed.axisY.y;
+            relative.r21 = placed.axisY.z;
+            relative.r02 = placed.axisZ.x;
+            relative.r12 = placed.axisZ.y;
+            relative.r22 = placed.axisZ.z;
+            var distance:Number = Math.abs(box.center.x) + Math.abs(box.center.y) + Math.abs(box.center.z);
+            var margin:Number = Tolerances.ROUNDING * (box.halfX + box.halfY + box.halfZ + distance);
+            node.setHalfExtents(box.halfX + margin, box.halfY + margin, box.halfZ + margin);
+        }
+
+        private function beginCapsule(capsule:Capsule, placed:Capsule):void
+        {
+            var start:Vector3D = placed.start;
+            var end:Vector3D = placed.end;
+            var x:Number = end.x - start.x;
+            var y:Number = end.y - start.y;
+            var z:Number = end.z - start.z;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            _axis.setTo((start.x + end.x) / 2, (start.y + end.y) / 2, (start.z + end.z) / 2);
+            setMiddle(_axis);
+            if (length > 0)
+            {
+                setAxis(x / length, y / length, z / length);
+            }
+            else
+            {
+                setAxis(0, 0, 1);
+            }
+            setExtents(capsule.radius, length / 2 / pose.placement.size);
+        }
+
+        private function setMiddle(middle:Vector3D):void
+        {
+            pose.placement.x = middle.x;
+            pose.placement.y = middle.y;
+            pose.placement.z = middle.z;
+        }
+
+        // Sets the node's z axis to a unit vector, and the other two to any that are perpendicular to it (Duff and others, "Building an
+        // orthonormal basis, revisited", 2017).
+        private function setAxis(x:Number, y:Number, z:Number):void
+        {
+            var relative:Placement = pose.placement;
+            var sign:Number = z < 0 ? -1 : 1;
+            var share:Number = -1 / (sign + z);
+            relative.r00 = 1 + sign * x * x * share;
+            relative.r10 = sign * x * y * share;
+            relative.r20 = -sign * x;
+            relative.r01 = x * y * share;
+            relative.r11 = sign + y * y * share;
+            relative.r21 = -y;
+            relative.r02 = x;
+            relative.r12 = y;
+            relative.r22 = z;
+        }
+
+        // Sets the extents of a sphere or capsule with half of its axis' length. The kernels find a touch a little beyond the radius.
+        private function setExtents(radius:Number, half:Number):void
+        {
+            var reach:Number = radius + Tolerances.EXTENTS * (radius + half);
+            node.setHalfExtents(reach, reach, reach + half);
+            node.radius = reach + half;
+        }
+    }
+}

@@ -7,8 +7,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two trees of boxes overlap, or a tree and a single box. It is the traversal of pairs, written out for boxes, because
-     * a StructureTraversal of the same trees takes more than twice as long (TraversalBenchmark).
+     * Decides whether two standing trees overlap. The loop of NodePairTraversal is written out, because no pair needs a bound here.
      *
      * <p>In the first model's space, its own boxes are axis-aligned, and all boxes of the second have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
@@ -80,22 +79,7 @@ package starlogo.hierarchy
                 var halfX:Number = a.halfX + touching;
                 var halfY:Number = a.halfY + touching;
                 var halfZ:Number = a.halfZ + touching;
-                var gapSquared:Number = 0;
-                var gap:Number = x < 0 ? -x - halfX : x - halfX;
-                if (gap > 0)
-                {
-                    gapSquared = gap * gap;
-                }
-                gap = y < 0 ? -y - halfY : y - halfY;
-                if (gap > 0)
-                {
-                    gapSquared += gap * gap;
-                }
-                gap = z < 0 ? -z - halfZ : z - halfZ;
-                if (gap > 0)
-                {
-                    gapSquared += gap * gap;
-                }
+                include "../intersection/squaredToBox.inc";
                 var overlap:Boolean = false;
                 var isDeep:Boolean = false;
                 var reach:Number = scale * b.radius;
@@ -151,37 +135,10 @@ package starlogo.hierarchy
                         }
                         else if (!isDeep)
                         {
-                            // the edges: a's x with each of b's, then a's y, then a's z
                             bX *= scale;
                             bY *= scale;
                             bZ *= scale;
-                            along = z * m10 - y * m20;
-                            reach = halfY * abs20 + halfZ * abs10 + bY * abs02 + bZ * abs01;
-                            overlap = along <= reach && along >= -reach;
-                            along = z * m11 - y * m21;
-                            reach = halfY * abs21 + halfZ * abs11 + bZ * abs00 + bX * abs02;
-                            overlap &&= along <= reach && along >= -reach;
-                            along = z * m12 - y * m22;
-                            reach = halfY * abs22 + halfZ * abs12 + bX * abs01 + bY * abs00;
-                            overlap &&= along <= reach && along >= -reach;
-                            along = x * m20 - z * m00;
-                            reach = halfZ * abs00 + halfX * abs20 + bY * abs12 + bZ * abs11;
-                            overlap &&= along <= reach && along >= -reach;
-                            along = x * m21 - z * m01;
-                            reach = halfZ * abs01 + halfX * abs21 + bZ * abs10 + bX * abs12;
-                            overlap &&= along <= reach && along >= -reach;
-                            along = x * m22 - z * m02;
-                            reach = halfZ * abs02 + halfX * abs22 + bX * abs11 + bY * abs10;
-                            overlap &&= along <= reach && along >= -reach;
-                            along = y * m00 - x * m10;
-                            reach = halfX * abs10 + halfY * abs00 + bY * abs22 + bZ * abs21;
-                            overlap &&= along <= reach && along >= -reach;
-                            along = y * m01 - x * m11;
-                            reach = halfX * abs11 + halfY * abs01 + bZ * abs20 + bX * abs22;
-                            overlap &&= along <= reach && along >= -reach;
-                            along = y * m02 - x * m12;
-                            reach = halfX * abs12 + halfY * abs02 + bX * abs21 + bY * abs20;
-                            overlap &&= along <= reach && along >= -reach;
+                            include "../intersection/boxEdges.inc";
                         }
                         if (overlap)
                         {
@@ -191,66 +148,7 @@ package starlogo.hierarchy
                     }
                     else
                     {
-                        // The child on the side of the other node comes first. If b's middle is in a or close to it, a child of a most
-                        // likely overlaps b too. So both are divided at once.
-                        var axis:int;
-                        var side:Number;
-                        var far:HierarchyNode;
-                        var dividesA:Boolean = !aEnds && (bEnds || isDeep || a.radius >= scale * b.radius);
-                        if (dividesA)
-                        {
-                            axis = a.splitAxis;
-                            side = z;
-                            if (axis == 0)
-                            {
-                                side = x;
-                            }
-                            else if (axis == 1)
-                            {
-                                side = y;
-                            }
-                            var near:HierarchyNode = a.low;
-                            far = a.high;
-                            if (side > 0)
-                            {
-                                near = far;
-                                far = a.low;
-                            }
-                            stack[top] = far;
-                            stack[top + 1] = b;
-                            top += 2;
-                            x += a.x - near.x;
-                            y += a.y - near.y;
-                            z += a.z - near.z;
-                            a = near;
-                        }
-                        if (isDeep ? !bEnds : !dividesA)
-                        {
-                            axis = b.splitAxis;
-                            if (axis == 0)
-                            {
-                                side = m00 * x + m10 * y + m20 * z;
-                            }
-                            else if (axis == 1)
-                            {
-                                side = m01 * x + m11 * y + m21 * z;
-                            }
-                            else
-                            {
-                                side = m02 * x + m12 * y + m22 * z;
-                            }
-                            far = b.high;
-                            b = b.low;
-                            if (side < 0)
-                            {
-                                near = b;
-                                b = far;
-                                far = near;
-                            }
-                            stack[top] = a;
-                            stack[top + 1] = far;
-                            top += 2;
-                        }
+                        include "divideNodes.inc";
                         continue;
                     }
                 }

@@ -7,7 +7,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two trees of boxes overlap if their models are rotated about z only, as almost always.
+     * Decides whether two standing trees overlap if their models are rotated about z only, as almost always.
      *
      * <p>It works like BoxTraversal, but there are only five axes, and three of them take few products. It is written out, because
      * BoxTraversal takes a quarter longer for such pairs, and a branch in its loop gains nothing (TraversalBenchmark).</p>
@@ -32,6 +32,15 @@ package starlogo.hierarchy
             var moveZ:Number = relative.z;
             var cos:Number = relative.r00 * scale;
             var sin:Number = relative.r10 * scale;
+            var m00:Number = cos;
+            var m01:Number = -sin;
+            var m02:Number = 0;
+            var m10:Number = sin;
+            var m11:Number = cos;
+            var m12:Number = 0;
+            var m20:Number = 0;
+            var m21:Number = 0;
+            var m22:Number = scale;
             var widened:Number = Tolerances.ROUNDING * scale;
             var absCos:Number = cos < 0 ? widened - cos : widened + cos;
             var absSin:Number = sin < 0 ? widened - sin : widened + sin;
@@ -48,7 +57,6 @@ package starlogo.hierarchy
                 var isDeep:Boolean = false;
                 var x:Number = 0;
                 var y:Number = 0;
-                var side:Number = 0;
                 var z:Number = scale * b.z + moveZ - a.z;
                 var reach:Number = a.halfZ + touching + scale * b.halfZ;
                 if (z <= reach)
@@ -109,63 +117,7 @@ package starlogo.hierarchy
                     }
                     else
                     {
-                        // The child on the side of the other node comes first. If b's middle is over a, a child of a most likely overlaps b
-                        // too. So both are divided at once.
-                        var axis:int;
-                        var near:HierarchyNode;
-                        var far:HierarchyNode;
-                        if (!aEnds && (bEnds || isDeep || a.radius >= scale * b.radius))
-                        {
-                            axis = a.splitAxis;
-                            side = z;
-                            if (axis == 0)
-                            {
-                                side = x;
-                            }
-                            else if (axis == 1)
-                            {
-                                side = y;
-                            }
-                            near = a.low;
-                            far = a.high;
-                            if (side > 0)
-                            {
-                                near = far;
-                                far = a.low;
-                            }
-                            stack[top] = far;
-                            stack[top + 1] = b;
-                            top += 2;
-                            x += a.x - near.x;
-                            y += a.y - near.y;
-                            z += a.z - near.z;
-                            a = near;
-                            if (bEnds || !isDeep)
-                            {
-                                continue;
-                            }
-                        }
-                        axis = b.splitAxis;
-                        side = z;
-                        if (axis == 0)
-                        {
-                            side = cos * x + sin * y;
-                        }
-                        else if (axis == 1)
-                        {
-                            side = cos * y - sin * x;
-                        }
-                        near = b.low;
-                        far = b.high;
-                        if (side < 0)
-                        {
-                            near = far;
-                            far = b.low;
-                        }
-                        stack[top] = a;
-                        stack[top + 1] = far;
-                        b = near;
-                        top += 2;
+                        include "divideNodes.inc";
                         continue;
                     }
                 }

@@ -27,21 +27,21 @@ package starlogo.intersection
     {
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
-        var x:Number = centerB.x - centerA.x;
+        var toX:Number = centerB.x - centerA.x;
         // Boxes with the same centre touch, so their order does not matter.
-        if (x < 0 || (x == 0 && isAfter(centerA, centerB)))
+        if (toX < 0 || (toX == 0 && isAfter(centerA, centerB)))
         {
             var first:Box = b;
             b = a;
             a = first;
             centerA = a.center;
             centerB = b.center;
-            x = -x;
+            toX = -toX;
         }
         var touching:Number = Tolerances.TOUCHING;
-        x /= touching;
-        var y:Number = (centerB.y - centerA.y) / touching;
-        var z:Number = (centerB.z - centerA.z) / touching;
+        toX /= touching;
+        var toY:Number = (centerB.y - centerA.y) / touching;
+        var toZ:Number = (centerB.z - centerA.z) / touching;
 
         // The vector between the centres, in a's axes.
         var axis:Vector3D;
@@ -49,50 +49,32 @@ package starlogo.intersection
         var aXx:Number = axis.x;
         var aXy:Number = axis.y;
         var aXz:Number = axis.z;
-        var tX:Number = x * aXx + y * aXy + z * aXz;
+        var x:Number = toX * aXx + toY * aXy + toZ * aXz;
         axis = a.axisY;
         var aYx:Number = axis.x;
         var aYy:Number = axis.y;
         var aYz:Number = axis.z;
-        var tY:Number = x * aYx + y * aYy + z * aYz;
+        var y:Number = toX * aYx + toY * aYy + toZ * aYz;
         axis = a.axisZ;
         var aZx:Number = axis.x;
         var aZy:Number = axis.y;
         var aZz:Number = axis.z;
-        var tZ:Number = x * aZx + y * aZy + z * aZz;
-        var halfAX:Number = a.halfX;
-        var halfAY:Number = a.halfY;
-        var halfAZ:Number = a.halfZ;
-        var halfBX:Number = b.halfX;
-        var halfBY:Number = b.halfY;
-        var halfBZ:Number = b.halfZ;
+        var z:Number = toX * aZx + toY * aZy + toZ * aZz;
+        var halfX:Number = a.halfX;
+        var halfY:Number = a.halfY;
+        var halfZ:Number = a.halfZ;
+        var bX:Number = b.halfX;
+        var bY:Number = b.halfY;
+        var bZ:Number = b.halfZ;
 
         // The squared distance of b's centre from a, to compare with the two spheres of b.
-        var gapSquared:Number = 0;
-        var gap:Number = tX < 0 ? -tX : tX;
-        gap -= halfAX;
-        if (gap > 0)
-        {
-            gapSquared += gap * gap;
-        }
-        gap = tY < 0 ? -tY : tY;
-        gap -= halfAY;
-        if (gap > 0)
-        {
-            gapSquared += gap * gap;
-        }
-        gap = tZ < 0 ? -tZ : tZ;
-        gap -= halfAZ;
-        if (gap > 0)
-        {
-            gapSquared += gap * gap;
-        }
-        if (gapSquared > halfBX * halfBX + halfBY * halfBY + halfBZ * halfBZ)
+        include "squaredToBox.inc";
+        if (gapSquared > bX * bX + bY * bY + bZ * bZ)
         {
             return false;
         }
-        var inner:Number = halfBX < halfBY ? halfBX : halfBY;
-        inner = inner < halfBZ ? inner : halfBZ;
+        var inner:Number = bX < bY ? bX : bY;
+        inner = inner < bZ ? inner : bZ;
         if (gapSquared <= inner * inner)
         {
             return true;
@@ -113,55 +95,55 @@ package starlogo.intersection
 
         // The faces of a. The cosines of the angles between the axes, and their absolute values.
         var reach:Number;
-        var cosXX:Number = aXx * bXx + aXy * bXy + aXz * bXz;
-        var absXX:Number = cosXX < 0 ? -cosXX : cosXX;
-        var cosXY:Number = aXx * bYx + aXy * bYy + aXz * bYz;
-        var absXY:Number = cosXY < 0 ? -cosXY : cosXY;
-        var cosXZ:Number = aXx * bZx + aXy * bZy + aXz * bZz;
-        var absXZ:Number = cosXZ < 0 ? -cosXZ : cosXZ;
-        reach = halfAX + halfBX * absXX + halfBY * absXY + halfBZ * absXZ;
-        if (tX > reach || tX < -reach)
+        var m00:Number = aXx * bXx + aXy * bXy + aXz * bXz;
+        var abs00:Number = m00 < 0 ? -m00 : m00;
+        var m01:Number = aXx * bYx + aXy * bYy + aXz * bYz;
+        var abs01:Number = m01 < 0 ? -m01 : m01;
+        var m02:Number = aXx * bZx + aXy * bZy + aXz * bZz;
+        var abs02:Number = m02 < 0 ? -m02 : m02;
+        reach = halfX + bX * abs00 + bY * abs01 + bZ * abs02;
+        if (x > reach || x < -reach)
         {
             return false;
         }
-        var cosYX:Number = aYx * bXx + aYy * bXy + aYz * bXz;
-        var absYX:Number = cosYX < 0 ? -cosYX : cosYX;
-        var cosYY:Number = aYx * bYx + aYy * bYy + aYz * bYz;
-        var absYY:Number = cosYY < 0 ? -cosYY : cosYY;
-        var cosYZ:Number = aYx * bZx + aYy * bZy + aYz * bZz;
-        var absYZ:Number = cosYZ < 0 ? -cosYZ : cosYZ;
-        reach = halfAY + halfBX * absYX + halfBY * absYY + halfBZ * absYZ;
-        if (tY > reach || tY < -reach)
+        var m10:Number = aYx * bXx + aYy * bXy + aYz * bXz;
+        var abs10:Number = m10 < 0 ? -m10 : m10;
+        var m11:Number = aYx * bYx + aYy * bYy + aYz * bYz;
+        var abs11:Number = m11 < 0 ? -m11 : m11;
+        var m12:Number = aYx * bZx + aYy * bZy + aYz * bZz;
+        var abs12:Number = m12 < 0 ? -m12 : m12;
+        reach = halfY + bX * abs10 + bY * abs11 + bZ * abs12;
+        if (y > reach || y < -reach)
         {
             return false;
         }
-        var cosZX:Number = aZx * bXx + aZy * bXy + aZz * bXz;
-        var absZX:Number = cosZX < 0 ? -cosZX : cosZX;
-        var cosZY:Number = aZx * bYx + aZy * bYy + aZz * bYz;
-        var absZY:Number = cosZY < 0 ? -cosZY : cosZY;
-        var cosZZ:Number = aZx * bZx + aZy * bZy + aZz * bZz;
-        var absZZ:Number = cosZZ < 0 ? -cosZZ : cosZZ;
-        reach = halfAZ + halfBX * absZX + halfBY * absZY + halfBZ * absZZ;
-        if (tZ > reach || tZ < -reach)
+        var m20:Number = aZx * bXx + aZy * bXy + aZz * bXz;
+        var abs20:Number = m20 < 0 ? -m20 : m20;
+        var m21:Number = aZx * bYx + aZy * bYy + aZz * bYz;
+        var abs21:Number = m21 < 0 ? -m21 : m21;
+        var m22:Number = aZx * bZx + aZy * bZy + aZz * bZz;
+        var abs22:Number = m22 < 0 ? -m22 : m22;
+        reach = halfZ + bX * abs20 + bY * abs21 + bZ * abs22;
+        if (z > reach || z < -reach)
         {
             return false;
         }
 
         // The faces of b.
-        var along:Number = x * bXx + y * bXy + z * bXz;
-        reach = halfBX + halfAX * absXX + halfAY * absYX + halfAZ * absZX;
+        var along:Number = toX * bXx + toY * bXy + toZ * bXz;
+        reach = bX + halfX * abs00 + halfY * abs10 + halfZ * abs20;
         if (along > reach || along < -reach)
         {
             return false;
         }
-        along = x * bYx + y * bYy + z * bYz;
-        reach = halfBY + halfAX * absXY + halfAY * absYY + halfAZ * absZY;
+        along = toX * bYx + toY * bYy + toZ * bYz;
+        reach = bY + halfX * abs01 + halfY * abs11 + halfZ * abs21;
         if (along > reach || along < -reach)
         {
             return false;
         }
-        along = x * bZx + y * bZy + z * bZz;
-        reach = halfBZ + halfAX * absXZ + halfAY * absYZ + halfAZ * absZZ;
+        along = toX * bZx + toY * bZy + toZ * bZz;
+        reach = bZ + halfX * abs02 + halfY * abs12 + halfZ * abs22;
         if (along > reach || along < -reach)
         {
             return false;
@@ -169,12 +151,12 @@ package starlogo.intersection
 
         // The cross products of edges. If two edges are nearly parallel, these products would cancel.
         var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
-        if (absZZ > near || absZY > near || absZX > near
-                || absYZ > near || absYY > near || absYX > near
-                || absXZ > near || absXY > near || absXX > near)
+        if (abs22 > near || abs21 > near || abs20 > near
+                || abs12 > near || abs11 > near || abs10 > near
+                || abs02 > near || abs01 > near || abs00 > near)
         {
             // Both boxes are upright.
-            if (cosXZ * cosXZ + cosYZ * cosYZ <= Tolerances.PARALLEL)
+            if (m02 * m02 + m12 * m12 <= Tolerances.PARALLEL)
             {
                 return true;
             }
@@ -183,60 +165,8 @@ package starlogo.intersection
             findBoxImpact(a, b, standing);
             return standing.time == 0;
         }
-        along = tZ * cosYX - tY * cosZX;
-        reach = halfAY * absZX + halfAZ * absYX + halfBY * absXZ + halfBZ * absXY;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tZ * cosYY - tY * cosZY;
-        reach = halfAY * absZY + halfAZ * absYY + halfBZ * absXX + halfBX * absXZ;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tZ * cosYZ - tY * cosZZ;
-        reach = halfAY * absZZ + halfAZ * absYZ + halfBX * absXY + halfBY * absXX;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tX * cosZX - tZ * cosXX;
-        reach = halfAZ * absXX + halfAX * absZX + halfBY * absYZ + halfBZ * absYY;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tX * cosZY - tZ * cosXY;
-        reach = halfAZ * absXY + halfAX * absZY + halfBZ * absYX + halfBX * absYZ;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tX * cosZZ - tZ * cosXZ;
-        reach = halfAZ * absXZ + halfAX * absZZ + halfBX * absYY + halfBY * absYX;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tY * cosXX - tX * cosYX;
-        reach = halfAX * absYX + halfAY * absXX + halfBY * absZZ + halfBZ * absZY;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tY * cosXY - tX * cosYY;
-        reach = halfAX * absYY + halfAY * absXY + halfBZ * absZX + halfBX * absZZ;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        along = tY * cosXZ - tX * cosYZ;
-        reach = halfAX * absYZ + halfAY * absXZ + halfBX * absZY + halfBY * absZX;
-        if (along > reach || along < -reach)
-        {
-            return false;
-        }
-        return true;
+        var overlap:Boolean = true;
+        include "boxEdges.inc";
+        return overlap;
     }
 }

@@ -23,36 +23,20 @@ package starlogo.intersection
     {
         var center:Vector3D = sphere.center;
         var middle:Vector3D = box.center;
-        var x:Number = center.x - middle.x;
-        var y:Number = center.y - middle.y;
-        var z:Number = center.z - middle.z;
-        var reach:Number = sphere.radius * Tolerances.TOUCHING;
-        var distanceSquared:Number = 0;
-
+        var toX:Number = center.x - middle.x;
+        var toY:Number = center.y - middle.y;
+        var toZ:Number = center.z - middle.z;
         var axis:Vector3D = box.axisX;
-        var along:Number = axis.x * x + axis.y * y + axis.z * z;
-        along = along < 0 ? -along : along;
-        var excess:Number = along - box.halfX;
-        if (excess > 0)
-        {
-            distanceSquared = excess * excess;
-        }
+        var x:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
         axis = box.axisY;
-        along = axis.x * x + axis.y * y + axis.z * z;
-        along = along < 0 ? -along : along;
-        excess = along - box.halfY;
-        if (excess > 0)
-        {
-            distanceSquared += excess * excess;
-        }
+        var y:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
         axis = box.axisZ;
-        along = axis.x * x + axis.y * y + axis.z * z;
-        along = along < 0 ? -along : along;
-        excess = along - box.halfZ;
-        if (excess > 0)
-        {
-            distanceSquared += excess * excess;
-        }
-        return distanceSquared <= reach * reach;
+        var z:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
+        var halfX:Number = box.halfX;
+        var halfY:Number = box.halfY;
+        var halfZ:Number = box.halfZ;
+        include "squaredToBox.inc";
+        var reach:Number = sphere.radius * Tolerances.TOUCHING;
+        return gapSquared <= reach * reach;
     }
 }

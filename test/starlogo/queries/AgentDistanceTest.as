@@ -19,7 +19,7 @@ package starlogo.queries
     public class AgentDistanceTest
     {
         // of the bits of all distances
-        private static const GOLDEN:String = "2d342f2a";
+        private static const GOLDEN:String = "cdaf056c";
 
         private static var sGreatLand:GreatLand;
         private static var sNames:Array;

@@ -33,6 +33,13 @@ package starlogo.bounding
         /** The kind of a structure that no test of the engine takes: a Cylinder, or a structure of your own. */
         public static const OTHER:int = 9;
 
+        /**
+         * The names of the kinds that are collided, by their numbers.
+         *
+         * @private
+         */
+        engine static const NAMES:Vector.<String> = new <String>["sphere", "capsule", "box"];
+
         // The limits of coordinates and lengths. The tests of pairs multiply four of them.
         private static const LARGEST:Number = 1e70;
         private static const SMALLEST:Number = 1e-70;

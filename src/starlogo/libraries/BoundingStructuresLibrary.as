@@ -22,9 +22,6 @@ package starlogo.libraries
      */
     public final class BoundingStructuresLibrary
     {
-        // the index is the kind's number
-        private static const KINDS:Array = ["sphere", "capsule", "box"];
-
         /**
          * Whether the smallest sphere, box and capsule are kept too, in addition to the tightest fit (thesis §3.8). A GreatLand sets it as
          * loadAllBoundingStructures.
@@ -177,7 +174,7 @@ package starlogo.libraries
             }
             if (shape.smallest[kind] == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" cannot be a " + KINDS[kind] + ": none of the library's fitters finds one");
+                throw new ArgumentError("shape \"" + name + "\" cannot be a " + BoundingStructure.NAMES[kind] + ": none of the library's fitters finds one");
             }
             return shape.smallest[kind];
         }
@@ -208,7 +205,7 @@ package starlogo.libraries
             var shape:ShapeStructures = find(name);
             if (!shape.keepsAll || shape.smallest[kind] == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" has no " + KINDS[kind] + " of its own: set loadAllBoundingStructures (keepAll)"
+                throw new ArgumentError("shape \"" + name + "\" has no " + BoundingStructure.NAMES[kind] + " of its own: set loadAllBoundingStructures (keepAll)"
                         + " before the model is added, and have a fitter that finds one in the list");
             }
             return shape.smallest[kind];

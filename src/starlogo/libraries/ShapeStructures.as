@@ -1,6 +1,9 @@
 package starlogo.libraries
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * The structures of one shape in the BoundingStructuresLibrary. The index in a list is the kind's number. Kinds with cheaper tests have
@@ -14,7 +17,7 @@ package starlogo.libraries
          * The smallest structure of each kind, or null. It is kept even if the client may not read it, so that it need not be computed
          * again.
          */
-        public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.NAMES.length, true);
 
         /** The structure with the least volume. Among equal volumes, the one with the cheapest tests. */
         public var tightest:BoundingStructure = null;

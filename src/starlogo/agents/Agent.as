@@ -94,7 +94,6 @@ package starlogo.agents
         public var color:Number = 0;
 
         private var _shape:String;
-        private var _breed:String;
         private var _hierarchical:Boolean = false;
         private var _heading:Number = 0;
         private var _pitch:Number = 0;
@@ -114,19 +113,21 @@ package starlogo.agents
         {
             requireName("shape", shape);
             requireBreed(breed);
-            number = ++sCreated;
+            number = newNumber();
+            breedNumber = Breeds.numberOf(breed);
             _shape = shape;
-            takeBreed(breed);
         }
 
-        /**
-         * @private Gives the agent's id back. Its id is 0 then. Call it only for an agent of the engine that is in no list and was created
-         * last.
-         */
-        engine function giveIdBack():void
+        /** @private Counts a new agent, and returns its id. */
+        engine static function takeNumber():int
         {
-            number = 0;
-            sCreated--;
+            return ++sCreated;
+        }
+
+        /** @private The id of a new agent. */
+        engine function newNumber():int
+        {
+            return takeNumber();
         }
 
         /** @private The number of agents created so far, which is also the largest id. */
@@ -135,7 +136,7 @@ package starlogo.agents
             return sCreated;
         }
 
-        /** A number that no other agent of this run has. The first is 1. */
+        /** A number that no other agent of this run has. The first is 1. The agent of the world's edges has 0. */
         public function get id():int
         {
             return number;
@@ -161,22 +162,12 @@ package starlogo.agents
         /** The name of the agent's breed. */
         public function get breed():String
         {
-            return _breed;
+            return Breeds.nameOf(breedNumber);
         }
 
         public function set breed(value:String):void
         {
             requireBreed(value);
-            if (value != _breed)
-            {
-                takeBreed(value);
-            }
-        }
-
-        /** @private Sets the breed to any name, without a check. */
-        engine function takeBreed(value:String):void
-        {
-            _breed = value;
             breedNumber = Breeds.numberOf(value);
         }
 
@@ -516,7 +507,7 @@ package starlogo.agents
             {
                 return "a new agent";
             }
-            return "agent " + number + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
+            return "agent " + number + " (breed \"" + breed + "\", shape \"" + _shape + "\")";
         }
 
         /** @private The agent's place in the world. Its rotation is up to date. */
@@ -604,7 +595,7 @@ package starlogo.agents
         private function requireBreed(value:String):void
         {
             requireName("breed", value);
-            if (Breeds.isReserved(Breeds.numberOf(value)) || (_breed != null && Breeds.isReserved(breedNumber)))
+            if (Breeds.isReserved(Breeds.numberOf(value)) || (_shape != null && Breeds.isReserved(breedNumber)))
             {
                 throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
             }

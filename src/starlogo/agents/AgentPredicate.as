@@ -8,11 +8,6 @@ package starlogo.agents
      */
     public class AgentPredicate
     {
-        /** For subclasses only. */
-        public function AgentPredicate()
-        {
-        }
-
         /**
          * Whether an agent counts.
          *

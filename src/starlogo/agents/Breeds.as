@@ -14,14 +14,16 @@ package starlogo.agents
         /** The breed of agents that stand for the edges of the world. */
         public static const EDGE:String = "*edge";
 
-        // The number of reserved names. They are the first names, and no agent of a game can have them.
-        private static const RESERVED:int = 2;
+        /** The number that stands for any breed of agents. Its name is empty, and no breed has such a name. */
+        public static const ANY:int = 2;
 
-        private static var sNames:Vector.<String> = new <String>[TERRAIN, EDGE];
+        // The names by number. No agent of a game can have the first two.
+        private static const RESERVED:int = 2;
+        private static var sNames:Vector.<String> = new <String>[TERRAIN, EDGE, ""];
 
         // The numbers in the order of their names. A binary search in it needs no key, so it allocates no text. sLast is the last number
         // asked for.
-        private static var sOrder:Vector.<int> = new <int>[1, 0];
+        private static var sOrder:Vector.<int> = new <int>[2, 1, 0];
         private static var sLast:int = 0;
 
         /** The number of names so far. */

@@ -87,22 +87,17 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var found:Vector.<Agent> = out || new Vector.<Agent>();
+            var asked:CollisionSearch = search;
             if (_owner != null && !isInFrame)
             {
                 // the game's own call must not change where the next frame's motions begin
                 _asked ||= new CollisionSearch(choice, pairs);
-                measure(_asked, agents, interests, null, null, _found, found);
+                asked = _asked;
             }
-            else
-            {
-                measure(search, agents, interests, null, null, _found, found);
-            }
-            if (found.length > 2 * _found.count)
-            {
-                found.length = 2 * _found.count;
-            }
-            return found;
+            measure(asked, agents, interests, null, null, _found);
+            out ||= new Vector.<Agent>();
+            _found.write(agents, out);
+            return out;
         }
 
         /**
@@ -159,14 +154,14 @@ package starlogo.collision
         /** @private */
         override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
         {
-            measure(search, agents, interests, takePart, fixtures, out, null);
+            measure(search, agents, interests, takePart, fixtures, out);
         }
 
-        private function measure(search:CollisionSearch, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs,
-                outAgents:Vector.<Agent>):void
+        private function measure(search:CollisionSearch, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>,
+                out:FoundPairs):void
         {
             var start:Number = getTimer();
-            search.find(agents, interests, takePart, out, _statistics, outAgents, fixtures);
+            search.find(agents, interests, takePart, out, _statistics, fixtures);
             _statistics.findMs = getTimer() - start;
         }
 

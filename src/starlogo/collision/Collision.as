@@ -78,11 +78,9 @@ package starlogo.collision
         private var _touchesAreStale:Boolean = false;
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _snapshots:Snapshots = new Snapshots();
-        private var _isUpdating:Boolean = false;
 
-        // The engine's collider in the collision system, or null; the one of the frame under way, which stays reserved until its end.
-        private var _owned:Collider = null;
-        private var _inUse:Collider = null;
+        // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
+        private var _updating:BaseCollider = null;
 
         // The system that found the last frame's pairs, or null; whether it refused the list.
         private var _searched:Collider = null;
@@ -125,11 +123,10 @@ package starlogo.collision
             {
                 owned.owner = this;
             }
-            var before:Collider = _owned;
+            var before:BaseCollider = _system;
             _collisionSystem = value;
             _system = system;
-            _owned = owned;
-            releaseUnused(before);
+            release(before);
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -233,9 +230,10 @@ package starlogo.collision
             _touchesAreStale = true;
             _isRefused = false;
             _searched = null;
-            if (_owned != null)
+            var owned:Collider = _system.innermost;
+            if (owned != null)
             {
-                _owned.search.table.forgetMotions();
+                owned.search.table.forgetMotions();
             }
             // a handler may call this, and the frame goes on with its list
             _lastAgents = new Vector.<Agent>();
@@ -252,7 +250,7 @@ package starlogo.collision
          */
         public function update(agents:Vector.<Agent>):void
         {
-            if (_isUpdating)
+            if (_updating != null)
             {
                 throw new IllegalOperationError("update must not be called from a handler, or from the filter");
             }
@@ -267,23 +265,32 @@ package starlogo.collision
             var system:BaseCollider = _system;
             _handlers.begin();
             var asked:AgentPredicate = filter;
-            _inUse = _owned;
-            _isUpdating = true;
+            var collider:Collider = system.innermost;
+            _updating = system;
             try
             {
                 var listed:Vector.<Agent> = asked == null ? agents : _asked.ask(asked, agents);
                 _isRefused = true;
-                findPairs(system, listed, _handlers.interests, asked == null ? null : _asked.takePart);
+                findPairs(system, collider, listed, asked == null ? null : _asked.takePart);
                 _isRefused = false;
                 keepList(listed);
                 _searched = system.collider;
-                holdFixtures();
+                if (collider != null)
+                {
+                    // contacts that handlers ask for are contacts of the frame, also after a handler has changed the ground or the edges
+                    collider.search.holdFixtures();
+                }
                 _calls.make(system, _handlers, _lastAgents, agents, _handlerErrors);
             }
             finally
             {
-                _isUpdating = false;
-                releaseUsed();
+                _updating = null;
+                if (collider != null)
+                {
+                    collider.isInFrame = false;
+                    collider.search.releaseFixtures();
+                }
+                release(system);
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
@@ -338,7 +345,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var collider:Collider = _system.collider;
-            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker, terrain, bounds);
+            _calls.tracker = _snapshots.read(bytes, agents, collider.search, terrain, bounds);
             _searched = collider;
             keepList(agents);
             _isRefused = _touchesAreStale = false;
@@ -354,33 +361,13 @@ package starlogo.collision
             }
         }
 
-        // Lets another Collision have a collider, unless this one still needs it.
-        private function releaseUnused(collider:Collider):void
+        // Lets another Collision have a system's collider, unless this one still needs it.
+        private function release(system:BaseCollider):void
         {
-            if (collider != null && collider !== _owned && collider !== _inUse)
+            var collider:Collider = system == null ? null : system.innermost;
+            if (collider != null && collider !== _system.innermost && (_updating == null || collider !== _updating.innermost))
             {
                 collider.owner = null;
-            }
-        }
-
-        private function releaseUsed():void
-        {
-            var used:Collider = _inUse;
-            _inUse = null;
-            if (used != null)
-            {
-                used.isInFrame = false;
-                used.search.releaseFixtures();
-                releaseUnused(used);
-            }
-        }
-
-        // Contacts that handlers ask for are contacts of the frame, also after a handler has changed the ground or the edges.
-        private function holdFixtures():void
-        {
-            if (_inUse != null)
-            {
-                _inUse.search.holdFixtures();
             }
         }
 
@@ -396,7 +383,7 @@ package starlogo.collision
 
         private function requireSearch(what:String):void
         {
-            if (_isUpdating)
+            if (_updating != null)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
@@ -406,20 +393,20 @@ package starlogo.collision
             }
         }
 
-        private function findPairs(system:BaseCollider, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>):void
+        private function findPairs(system:BaseCollider, collider:Collider, agents:Vector.<Agent>, takePart:Vector.<Boolean>):void
         {
             var start:Number = getTimer();
             _calls.fixtures[0] = terrain == null ? null : terrain.agent;
             _calls.fixtures[1] = bounds == null ? null : bounds.agent;
             // a game's own BaseCollider may call findCollisions of the collider in it
-            if (_inUse != null)
+            if (collider != null)
             {
-                _inUse.isInFrame = true;
+                collider.isInFrame = true;
             }
-            system.findPairs(agents, interests, takePart, _calls.fixtures, _calls.pairs);
-            if (_inUse != null)
+            system.findPairs(agents, _handlers.interests, takePart, _calls.fixtures, _calls.pairs);
+            if (collider != null)
             {
-                _inUse.isInFrame = false;
+                collider.isInFrame = false;
             }
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;

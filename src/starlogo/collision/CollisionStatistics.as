@@ -21,11 +21,6 @@ package starlogo.collision
         /** Milliseconds of the whole frame, handlers included. In a Flash player it is a whole number, as findMs is. */
         public var frameMs:Number = 0;
 
-        /** Creates statistics with all numbers 0. */
-        public function CollisionStatistics()
-        {
-        }
-
         /** Sets every number to 0. */
         public function reset():void
         {

@@ -52,11 +52,6 @@ package starlogo.collision
          */
         public var approachSpeed:Number = 0;
 
-        /** Creates a contact at the origin with an upright normal. */
-        public function Contact()
-        {
-        }
-
         /** @private Sets a contact half way between two agents, along the line from one to the other. */
         engine function setBetween(collider:Agent, collidee:Agent):void
         {

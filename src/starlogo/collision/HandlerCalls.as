@@ -14,6 +14,9 @@ package starlogo.collision
     /** Calls the handlers of a frame: first for touches that have ended, then for the pairs. If a handler throws, the next one is still called. */
     internal final class HandlerCalls
     {
+        // In place of an index in the list.
+        private static const NOWHERE:int = -1;
+
         /** The pairs of the frame, in the order of their calls. */
         public var pairs:FoundPairs = new FoundPairs();
 
@@ -31,7 +34,6 @@ package starlogo.collision
 
         private var _contacts:FrameContacts = new FrameContacts();
         private var _table:HandlerTable = null;
-        private var _errors:Vector.<Error> = null;
 
         // The list as it was searched, and the same list, which handlers may change. Until an agent is not at its index any more, all are in
         // place. Then _places has, by index in the searched list, the last known index in the other list, or -1 once the agent was missing.
@@ -63,7 +65,6 @@ package starlogo.collision
             _table = table;
             _listed = listed;
             _agents = agents;
-            _errors = errors;
             _areInPlace = true;
             _turn = _next = count = 0;
             if (!table.isPlain || tracker.count > 0)
@@ -73,10 +74,10 @@ package starlogo.collision
                 findTouches();
                 tracker.separateEnded();
                 _turn = -tracker.endedCount;
-                takeTurnsBefore(0);
+                takeTurnsBefore(0, errors);
                 tracker.forgetEnded();
             }
-            takeTurnsBefore(pairs.count);
+            takeTurnsBefore(pairs.count, errors);
             _contacts.end();
             _listed = _agents = null;
         }
@@ -98,7 +99,7 @@ package starlogo.collision
         }
 
         // The try is here and not around each call, because Adobe's VM makes an object for each call of a method with a try.
-        private function takeTurnsBefore(end:int):void
+        private function takeTurnsBefore(end:int, errors:Vector.<Error>):void
         {
             while (_turn < end)
             {
@@ -114,7 +115,7 @@ package starlogo.collision
                         // the error does not come from a handler, so calling again would throw it again
                         throw error;
                     }
-                    _errors.push(error is Error ? error : new Error(String(error)));
+                    errors.push(error is Error ? error : new Error(String(error)));
                 }
             }
         }
@@ -135,79 +136,66 @@ package starlogo.collision
             }
         }
 
-        // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
+        // The handlers belong to the breeds that the two agents had when the touch began.
         private function endTouch(touch:Touch):void
         {
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(touch.firstBreed, touch.secondBreed);
             }
-            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-            var forwardCount:int = _handlers.forwardCount;
-            var end:int = touch.isBothWays ? handlers.length : forwardCount;
-            while (_next < end)
-            {
-                var handler:CollisionHandler = handlers[_next];
-                _next++;
-                if (handler.kind == CollisionHandler.END && !handler.isRemoved)
-                {
-                    count++;
-                    // a local, so that the handler is not called as a method of its CollisionHandler
-                    var toCall:Function = handler.handler;
-                    var isBack:Boolean = _next > forwardCount;
-                    var collider:Agent = isBack ? touch.second : touch.first;
-                    var collidee:Agent = isBack ? touch.first : touch.second;
-                    if (handler.takesContact)
-                    {
-                        toCall(collider, collidee, null);
-                    }
-                    else
-                    {
-                        toCall(collider, collidee);
-                    }
-                }
-            }
+            var end:int = touch.isBothWays ? _handlers.handlers.length : _handlers.forwardCount;
+            call(touch.first, touch.second, NOWHERE, NOWHERE, CollisionHandler.END, CollisionHandler.END, end);
         }
 
         // A touch that begins now has handlers for starts. They are called before the others.
         private function takePair(firstAt:int, secondAt:int):void
         {
-            var listed:Vector.<Agent> = _listed;
-            var first:Agent = listed[firstAt];
-            var second:Agent = secondAt < listed.length ? listed[secondAt] : fixtures[secondAt - listed.length];
+            var first:Agent = _listed[firstAt];
+            var second:Agent = agentAt(secondAt);
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
             }
-            var ofPair:PairHandlers = _handlers;
-            var handlers:Vector.<CollisionHandler> = ofPair.handlers;
-            var forwardCount:int = ofPair.forwardCount;
-            var end:int = handlers.length;
-            var tracksTouches:Boolean = ofPair.tracksTouches;
-            var isStarting:Boolean = false;
-            if (tracksTouches)
+            var end:int = _handlers.handlers.length;
+            if (!_handlers.tracksTouches)
             {
-                var touch:Touch = _touches[_turn];
-                if (touch == null)
-                {
-                    if (!areListed(firstAt, secondAt))
-                    {
-                        return;
-                    }
-                    touch = _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
-                }
-                isStarting = touch.beganIn == tracker.frame;
+                call(first, second, firstAt, secondAt, CollisionHandler.COLLISION, CollisionHandler.COLLISION, end);
+                return;
             }
+            var touch:Touch = _touches[_turn];
+            if (touch == null)
+            {
+                if (!areListed(firstAt, secondAt))
+                {
+                    return;
+                }
+                touch = _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
+            }
+            var isStarting:Boolean = touch.beganIn == tracker.frame;
+            var earliest:int = isStarting ? CollisionHandler.START : CollisionHandler.COLLISION;
+            var next:int = call(first, second, firstAt, secondAt, earliest, CollisionHandler.COLLISION, end);
+            if (isStarting && (next > _handlers.forwardCount || next == end))
+            {
+                touch.isBothWays = true;
+            }
+        }
+
+        // Calls the handlers of these kinds, from the next one on, while both agents are listed. Returns the number of the handler that it did not
+        // get to. An ended touch has no contact, and its agents need not be listed.
+        private function call(first:Agent, second:Agent, firstAt:int, secondAt:int, earliest:int, latest:int, end:int):int
+        {
+            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
+            var forwardCount:int = _handlers.forwardCount;
             var next:int = _next;
             while (next < end)
             {
                 var handler:CollisionHandler = handlers[next];
-                if (tracksTouches && handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
+                if (handler.kind < earliest || handler.kind > latest)
                 {
                     next++;
                     continue;
                 }
-                if (!areListed(firstAt, secondAt))
+                if (firstAt != NOWHERE && !areListed(firstAt, secondAt))
                 {
                     break;
                 }
@@ -218,23 +206,21 @@ package starlogo.collision
                 }
                 _next = next;
                 count++;
+                // a local, so that the handler is not called as a method of its CollisionHandler
                 var toCall:Function = handler.handler;
                 var isBack:Boolean = next > forwardCount;
                 var collider:Agent = isBack ? second : first;
                 var collidee:Agent = isBack ? first : second;
                 if (handler.takesContact)
                 {
-                    toCall(collider, collidee, _contacts.contactFor(_turn, first, second, isBack));
+                    toCall(collider, collidee, firstAt == NOWHERE ? null : _contacts.contactFor(_turn, first, second, isBack));
                 }
                 else
                 {
                     toCall(collider, collidee);
                 }
             }
-            if (isStarting && (next > forwardCount || next == end))
-            {
-                touch.isBothWays = true;
-            }
+            return next;
         }
 
         private function agentAt(index:int):Agent

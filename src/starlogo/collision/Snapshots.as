@@ -40,27 +40,10 @@ package starlogo.collision
         private static const AGENTS_AT:int = 8;
         private static const BYTES_PER_AGENT:int = 25;
 
-        // Receives the touching pairs when a snapshot is read; otherwise empty.
-        private var _read:TouchTracker = new TouchTracker();
         private var _who:SnapshotAgents = new SnapshotAgents();
 
         // The ground's and the edges' agents that were exchanged before the last snapshot; others stand for them in another Collision.
-        private var _former:Vector.<Agent> = new Vector.<Agent>();
-
-        // The ground of the snapshot that is being read.
-        private var _isBlocky:Boolean;
-        private var _heights:Vector.<Number>;
-
-        /** Creates it for a new Collision. */
-        public function Snapshots()
-        {
-            for each (var breed:String in [Breeds.TERRAIN, Breeds.EDGE])
-            {
-                var former:FixtureAgent = new FixtureAgent(breed);
-                former.giveIdBack();
-                _former.push(former);
-            }
-        }
+        private var _former:Vector.<Agent> = new <Agent>[new FixtureAgent(Breeds.TERRAIN), new FixtureAgent(Breeds.EDGE)];
 
         /**
          * Returns the bytes of a snapshot.
@@ -97,15 +80,14 @@ package starlogo.collision
         /**
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
-         * @param tracker knows which pairs touch now; it is empty afterwards, and used in the next call
          * @param terrain the ground, which gets the heights that it had then; or null
          * @param bounds the edges of the world, or null
          * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker, terrain:Terrain,
-                bounds:WorldBounds):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, bounds:WorldBounds):TouchTracker
         {
+            search.table.propose(agents);
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
             copy.position = 0;
@@ -113,30 +95,24 @@ package starlogo.collision
             {
                 throw new ArgumentError("bytes are no snapshot: they do not begin as one");
             }
-            var found:TouchTracker = _read;
+            var touches:TouchTracker = new TouchTracker();
             try
             {
-                search.table.check(agents);
-                readAll(copy, agents, terrain, bounds);
-                copy.position = AGENTS_AT;
-                search.restorePositions(agents, copy);
-                if (terrain != null)
-                {
-                    terrain.isBlocky = _isBlocky;
-                    terrain.setHeights(0, 0, terrain.columns, terrain.rows, _heights);
-                }
-                _read = tracker;
+                var groundAt:uint = checkAll(copy, agents, terrain, bounds, touches);
             }
             catch (error:EOFError)
             {
                 check(false);
             }
-            finally
+            copy.position = AGENTS_AT;
+            search.restorePositions(agents, copy);
+            if (terrain != null)
             {
-                _read.clear();
-                _heights = null;
+                copy.position = groundAt;
+                terrain.isBlocky = copy.readBoolean();
+                terrain.setHeights(0, 0, terrain.columns, terrain.rows, readHeights(copy, terrain));
             }
-            return found;
+            return touches;
         }
 
         private function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable, fixtures:Vector.<Agent>):void
@@ -205,8 +181,8 @@ package starlogo.collision
             }
         }
 
-        // Checks all bytes. Reads the pairs into the tracker without pairs, and the ground.
-        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, bounds:WorldBounds):void
+        // Checks all bytes, and reads the touching pairs. Returns where the ground's surface begins.
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, bounds:WorldBounds, touches:TouchTracker):uint
         {
             var count:uint = bytes.readUnsignedInt();
             check(count <= (bytes.length - AGENTS_AT) / BYTES_PER_AGENT);
@@ -216,21 +192,26 @@ package starlogo.collision
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
-            readPairs(bytes, agents.concat(fixturesOf(terrain, bounds), _former), count);
+            readPairs(bytes, agents.concat(fixturesOf(terrain, bounds), _former), count, touches);
             var hasGround:Boolean = bytes.position < bytes.length;
             if (hasGround != (terrain != null))
             {
                 var which:String = hasGround ? "without" : "with";
                 throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
+            var groundAt:uint = bytes.position;
             if (hasGround)
             {
-                readGround(bytes, terrain);
+                checkGround(bytes, terrain);
+                groundAt = bytes.position;
+                bytes.readBoolean();
+                readHeights(bytes, terrain);
             }
             check(bytes.position == bytes.length);
+            return groundAt;
         }
 
-        private function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int):void
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, touches:TouchTracker):void
         {
             var breeds:Vector.<int> = new Vector.<int>();
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
@@ -253,13 +234,13 @@ package starlogo.collision
                     var missing:String = second == count ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                _read.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
+                touches.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
             }
             // each agent is there once
-            check(_read.count == pairs);
+            check(touches.count == pairs);
         }
 
-        private function readGround(bytes:ByteArray, terrain:Terrain):void
+        private static function checkGround(bytes:ByteArray, terrain:Terrain):void
         {
             var columns:int = bytes.readInt();
             var rows:int = bytes.readInt();
@@ -271,14 +252,18 @@ package starlogo.collision
                 throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights from (" + x + ", " + y
                         + ") on, in cells " + cellWidth + " wide");
             }
-            _isBlocky = bytes.readBoolean();
-            _heights = new Vector.<Number>(columns * rows);
-            for (var at:uint = 0; at < _heights.length; at += count)
+        }
+
+        private static function readHeights(bytes:ByteArray, terrain:Terrain):Vector.<Number>
+        {
+            var heights:Vector.<Number> = new Vector.<Number>(terrain.columns * terrain.rows);
+            for (var at:uint = 0; at < heights.length; at += count)
             {
-                _heights[at] = bytes.readDouble();
-                var count:uint = _heights[at] == 0 ? bytes.readUnsignedInt() : 1;
-                check(isInWorld(_heights[at], 0, 0) && count <= _heights.length - at);
+                heights[at] = bytes.readDouble();
+                var count:uint = heights[at] == 0 ? bytes.readUnsignedInt() : 1;
+                check(isInWorld(heights[at], 0, 0) && count <= heights.length - at);
             }
+            return heights;
         }
 
         private static function check(isSnapshot:Boolean):void

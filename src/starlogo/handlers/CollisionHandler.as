@@ -27,13 +27,7 @@ package starlogo.handlers
         /** START, COLLISION or END. */
         public var kind:int;
 
-        /** The breed of the collider. */
-        public var breed:String;
-
-        /** The breed of the collidee. */
-        public var otherBreed:String;
-
-        /** The number of the collider's breed in BreedInterests. */
+        /** The number of the collider's breed, as in BreedInterests. */
         public var breedNumber:int;
 
         /** The number of the collidee's breed. */
@@ -55,8 +49,6 @@ package starlogo.handlers
         public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function)
         {
             this.kind = kind;
-            this.breed = breed;
-            this.otherBreed = otherBreed;
             this.handler = handler;
             breedNumber = BreedInterests.numberOf(breed);
             otherNumber = BreedInterests.numberOf(otherBreed);

@@ -1,5 +1,6 @@
 package starlogo.handlers
 {
+    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.textOf;
@@ -59,10 +60,12 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
+            var number:int = BreedInterests.numberOf(breed);
+            var otherNumber:int = BreedInterests.numberOf(otherBreed);
             for (var i:int = 0; i < _handlers.length; i++)
             {
                 var added:CollisionHandler = _handlers[i];
-                if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler && (kind == null || added.kind == wanted))
+                if (added.breedNumber == number && added.otherNumber == otherNumber && added.handler == handler && (kind == null || added.kind == wanted))
                 {
                     added.isRemoved = true;
                     _handlers.splice(i, 1);
@@ -156,7 +159,7 @@ package starlogo.handlers
 
         private function enter(handler:CollisionHandler):void
         {
-            interests.add(handler.breed, handler.otherBreed);
+            interests.addNumbers(handler.breedNumber, handler.otherNumber);
             handler.order = handler.kind * int.MAX_VALUE + _count;
             isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
             if (_ofBreeds.length < interests.breedCount)
@@ -173,15 +176,15 @@ package starlogo.handlers
         // The handlers whose collider is of the first breed and whose collidee is of the second, in the order of their calls.
         private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
         {
-            var isOfAgents:Boolean = BreedInterests.isOfAgents(otherBreed);
+            var isOfAgents:Boolean = !Breeds.isReserved(otherBreed);
             var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
-            for each (var number:int in breed != BreedInterests.OTHERS && BreedInterests.isOfAgents(breed) ? [breed, BreedInterests.OTHERS] : [breed])
+            for each (var number:int in breed > Breeds.ANY ? [breed, Breeds.ANY] : [breed])
             {
                 var handlers:Vector.<CollisionHandler> = _ofBreeds[number];
                 for (var i:int = 0; handlers != null && i < handlers.length; i++)
                 {
                     var other:int = handlers[i].otherNumber;
-                    if (other == otherBreed || isOfAgents && other == BreedInterests.OTHERS)
+                    if (other == otherBreed || isOfAgents && other == Breeds.ANY)
                     {
                         found.push(handlers[i]);
                     }

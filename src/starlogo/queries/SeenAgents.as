@@ -89,9 +89,8 @@ package starlogo.queries
             requireQuiet("update");
             var collider:Collider = findCollider();
             var next:AgentTable = collider === _system ? table : tableFor(collider);
-            next.check(agents);
-            next.readFixture(RowList.GROUND, terrain == null ? null : terrain.agent);
             next.read(agents);
+            next.readFixture(RowList.GROUND, terrain == null ? null : terrain.agent);
             table = next;
             pairs = collider.pairs;
             _system = collider;

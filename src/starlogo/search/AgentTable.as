@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.broadphase.Bins;
@@ -11,23 +10,18 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. RowList says which agent
-     * has which row. It has columns because with thousands of agents reading memory takes most of the time. Each row has a body for tests.
+     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. The base class
+     * says which agent has which row. It has columns because with thousands of agents reading memory takes most of the time. Each row has a body for tests.
      *
      * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
      * lists the changes that make a part of a row void.</p>
      *
      * @private
      */
-    public final class AgentTable
+    public final class AgentTable extends RowList
     {
         // In place of a revision: the value has to be computed again.
         private static const STALE:int = -1;
-
-        // See RowList.
-        engine var rows:Vector.<int>;
-        engine var ranks:Vector.<int>;
-        engine var agents:Vector.<Agent>;
 
         // By row: the shape of the agent's model, which is null while the model is loading; the shape's form; and the body, which is as old as its
         // revision.
@@ -35,11 +29,10 @@ package starlogo.search
         engine var forms:Vector.<int> = new Vector.<int>();
         private var _bodies:Vector.<Body> = new Vector.<Body>();
 
-        // The places in the last search, in the one before, and those that are being read. They take effect only after the whole list has turned
-        // out to be valid.
+        // The places in the last search, and in the one before. A list is read into the older ones, and the two are exchanged after the whole list
+        // has turned out to be valid.
         engine var now:RowPlaces = new RowPlaces();
         internal var last:RowPlaces = new RowPlaces();
-        private var _next:RowPlaces = new RowPlaces();
 
         /** By row: the extents of the shape. */
         engine var extents:Extents = new Extents();
@@ -67,7 +60,6 @@ package starlogo.search
         private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         private var _modelShapes:ModelShapes;
-        private var _list:RowList = new RowList();
         private var _bins:Bins;
 
         /**
@@ -78,33 +70,7 @@ package starlogo.search
         {
             _modelShapes = shapes;
             _bins = bins;
-            agents = _list.agents;
-            rows = _list.rows;
-            ranks = _list.ranks;
-            makeRows();
-        }
-
-        /** The number of agents in the list; 0 after a list that was refused. */
-        public function get count():int
-        {
-            return _list.count;
-        }
-
-        /** Whether the rows belong to the agents of a list, in its order. */
-        public function isListed(list:Vector.<Agent>):Boolean
-        {
-            return _list.isOf(list);
-        }
-
-        /** See RowList.rowOf. */
-        public function rowOf(agent:Agent):int
-        {
-            if (!Breeds.isReserved(agent.breedNumber))
-            {
-                return _list.rowOf(agent);
-            }
-            var row:int = RowList.GROUND + agent.breedNumber;
-            return agents[row] === agent ? row : -1;
+            grow(LISTED);
         }
 
         /**
@@ -116,53 +82,27 @@ package starlogo.search
         public function read(list:Vector.<Agent>):void
         {
             forgetReplaced();
-            _changedCount = count == list.length ? readPlaces(list) : RowPlaces.OTHERS;
-            if (_changedCount == RowPlaces.OTHERS)
+            var end:int = list.length;
+            _changedCount = isAccepted && end == count ? last.read(list, rows, agents, _extentsRevisions, _changed) : RowPlaces.OTHERS;
+            var isOther:Boolean = _changedCount == RowPlaces.OTHERS;
+            if (isOther)
             {
-                _list.read(list);
-                makeRows();
-                for (var i:int = 0; i < _list.addedCount; i++)
-                {
-                    _extentsRevisions[_list.added[i]] = STALE;
-                }
-                _changedCount = readPlaces(list);
+                propose(list);
+                _changedCount = last.read(list, proposed, agents, _extentsRevisions, _changed);
             }
             findShapes();
+            if (isOther)
+            {
+                accept(end);
+            }
             takeShapes();
-            // the oldest columns are used for the next reading
-            var spare:RowPlaces = last;
+            var before:RowPlaces = last;
             last = now;
-            now = _next;
-            _next = spare;
-            _list.freeOthers(shapes);
+            now = before;
             moveAllExtents();
-            for (i = 0; i < _changedCount; i++)
+            for (var i:int = 0; i < _changedCount; i++)
             {
                 fit(_changed[i]);
-            }
-        }
-
-        /**
-         * Throws the errors that <code>read()</code> would throw, and changes nothing. So a list can be refused before anything is lost.
-         *
-         * @throws ArgumentError as read does
-         */
-        public function check(list:Vector.<Agent>):void
-        {
-            if (_list.isOf(list))
-            {
-                // read() finds all new shapes before it changes a row
-                return;
-            }
-            forgetReplaced();
-            _list.check(list);
-            for (var i:int = 0; i < list.length; i++)
-            {
-                var row:int = rowOf(list[i]);
-                if (row < 0 || needsShape(row))
-                {
-                    _modelShapes.shapeOf(list[i]);
-                }
             }
         }
 
@@ -187,7 +127,7 @@ package starlogo.search
             moveExtents(row);
         }
 
-        /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. Call it before <code>read()</code>. */
+        /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
         public function readFixture(row:int, agent:Agent):void
         {
             if (agents[row] !== agent)
@@ -200,7 +140,6 @@ package starlogo.search
                     findExtents(row);
                     now.put(row, agent);
                     last.put(row, agent);
-                    _next.put(row, agent);
                 }
             }
         }
@@ -254,11 +193,6 @@ package starlogo.search
             return agents[row].jumpRevision <= last.revisions[row];
         }
 
-        private function readPlaces(list:Vector.<Agent>):int
-        {
-            return _next.read(list, rows, agents, _extentsRevisions, _changed);
-        }
-
         private function moveAllExtents():void
         {
             var listedRows:Vector.<int> = rows;
@@ -298,20 +232,29 @@ package starlogo.search
             }
         }
 
-        // Makes as many rows as there are agents.
-        private function makeRows():void
+        /** @inheritDoc */
+        override protected function grow(length:int):void
         {
-            var length:int = agents.length;
-            if (length > shapes.length)
+            super.grow(length);
+            var row:int = shapes.length;
+            shapes.length = boxes.length = _bodies.length = length;
+            forms.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
+            _offsetX.length = _offsetY.length = _offsetZ.length = length;
+            extents.grow(length);
+            now.grow(length);
+            last.grow(length);
+            for (; row < length; row++)
             {
-                shapes.length = boxes.length = _bodies.length = length;
-                forms.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
-                _offsetX.length = _offsetY.length = _offsetZ.length = length;
-                extents.grow(length);
-                now.grow(length);
-                last.grow(length);
-                _next.grow(length);
+                _extentsRevisions[row] = STALE;
             }
+        }
+
+        /** @inheritDoc */
+        override protected function free(row:int):void
+        {
+            super.free(row);
+            shapes[row] = null;
+            _extentsRevisions[row] = STALE;
         }
 
         private function forgetReplaced():void

@@ -20,12 +20,6 @@ package starlogo.search
          */
         public static const ANY_BREED:String = "*";
 
-        /**
-         * @private The number of ANY_BREED, and of the breeds of agents that no pair names. The number of any other breed is one more than its
-         * number in the class Breeds.
-         */
-        engine static const OTHERS:int = 0;
-
         /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
@@ -34,8 +28,8 @@ package starlogo.search
         private static const EMPTY:Vector.<int> = new Vector.<int>(32, true);
 
         // By number: its row of _pageCount pages, with a bit for each other number: whether the two are of interest. The row is null for a breed
-        // that no pair names, and for OTHERS until a pair has ANY_BREED.
-        private var _bits:Vector.<Vector.<Vector.<int>>> = new <Vector.<Vector.<int>>>[null];
+        // that no pair names, and for ANY until a pair has ANY_BREED.
+        private var _bits:Vector.<Vector.<Vector.<int>>> = new Vector.<Vector.<Vector.<int>>>(Breeds.ANY + 1);
         private var _pageCount:int = 1;
 
         // The numbers that have bits. How many of them are breeds of agents, and how many pairs of these are of interest.
@@ -45,11 +39,6 @@ package starlogo.search
 
         /** By row of the table that was read last: the number of its breed, or -1. */
         internal var ofRows:Vector.<int> = new Vector.<int>();
-
-        /** Begins without pairs. */
-        public function BreedInterests()
-        {
-        }
 
         /** All numbers of breeds are less than this. It grows when a pair is added. */
         public function get breedCount():int
@@ -65,8 +54,12 @@ package starlogo.search
          */
         public function add(breed:String, otherBreed:String):void
         {
-            var number:int = numberOf(breed);
-            var other:int = numberOf(otherBreed);
+            addNumbers(numberOf(breed), numberOf(otherBreed));
+        }
+
+        /** @private Adds a pair of breeds by their numbers. */
+        engine function addNumbers(number:int, other:int):void
+        {
             enter(number);
             enter(other);
             if (!hasBit(number, other))
@@ -88,27 +81,20 @@ package starlogo.search
             return isEntered(index) && isEntered(otherIndex) && hasBit(index, otherIndex);
         }
 
-        /** @private The number of a name: of a breed, or OTHERS for ANY_BREED. */
+        /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */
         engine static function numberOf(name:String):int
         {
-            return name == ANY_BREED ? OTHERS : Breeds.numberOf(name) + 1;
-        }
-
-        /** @private Whether a number belongs to breeds of agents, not to the ground or the edges of the world. */
-        engine static function isOfAgents(number:int):Boolean
-        {
-            return number == OTHERS || !Breeds.isReserved(number - 1);
+            return name == ANY_BREED ? Breeds.ANY : Breeds.numberOf(name);
         }
 
         /** @private The same as <code>indexOf()</code> of a breed's name, from the breed's number in the class Breeds. */
         engine function indexOfNumber(breed:int):int
         {
-            var number:int = breed + 1;
-            if (number < _bits.length && _bits[number] != null)
+            if (isEntered(breed))
             {
-                return number;
+                return breed;
             }
-            return _bits[OTHERS] == null || Breeds.isReserved(breed) ? -1 : OTHERS;
+            return _bits[Breeds.ANY] == null || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
         }
 
         /**
@@ -121,8 +107,8 @@ package starlogo.search
         {
             var agents:Vector.<Agent> = table.agents;
             var bits:Vector.<Vector.<Vector.<int>>> = _bits;
-            var others:int = bits[OTHERS] == null ? -1 : OTHERS;
-            if (others == OTHERS && areAll && agents[RowList.GROUND] == null && agents[RowList.EDGES] == null)
+            var others:int = bits[Breeds.ANY] == null ? -1 : Breeds.ANY;
+            if (others == Breeds.ANY && areAll && agents[RowList.GROUND] == null && agents[RowList.EDGES] == null)
             {
                 return 0;
             }
@@ -143,7 +129,7 @@ package starlogo.search
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
-                var number:int = agents[row].breedNumber + 1;
+                var number:int = agents[row].breedNumber;
                 if (number >= known || bits[number] == null)
                 {
                     number = others;
@@ -207,29 +193,29 @@ package starlogo.search
             _bits[number] = new Vector.<Vector.<int>>();
             widen(_bits[number]);
             _numbers.push(number);
-            if (!isOfAgents(number))
+            if (Breeds.isReserved(number))
             {
                 return;
             }
             _agentBreeds++;
             // until now the breed was one of the others
-            for (var i:int = 0; _bits[OTHERS] != null && i < _numbers.length; i++)
+            for (var i:int = 0; _bits[Breeds.ANY] != null && i < _numbers.length; i++)
             {
-                if (hasBit(OTHERS, _numbers[i] == number ? OTHERS : _numbers[i]))
+                if (hasBit(Breeds.ANY, _numbers[i] == number ? Breeds.ANY : _numbers[i]))
                 {
                     mark(number, _numbers[i]);
                 }
             }
         }
 
-        // Marks a pair of numbers. OTHERS stands for all breeds of agents.
+        // Marks a pair of numbers. Breeds.ANY stands for all breeds of agents.
         private function markWith(number:int, other:int):void
         {
-            for each (var i:int in number == OTHERS ? _numbers : new <int>[number])
+            for each (var i:int in number == Breeds.ANY ? _numbers : new <int>[number])
             {
-                for each (var k:int in other == OTHERS ? _numbers : new <int>[other])
+                for each (var k:int in other == Breeds.ANY ? _numbers : new <int>[other])
                 {
-                    if ((i == number || isOfAgents(i)) && (k == other || isOfAgents(k)))
+                    if ((i == number || !Breeds.isReserved(i)) && (k == other || !Breeds.isReserved(k)))
                     {
                         mark(i, k);
                     }
@@ -243,7 +229,7 @@ package starlogo.search
             {
                 setBit(_bits[number], other);
                 setBit(_bits[other], number);
-                _agentPairs += isOfAgents(number) && isOfAgents(other) ? 1 : 0;
+                _agentPairs += !Breeds.isReserved(number) && !Breeds.isReserved(other) ? 1 : 0;
             }
         }
 

@@ -44,11 +44,9 @@ package starlogo.search
         // The members that may touch the ground or the edges of the world.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
-        // The search under way. _interests is null if all pairs of agents count. Found pairs go to _out as indices, or to _outAgents as agents
-        // if it is not null. If an agent sweeps, _times has the time of each pair.
+        // The search under way. _interests is null if all pairs of agents count. Found pairs go to _out. If an agent sweeps, _times has the time of each pair.
         private var _interests:BreedInterests;
         private var _out:FoundPairs;
-        private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:KeyOrder = new KeyOrder();
@@ -81,19 +79,18 @@ package starlogo.search
          * @param takePart by index in the list: whether the agent takes part; null for all
          * @param out takes the pairs. In a pair, the agent that is first in the list comes first
          * @param counts takes the counts of this search
-         * @param outAgents takes the pairs as agents. The indices in out are void then. Null if indices are wanted
          * @param fixtures the agent of the ground, or null, and the agent of the edges of the world, or null. In a pair, their indices follow
          *     those of the agents. Null if there are none
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
-                outAgents:Vector.<Agent>, fixtures:Vector.<Agent>):void
+                fixtures:Vector.<Agent>):void
         {
+            table.read(agents);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                table.readFixture(row, fixtures == null ? null : fixtures[row - RowList.GROUND]);
+                table.readFixture(row, fixtures == null ? null : fixtures[row]);
             }
-            table.read(agents);
             _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
             if (_isSwept)
@@ -103,7 +100,6 @@ package starlogo.search
             chooseMembers(interests, takePart);
             _interests = interests == null || interests.areAll ? null : interests;
             _out = out;
-            _outAgents = _isSwept ? null : outAgents;
             _skippedPairs = out.count = 0;
             _pairs.resetCounts();
             _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
@@ -112,14 +108,9 @@ package starlogo.search
                 findFixture(interests, row);
             }
             _out = null;
-            _outAgents = null;
             if (_isSwept)
             {
                 _order.sortPairs(out.indices, _times, out.count);
-                if (outAgents != null)
-                {
-                    out.write(agents, outAgents);
-                }
             }
             report(agents.length, out.count, counts);
         }
@@ -219,28 +210,15 @@ package starlogo.search
         private function put(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):void
         {
             var indices:Vector.<int> = _out.indices;
-            var outAgents:Vector.<Agent> = _outAgents;
-            var agents:Vector.<Agent> = table.agents;
             var ranks:Vector.<int> = table.ranks;
-            var agent:Agent = agents[row];
             var rank:int = ranks[row];
             var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = rows[others[i]];
-                var otherRank:int = ranks[other];
+                var otherRank:int = ranks[rows[others[i]]];
                 var isFirst:Boolean = rank < otherRank;
-                if (outAgents == null)
-                {
-                    indices[at] = isFirst ? rank : otherRank;
-                    indices[int(at + 1)] = isFirst ? otherRank : rank;
-                }
-                else
-                {
-                    var otherAgent:Agent = agents[other];
-                    outAgents[at] = isFirst ? agent : otherAgent;
-                    outAgents[int(at + 1)] = isFirst ? otherAgent : agent;
-                }
+                indices[at] = isFirst ? rank : otherRank;
+                indices[int(at + 1)] = isFirst ? otherRank : rank;
                 at += 2;
             }
             _out.count += count;

@@ -7,11 +7,14 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Gives each agent of a list a row of a table. An agent keeps its row while it is listed. Free rows are used again.
+     * Gives each agent of a list a row. An agent keeps its row while it is listed. Free rows are used again.
+     *
+     * <p>A new list is first proposed and then accepted. Until it is accepted, the agents of the list before are the ones that are listed. A list
+     * that is refused is never accepted, so it changes nothing.</p>
      *
      * @private
      */
-    public final class RowList
+    public class RowList
     {
         /** The row of the ground, the first of the fixtures, which belong to no list. The number of a fixture's breed gives its row. */
         public static const GROUND:int = 0;
@@ -22,51 +25,51 @@ package starlogo.search
         /** The first row for agents of a list. */
         public static const LISTED:int = 2;
 
+        // The rank of an agent that is not listed.
+        private static const UNLISTED:int = -1;
+
         /** The rows of the agents, in the order of the list. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** The number of agents in the list; 0 after a list that was refused. */
+        /** The number of agents in the list. */
         public var count:int = 0;
 
-        /** A number that grows with each change of the list. While it stays the same, the rows belong to the same agents. */
-        public var number:int = 0;
-
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
-        public var ranks:Vector.<int> = new <int>[0, 0];
+        public var ranks:Vector.<int> = new <int>[0, 1];
 
-        /** By row: the agent, or null. */
+        /** By row: the agent, or null. Agents of a list that was refused may still have rows. */
         public var agents:Vector.<Agent> = new <Agent>[null, null];
 
-        /** The rows that the last read has added; the list may be longer than <code>addedCount</code>. */
-        public var added:Vector.<int> = new Vector.<int>();
+        /** The rows of the agents of the list that was proposed last. */
+        protected var proposed:Vector.<int> = new Vector.<int>();
 
-        /** The number of rows that the last read has added. */
-        public var addedCount:int = 0;
+        /** Whether the list that was proposed last was accepted. */
+        protected var isAccepted:Boolean = true;
 
-        // The free rows, and their number; and the number of the list after which rows were last freed.
         private var _free:Vector.<int> = new Vector.<int>();
         private var _freeCount:int = 0;
-        private var _freedNumber:int = 0;
-
-        // By row: the number of the last list in which the agent was.
-        private var _lists:Vector.<int> = new <int>[0, 0];
-
         private var _rowsById:IdTable = new IdTable();
 
         // All rows below it are in use or free.
         private var _end:int = LISTED;
 
-        // The indices of the agents in a list that is being checked.
-        private var _checked:IdTable = new IdTable();
+        // The number of lists that were proposed. By row: the last of them in which the agent was.
+        private var _lists:int = 0;
+        private var _lastLists:Vector.<int> = new <int>[0, 0];
 
-        /** The row of an agent; -1 if it is not listed. */
+        /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
         {
-            return _rowsById.valueOf(agent.number);
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                return agents[agent.breedNumber] === agent ? agent.breedNumber : -1;
+            }
+            var row:int = _rowsById.valueOf(agent.number);
+            return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
         }
 
         /** Whether the rows belong to the agents of a list, in its order. */
-        public function isOf(list:Vector.<Agent>):Boolean
+        public function isListed(list:Vector.<Agent>):Boolean
         {
             var i:int = 0;
             if (list.length == count)
@@ -80,97 +83,93 @@ package starlogo.search
         }
 
         /**
-         * Gives the agents of a list their rows. An agent that was in the last list keeps its row. An agent that is no longer in the list keeps
-         * its row until <code>freeOthers()</code>.
+         * Finds rows for the agents of a list. An agent that is listed keeps its row. Call it alone to find out whether a list is refused.
          *
-         * @throws ArgumentError as check does; no row is then added
+         * @throws ArgumentError if an agent is null or listed twice. Nothing has changed then
          */
-        public function read(list:Vector.<Agent>):void
+        public function propose(list:Vector.<Agent>):void
         {
-            var known:int = count;
-            count = 0;
-            addedCount = 0;
-            number++;
+            if (!isAccepted)
+            {
+                freeUnlisted();
+            }
+            isAccepted = false;
+            _lists++;
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
-                var row:int = i < known ? rows[i] : -1;
+                var row:int = i < count ? rows[i] : -1;
                 if (row < 0 || agents[row] !== agent)
                 {
-                    // JavaScript callers may pass an object of any class
-                    if (!(agent is Agent) || Breeds.isReserved(agent.breedNumber))
-                    {
-                        refuse(isNoAgent(i, agent));
-                    }
-                    row = rowOf(agent);
+                    requireAgent(i, agent);
+                    row = _rowsById.valueOf(agent.number);
                 }
                 if (row < 0)
                 {
                     row = add(agent);
                 }
-                else if (_lists[row] == number)
+                else if (_lastLists[row] == _lists)
                 {
-                    refuse(listedTwice(agent, list.indexOf(agent), i));
+                    throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
-                _lists[row] = number;
-                rows[i] = row;
-                ranks[row] = i;
+                _lastLists[row] = _lists;
+                proposed[i] = row;
             }
-            count = list.length;
-            ranks[GROUND] = count;
-            ranks[EDGES] = count + 1;
+        }
+
+        /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
+        protected function accept(length:int):void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                ranks[rows[i]] = UNLISTED;
+            }
+            var before:Vector.<int> = rows;
+            rows = proposed;
+            proposed = before;
+            count = length;
+            for (i = 0; i < length; i++)
+            {
+                ranks[rows[i]] = i;
+            }
+            ranks[GROUND] = length;
+            ranks[EDGES] = length + 1;
+            isAccepted = true;
+            freeUnlisted();
+        }
+
+        /** Makes sure that there are this many rows. */
+        protected function grow(length:int):void
+        {
+            agents.length = ranks.length = _lastLists.length = length;
+        }
+
+        /** Frees the row of an agent that is not listed. */
+        protected function free(row:int):void
+        {
+            _rowsById.remove(agents[row].number);
+            agents[row] = null;
+            _free[_freeCount] = row;
+            _freeCount++;
         }
 
         /**
-         * Throws the errors that <code>read()</code> would throw, and changes nothing.
+         * Throws an ArgumentError if an object is not an agent of the game.
          *
-         * @throws ArgumentError if an agent is null or listed twice
+         * @param index its index in a list
+         * @param agent JavaScript callers may pass an object of any class
          */
-        public function check(list:Vector.<Agent>):void
+        public static function requireAgent(index:int, agent:Agent):void
         {
-            _checked.clear();
-            for (var i:int = 0; i < list.length; i++)
+            if (!(agent is Agent))
             {
-                var agent:Agent = list[i];
-                if (!(agent is Agent) || Breeds.isReserved(agent.breedNumber))
-                {
-                    throw isNoAgent(i, agent);
-                }
-                var first:int = _checked.valueOf(agent.number);
-                if (first >= 0)
-                {
-                    throw listedTwice(agent, first, i);
-                }
-                _checked.set (agent.number, i);
+                throw new ArgumentError("agents[" + index + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent")));
             }
-        }
-
-        /** Frees the rows of all agents that are not in the last list, and empties these rows in a column. */
-        public function freeOthers(shapes:Vector.<ModelShape>):void
-        {
-            if (_freedNumber == number)
+            if (Breeds.isReserved(agent.breedNumber))
             {
-                return;
+                throw new ArgumentError("agents[" + index + "] must be an agent of the game, not " + agent
+                        + ", which stands for the ground or the edges of the world");
             }
-            _freedNumber = number;
-            for (var row:int = LISTED; row < _end; row++)
-            {
-                if (_lists[row] != number && agents[row] != null)
-                {
-                    release(row);
-                    shapes[row] = null;
-                }
-            }
-        }
-
-        private function refuse(error:Error):void
-        {
-            for (var i:int = 0; i < addedCount; i++)
-            {
-                release(added[i]);
-            }
-            number++;
-            throw error;
         }
 
         private function add(agent:Agent):int
@@ -187,37 +186,24 @@ package starlogo.search
                 // grows by an eighth, because a vector that grows by one element is copied each time
                 if (_end > agents.length)
                 {
-                    agents.length = _lists.length = ranks.length = _end + (_end >> 3);
+                    grow(_end + (_end >> 3));
                 }
             }
             agents[row] = agent;
+            ranks[row] = UNLISTED;
             _rowsById.set (agent.number, row);
-            added[addedCount] = row;
-            addedCount++;
             return row;
         }
 
-        private function release(row:int):void
+        private function freeUnlisted():void
         {
-            _rowsById.remove(agents[row].number);
-            agents[row] = null;
-            _free[_freeCount] = row;
-            _freeCount++;
-        }
-
-        private static function isNoAgent(index:int, agent:Agent):Error
-        {
-            var problem:String = agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent");
-            if (agent is Agent)
+            for (var row:int = LISTED; row < _end; row++)
             {
-                problem = "must be an agent of the game, not " + agent + ", which stands for the ground or the edges of the world";
+                if (ranks[row] == UNLISTED && agents[row] != null)
+                {
+                    free(row);
+                }
             }
-            return new ArgumentError("agents[" + index + "] " + problem);
-        }
-
-        private static function listedTwice(agent:Agent, first:int, second:int):Error
-        {
-            return new ArgumentError(agent + " is listed twice: agents[" + first + "] and agents[" + second + "]");
         }
     }
 }

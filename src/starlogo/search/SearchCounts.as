@@ -51,11 +51,6 @@ package starlogo.search
         /** Pairs of agents that collide. */
         public var collisions:int;
 
-        /** Begins with all counts 0. */
-        public function SearchCounts()
-        {
-        }
-
         /** All tests between two structures. Tests of the nodes of hierarchies are not included. */
         public function get tests():int
         {

@@ -1,6 +1,7 @@
 package starlogo.terrain
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
 
     use namespace engine;
@@ -23,7 +24,13 @@ package starlogo.terrain
         {
             // the name without its asterisk
             super(breed.substr(1));
-            takeBreed(breed);
+            breedNumber = Breeds.numberOf(breed);
+        }
+
+        /** @private It does not count as an agent of the game. */
+        override engine function newNumber():int
+        {
+            return 0;
         }
     }
 }

@@ -52,6 +52,7 @@ package starlogo.terrain
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
             _agent = new FixtureAgent(Breeds.TERRAIN);
+            _agent.number = Agent.takeNumber();
             _agent.terrain = this;
             _agent.moveTo(x, y, 0);
         }

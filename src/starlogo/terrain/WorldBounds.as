@@ -29,7 +29,6 @@ package starlogo.terrain
          */
         public function WorldBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number)
         {
-            _agent.giveIdBack();
             setTo(minX, minY, minZ, maxX, maxY, maxZ);
         }
 

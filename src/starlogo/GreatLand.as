@@ -251,7 +251,7 @@ package starlogo
                 throw new ArgumentError("model must not be null");
             }
             var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
-            var hierarchy:SolidHierarchyBuilder = loadHierarchies ? _hierarchies.newBuilderOf(model) : null;
+            var hierarchy:SolidHierarchyBuilder = loadHierarchies ? _hierarchies.builderOf(model.vertices, model.triangles) : null;
             var structures:StructuresBuild = loadTightestFit ? _boundingStructures.newBuild(model.name, model.vertices) : null;
             return new ModelBuild(model, structures, hierarchy, settings, fitStore);
         }

@@ -23,8 +23,7 @@ package starlogo.fitting
         override protected function findStructure(session:FitSession):BoundingStructure
         {
             var points:Vector.<Number> = session.hull.points;
-            var bounds:VertexBounds = new VertexBounds();
-            bounds.add(points, 0, points.length / 3);
+            var bounds:VertexBounds = VertexBounds.of(points);
             var z:Number = (bounds.minZ + bounds.maxZ) / 2;
             var radius:Number = (bounds.maxZ - bounds.minZ) / 2;
             for (var i:int = 0; i < points.length; i += 3)

@@ -46,43 +46,28 @@ package starlogo.fitting
          */
         public static function box(vertices:Vector.<Number>, axes:Vector.<Number>):Box
         {
-            var xX:Number = axes[0];
-            var xY:Number = axes[1];
-            var xZ:Number = axes[2];
-            var yX:Number = axes[3];
-            var yY:Number = axes[4];
-            var yZ:Number = axes[5];
-            var zX:Number = axes[6];
-            var zY:Number = axes[7];
-            var zZ:Number = axes[8];
-            var lowX:Number = Infinity;
-            var lowY:Number = Infinity;
-            var lowZ:Number = Infinity;
-            var highX:Number = -Infinity;
-            var highY:Number = -Infinity;
-            var highZ:Number = -Infinity;
+            var x:Vector.<Number> = extentAlong(vertices, axes[0], axes[1], axes[2]);
+            var y:Vector.<Number> = extentAlong(vertices, axes[3], axes[4], axes[5]);
+            var z:Vector.<Number> = extentAlong(vertices, axes[6], axes[7], axes[8]);
+            var center:Vector3D = new Vector3D(x[0] * axes[0] + y[0] * axes[3] + z[0] * axes[6], x[0] * axes[1] + y[0] * axes[4] + z[0] * axes[7],
+                    x[0] * axes[2] + y[0] * axes[5] + z[0] * axes[8]);
+            return new Box(center, new Vector3D(axes[0], axes[1], axes[2]), new Vector3D(axes[3], axes[4], axes[5]),
+                    new Vector3D(axes[6], axes[7], axes[8]), x[1], y[1], z[1]);
+        }
+
+        // The middle and half the length of the vertices' extent along a unit vector.
+        private static function extentAlong(vertices:Vector.<Number>, x:Number, y:Number, z:Number):Vector.<Number>
+        {
+            var low:Number = Infinity;
+            var high:Number = -Infinity;
             var length:int = vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
-                var x:Number = vertices[i];
-                var y:Number = vertices[i + 1];
-                var z:Number = vertices[i + 2];
-                var along:Number = x * xX + y * xY + z * xZ;
-                lowX = along < lowX ? along : lowX;
-                highX = along > highX ? along : highX;
-                along = x * yX + y * yY + z * yZ;
-                lowY = along < lowY ? along : lowY;
-                highY = along > highY ? along : highY;
-                along = x * zX + y * zY + z * zZ;
-                lowZ = along < lowZ ? along : lowZ;
-                highZ = along > highZ ? along : highZ;
+                var along:Number = vertices[i] * x + vertices[i + 1] * y + vertices[i + 2] * z;
+                low = along < low ? along : low;
+                high = along > high ? along : high;
             }
-            x = (lowX + highX) / 2;
-            y = (lowY + highY) / 2;
-            z = (lowZ + highZ) / 2;
-            return new Box(new Vector3D(x * xX + y * yX + z * zX, x * xY + y * yY + z * zY, x * xZ + y * yZ + z * zZ),
-                    new Vector3D(xX, xY, xZ), new Vector3D(yX, yY, yZ), new Vector3D(zX, zY, zZ),
-                    (highX - lowX) / 2, (highY - lowY) / 2, (highZ - lowZ) / 2);
+            return new <Number>[(low + high) / 2, (high - low) / 2];
         }
 
         /**

@@ -18,9 +18,7 @@ package starlogo.fitting
         /** @inheritDoc */
         override protected function findStructure(session:FitSession):BoundingStructure
         {
-            var points:Vector.<Number> = session.hull.points;
-            var bounds:VertexBounds = new VertexBounds();
-            bounds.add(points, 0, points.length / 3);
+            var bounds:VertexBounds = VertexBounds.of(session.hull.points);
             return EnclosingStructures.sphere(session.vertices, (bounds.minX + bounds.maxX) / 2, (bounds.minY + bounds.maxY) / 2,
                     (bounds.minZ + bounds.maxZ) / 2);
         }

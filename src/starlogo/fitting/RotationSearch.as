@@ -31,8 +31,6 @@ package starlogo.fitting
         private var _session:FitSession;
         private var _hull:ConvexHull;
         private var _turned:Vector.<Number>;
-        private var _firstNeighbor:Vector.<int>;
-        private var _neighbors:Vector.<int>;
         private var _rotation:Placement = new Placement();
 
         // The extreme corners found last: four for a rotation near the first one about z, and four for a rotation about 45 degrees
@@ -53,9 +51,7 @@ package starlogo.fitting
         private var _corners:Vector.<int> = new Vector.<int>(6);
         private var _enough:Number;
         private var _least:Number = Infinity;
-        private var _bestX:Number = 0;
-        private var _bestY:Number = 0;
-        private var _bestZ:Number = 0;
+        private var _best:Placement = new Placement();
 
         /**
          * @param session the vertices; their hull may not exist before the first step
@@ -98,9 +94,7 @@ package starlogo.fitting
                 if (volume < mayBe)
                 {
                     _least = volume;
-                    _bestX = _aboutX;
-                    _bestY = _aboutY;
-                    _bestZ = place * _stepZ;
+                    _best.setRotation(place * _stepZ, _aboutY, _aboutX);
                     if (volume <= _enough)
                     {
                         return false;
@@ -114,8 +108,7 @@ package starlogo.fitting
         public function smallestBox(session:FitSession):Box
         {
             var axes:Vector.<Number> = new Vector.<Number>(9);
-            _rotation.setRotation(_bestZ, _bestY, _bestX);
-            _rotation.writeRotation(axes, 0);
+            _best.writeRotation(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
         }
 
@@ -123,8 +116,6 @@ package starlogo.fitting
         {
             _hull = _session.hull;
             _turned = new Vector.<Number>(_hull.points.length);
-            _firstNeighbor = _hull.firstNeighbor;
-            _neighbors = _hull.neighbors;
             _enough = _hull.volume * (1 + Tolerances.FIT_TIE);
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
@@ -234,8 +225,8 @@ package starlogo.fitting
         private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
             var turned:Vector.<Number> = _turned;
-            var neighbors:Vector.<int> = _neighbors;
-            var firstNeighbor:Vector.<int> = _firstNeighbor;
+            var neighbors:Vector.<int> = _hull.neighbors;
+            var firstNeighbor:Vector.<int> = _hull.firstNeighbor;
             var at:int = 3 * corner + plane;
             var best:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
             var end:int = firstNeighbor[corner + 1];

@@ -17,6 +17,14 @@ package starlogo.geometry
         private var _low:int = 0x3C6EF372;
         private var _high:int = 0x1B873593;
 
+        /** The fingerprint of a text. */
+        public static function of(text:String):Fingerprint
+        {
+            var fingerprint:Fingerprint = new Fingerprint();
+            fingerprint.addText(text);
+            return fingerprint;
+        }
+
         /** Adds one word. */
         public function addWord(word:int):void
         {

@@ -31,6 +31,14 @@ package starlogo.geometry
         /** Whether all coordinates were finite. Otherwise the box is wrong. */
         public var areFinite:Boolean = true;
 
+        /** The box around all vertices of a list: x, y, z of each. */
+        public static function of(vertices:Vector.<Number>):VertexBounds
+        {
+            var bounds:VertexBounds = new VertexBounds();
+            bounds.add(vertices, 0, vertices.length / 3);
+            return bounds;
+        }
+
         /** The longest side of the box. */
         public function get extent():Number
         {

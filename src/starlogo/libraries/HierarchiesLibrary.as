@@ -3,7 +3,6 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.VertexData;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.models.Model;
     import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.finish;
@@ -139,26 +138,17 @@ package starlogo.libraries
         {
             ShapeTable.checkName(name);
             refuse(name, VertexData.vertexProblem(vertices));
-            if (triangles == null || triangles.length == 0)
-            {
-                return builderOf(vertices.concat(), null);
-            }
-            refuse(name, VertexData.triangleProblem(triangles, vertices.length / 3));
-            return builderOf(vertices.concat(), triangles.concat());
+            var hasTriangles:Boolean = triangles != null && triangles.length > 0;
+            refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
+            return builderOf(vertices.concat(), hasTriangles ? triangles.concat() : null);
         }
 
         /**
-         * The work that builds the hierarchy of a model. None of its steps is done yet. The model is not checked or copied, because a Model
-         * is always valid and never changes.
+         * The same for vertices and triangles that are right and never change, as a Model's. They are not checked or copied.
          *
          * @private
          */
-        engine function newBuilderOf(model:Model):SolidHierarchyBuilder
-        {
-            return builderOf(model.vertices, model.triangles);
-        }
-
-        private function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
+        engine function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
             return new SolidHierarchyBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }

@@ -105,8 +105,7 @@ package starlogo.libraries
          */
         engine function readFrom(file:CookedFile, model:Model, settings:FitSettings):void
         {
-            var bounds:VertexBounds = new VertexBounds();
-            bounds.add(model.vertices, 0, model.vertices.length / 3);
+            var bounds:VertexBounds = VertexBounds.of(model.vertices);
             if (bounds.largest > VertexBounds.LARGEST_COORDINATE)
             {
                 // no fitter accepts such a model, so the record is wrong

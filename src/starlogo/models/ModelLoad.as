@@ -36,7 +36,7 @@ package starlogo.models
         private var _upAxis:Object;
         private var _scaling:String;
         private var _receiver:ModelReceiver;
-        private var _files:ModelFiles;
+        private var _downloads:ModelDownloads;
         private var _usesTransforms:Boolean = false;
         private var _reader:ModelReader = null;
         private var _source:ModelSource = null;
@@ -54,13 +54,13 @@ package starlogo.models
             _upAxis = upAxis;
             _scaling = scaling;
             _receiver = receiver;
-            _files = new ModelFiles(newLoader);
+            _downloads = new ModelDownloads(newLoader);
         }
 
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return _files.areThere;
+            return _downloads.areThere;
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -74,7 +74,7 @@ package starlogo.models
             {
                 return FETCHED + (READ - FETCHED) * _reader.progress;
             }
-            return _source != null ? READ * _source.progress : (_files.file == null ? 0 : FETCHED * _files.file.progress);
+            return _source != null ? READ * _source.progress : (_downloads.file == null ? 0 : FETCHED * _downloads.file.progress);
         }
 
         /**
@@ -86,15 +86,15 @@ package starlogo.models
          */
         public function fetch(url:String, usesTransforms:Boolean, manifest:ModelManifest):void
         {
-            _files.url = url || "";
+            _downloads.url = url || "";
             _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
-            if (manifest == null || !_files.hasFolder)
+            if (manifest == null || !_downloads.hasFolder)
             {
                 fetchSource();
                 return;
             }
-            _files.fetchManifest(manifest);
-            call(_files.fetchCooked).repeat(tryCooked).call(useCooked);
+            _downloads.fetchManifest(manifest);
+            call(_downloads.fetchCooked).repeat(tryCooked).call(useCooked);
         }
 
         /** Sets the file to read, as bytes or as text. The other is null. */
@@ -123,19 +123,19 @@ package starlogo.models
         /** Stops fetching. */
         public function cancel():void
         {
-            _files.cancel();
+            _downloads.cancel();
         }
 
         // A cooked file that is missing, damaged or made for other arguments is no error. The source is fetched instead.
         private function tryCooked():Boolean
         {
-            if (_files.file == null)
+            if (_downloads.file == null)
             {
                 return false;
             }
             try
             {
-                _reader ||= new CookedReader(name, _files.file.bytes, argumentsFingerprint(_upAxis, _scaling, _usesTransforms)).shaped(null);
+                _reader ||= new CookedReader(name, _downloads.file.bytes, argumentsFingerprint(_upAxis, _scaling, _usesTransforms)).shaped(null);
                 return _reader.step();
             }
             catch (error:ModelError)
@@ -158,40 +158,40 @@ package starlogo.models
 
         private function fetchSource():void
         {
-            _files.fetchSource(_usesTransforms);
+            _downloads.fetchSource(_usesTransforms);
             call(useFile);
         }
 
         private function useFile():void
         {
-            var problem:String = _files.file == null ? "there is no address to fetch its file from" : _files.file.problem;
+            var problem:String = _downloads.file == null ? "there is no address to fetch its file from" : _downloads.file.problem;
             refuseIf(problem != null, name, problem);
             // without a transform file, or with one that says nothing, the caller's axis stays
-            var bytes:ByteArray = _files.transform == null ? null : _files.transform.bytes;
+            var bytes:ByteArray = _downloads.transform == null ? null : _downloads.transform.bytes;
             if (bytes != null)
             {
                 bytes.position = 0;
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            setFile(_files.file.bytes, null);
+            setFile(_downloads.file.bytes, null);
         }
 
         // Opens the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
         private function open(bytes:ByteArray, text:String):void
         {
-            var format:String = ModelFormat.of(bytes, text, _files.url);
+            var format:String = ModelFormat.of(bytes, text, _downloads.url);
             var gltf:GltfFile = format == ModelFormat.GLTF ? new GltfFile(name, bytes, text) : null;
             begin(function():Steps
                 {
                     return gltf;
                 }).call(function():void
                 {
-                    _files.fetchBuffers(gltf);
+                    _downloads.fetchBuffers(gltf);
                 }).begin(function():Steps
                 {
-                    _files.giveBuffers(gltf);
-                    _files.letGo();
+                    _downloads.giveBuffers(gltf);
+                    _downloads.letGo();
                     _reader = (gltf == null ? newReader(format, bytes, text) : new GltfReader(name, gltf, _upAxis as ModelTransform)).shaped(_scaling);
                     // this function lives as long as the reader works
                     bytes = null;
@@ -220,7 +220,7 @@ package starlogo.models
             model = _source != null ? _source.model : new Model(name, null, null, _scaling, _reader.shape);
             _reader = null;
             _source = null;
-            _files.letGo();
+            _downloads.letGo();
         }
 
         private function receiving():Steps

@@ -3,7 +3,6 @@ package starlogo.models.collada
     import starlogo.models.Decimal;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
-    import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -22,7 +21,6 @@ package starlogo.models.collada
         private var _positions:ColladaSource;
         private var _isUsed:Vector.<uint>;
         private var _triangles:Vector.<uint>;
-        private var _triangulator:Triangulator;
 
         // A corner takes _stride words. The index of its position is the word at _offset.
         private var _stride:int = 1;
@@ -57,7 +55,6 @@ package starlogo.models.collada
             _positions = positions;
             _isUsed = isUsed;
             _triangles = triangles;
-            _triangulator = document.triangulator;
             _lists = element.childrenNamed("p");
             readInputs();
             addParts();
@@ -103,12 +100,12 @@ package starlogo.models.collada
                 case "polylist":
                     _text = new ColladaWords(_lists);
                     _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
-                    add(_text).add(_sizeText).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
+                    add(_text).add(_sizeText).begin(checkingSizes).repeat(_document.triangulator.cuttingBetween(readPolylist));
                     break;
                 case "polygons":
                     _lists = _lists.concat(_element.childrenNamed("ph"));
                     _document.checkCount(_element, _lists.length, "polygons");
-                    repeat(_triangulator.cuttingBetween(readPolygons));
+                    repeat(_document.triangulator.cuttingBetween(readPolygons));
                     break;
                 default:
                     _document.checkCount(_element, _lists.length, "lists of corners <p>");
@@ -161,14 +158,14 @@ package starlogo.models.collada
         private function readPolylist():Boolean
         {
             var end:int = _word + CORNERS_PER_STEP * _stride;
-            while (_size < _sizes.length && _word <= end && !_triangulator.isCutting)
+            while (_size < _sizes.length && _word <= end && !_document.triangulator.isCutting)
             {
                 var count:int = Number(_sizes[_size++]);
                 if (count > 2)
                 {
                     _polygon.length = count;
                     readCorners(_word, _polygon);
-                    _triangulator.addPolygon(_polygon);
+                    _document.triangulator.addPolygon(_polygon);
                 }
                 _word += count * _stride;
             }
@@ -178,7 +175,7 @@ package starlogo.models.collada
         private function readPolygons():Boolean
         {
             var read:int = 0;
-            while (read < CORNERS_PER_STEP && _list < _lists.length && !_triangulator.isCutting)
+            while (read < CORNERS_PER_STEP && _list < _lists.length && !_document.triangulator.isCutting)
             {
                 var element:ColladaElement = _lists[_list++];
                 var hasHoles:Boolean = element.name == "ph";
@@ -190,7 +187,7 @@ package starlogo.models.collada
                     holes.push(loopOf(hole));
                 }
                 read += 10 + outline.length;
-                _triangulator.addPolygon(outline, holes);
+                _document.triangulator.addPolygon(outline, holes);
             }
             return _list < _lists.length;
         }
@@ -206,7 +203,7 @@ package starlogo.models.collada
                 {
                     var first:int = isFan ? 0 : i - 2 + (i & 1);
                     var second:int = isFan ? i - 1 : i - 1 - (i & 1);
-                    _triangulator.addTriangle(strip[first], strip[second], strip[i]);
+                    _document.triangulator.addTriangle(strip[first], strip[second], strip[i]);
                 }
                 read += 10 + strip.length;
             }

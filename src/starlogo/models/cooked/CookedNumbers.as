@@ -1,10 +1,9 @@
 package starlogo.models.cooked
 {
-    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
 
     /**
-     * Writes and reads integers of 32 bits in as few bytes as they need, and vectors. An integer n is written as 2n, or as -2n - 1 if it is
+     * Writes and reads integers of 32 bits in as few bytes as they need. An integer n is written as 2n, or as -2n - 1 if it is
      * negative. A byte holds seven bits of that, the lowest first. The eighth bit says that more bytes follow.
      *
      * @private
@@ -21,20 +20,6 @@ package starlogo.models.cooked
                 rest >>>= 7;
             }
             out.writeByte(rest);
-        }
-
-        /** Writes x, y and z as doubles. */
-        public static function writeVector(vector:Vector3D, out:ByteArray):void
-        {
-            out.writeDouble(vector.x);
-            out.writeDouble(vector.y);
-            out.writeDouble(vector.z);
-        }
-
-        /** Reads the next vector. @throws EOFError if there is none */
-        public static function readVector(bytes:ByteArray):Vector3D
-        {
-            return new Vector3D(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
         }
 
         /** Reads the next number. @throws EOFError if there is none */

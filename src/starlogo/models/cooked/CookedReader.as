@@ -1,6 +1,7 @@
 package starlogo.models.cooked
 {
     import flash.errors.EOFError;
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
@@ -107,13 +108,18 @@ package starlogo.models.cooked
         {
             try
             {
-                return new ModelTransform(CookedNumbers.readVector(_bytes), CookedNumbers.readVector(_bytes), CookedNumbers.readVector(_bytes));
+                return new ModelTransform(readVector(), readVector(), readVector());
             }
             catch (error:RangeError)
             {
                 refuseIf(true, name, error.message);
             }
             return null;
+        }
+
+        private function readVector():Vector3D
+        {
+            return new Vector3D(_bytes.readDouble(), _bytes.readDouble(), _bytes.readDouble());
         }
 
         // each number is stored as the difference from the one before

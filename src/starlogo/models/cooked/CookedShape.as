@@ -84,7 +84,9 @@ package starlogo.models.cooked
             }
             for each (var vector:Vector3D in transform == null ? [] : [transform.rotation, transform.scale, transform.translation])
             {
-                CookedNumbers.writeVector(vector, out);
+                out.writeDouble(vector.x);
+                out.writeDouble(vector.y);
+                out.writeDouble(vector.z);
             }
             if (form == DOUBLE)
             {

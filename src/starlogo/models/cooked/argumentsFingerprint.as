@@ -14,8 +14,6 @@ package starlogo.models.cooked
     public function argumentsFingerprint(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
     {
         // join() calls the transform's toString(). So a program that never uses a ModelTransform need not contain that class.
-        var fingerprint:Fingerprint = new Fingerprint();
-        fingerprint.addText([upAxis, scaling, upAxis is String && usesTransforms].join());
-        return fingerprint;
+        return Fingerprint.of([upAxis, scaling, upAxis is String && usesTransforms].join());
     }
 }

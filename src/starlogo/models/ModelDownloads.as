@@ -3,7 +3,7 @@ package starlogo.models
     import starlogo.models.gltf.GltfFile;
 
     /** The downloads for one model: its file, and the files that belong to it. */
-    internal final class ModelFiles
+    internal final class ModelDownloads
     {
         // The address of a file: its path, and what comes after. No file can be beside a "data:" or "blob:" address.
         private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
@@ -23,7 +23,7 @@ package starlogo.models
         private var _all:Vector.<ModelFetch> = new Vector.<ModelFetch>();
 
         /** @param newLoader <code>function():URLLoader</code>, called for each file */
-        public function ModelFiles(newLoader:Function)
+        public function ModelDownloads(newLoader:Function)
         {
             _newLoader = newLoader;
         }

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /**
  * What each collision system makes of the scattered game of the playground's Compare, over many frames: how often it is right, and what a frame
- * takes in Node. Prints the table of docs/choosing.md.
+ * takes in Node. Then the same of a ball in many places beside a dragon, against a loop over all triangles. Prints the tables of docs/choosing.md.
  *
  *   ./antw module && node test/docs/accuracy.mjs
  */
@@ -22,7 +22,7 @@ buildSync({
 	bundle: true, format: 'esm', outfile: out, logLevel: 'warning',
 	alias: { 'starlogo-collision': path.join(root, 'bin/module', JSON.parse(read('bin/module/package.json')).exports['.'].default) },
 });
-const { BinCollider, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, ScatteredGame, TightestFitCollider } = await import(pathToFileURL(out).href);
+const { Agent, BinCollider, BuiltInModel, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, ScatteredGame, TightestFitCollider } = await import(pathToFileURL(out).href);
 
 const greatLand = new GreatLand();
 for (const [name, file] of Object.entries(FILES)) {
@@ -76,4 +76,75 @@ for (const [name, { found, right, times }] of Object.entries(sums)) {
 	const median = times.sort((a, b) => a - b)[FRAMES / 2];
 	const percent = (part, whole) => `${Math.round((100 * part) / whole)} %`;
 	console.log(`| ${name} | ${found} | ${found - right} | ${truths - right} | ${percent(right, found)} | ${percent(right, truths)} | ${median.toFixed(3)} |`);
+}
+
+// A ball is met by the dragon as it is: a sphere.
+const PLACES = 4000;
+const dragon = ColladaModel.fromBytes('dragon', new Uint8Array(readFileSync(path.join(root, 'assets/dragon.dae'))));
+const corners = Array.from(dragon.triangles, (vertex) => [0, 1, 2].map((axis) => dragon.vertices[3 * vertex + axis]));
+
+const minus = (a, b) => a.map((value, axis) => value - b[axis]);
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const length = (a) => Math.sqrt(dot(a, a));
+
+/** The distance of a point from a triangle: from its face, if the point is over it, or from its edges. */
+function distanceFrom(point, triangle) {
+	const normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
+	let isOver = length(normal) > 0;
+	let least = Infinity;
+	triangle.forEach((from, i) => {
+		const edge = minus(triangle[(i + 1) % 3], from);
+		const to = minus(point, from);
+		isOver &&= dot(cross(normal, edge), to) >= 0;
+		const share = Math.max(0, Math.min(1, dot(edge, to) / (dot(edge, edge) || 1)));
+		least = Math.min(least, length(to.map((value, axis) => value - share * edge[axis])));
+	});
+	return isOver ? Math.abs(dot(normal, minus(point, triangle[0]))) / length(normal) : least;
+}
+
+/** How often the surface winds around a point: the sum of the triangles' solid angles (Van Oosterom and Strackee, 1983). */
+function windingAround(point) {
+	let sum = 0;
+	for (let i = 0; i < corners.length; i += 3) {
+		const [a, b, c] = corners.slice(i, i + 3).map((corner) => minus(corner, point));
+		const [lengthA, lengthB, lengthC] = [a, b, c].map(length);
+		sum += 2 * Math.atan2(dot(a, cross(b, c)), lengthA * lengthB * lengthC + dot(a, b) * lengthC + dot(b, c) * lengthA + dot(c, a) * lengthB);
+	}
+	return sum / (4 * Math.PI);
+}
+
+const ballSystems = {
+	'TightestFitCollider': new TightestFitCollider(greatLand),
+	'CombinationCollider': new CombinationCollider(greatLand),
+	'CombinationCollider, exact': Object.assign(new CombinationCollider(greatLand), { exact: true }),
+};
+const ofBalls = Object.fromEntries(Object.keys(ballSystems).map((name) => [name, { found: 0, right: 0 }]));
+let seed = 51;
+const random = (from, to) => from + (to - from) * ((seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648);
+const [ball, beast] = [new Agent('sphere'), new Agent('dragon')];
+greatLand.addModel(BuiltInModel.sphere());
+beast.hierarchical = true;
+let touching = 0;
+for (let i = 0; i < PLACES; i++) {
+	ball.size = random(0.05, 0.3);
+	ball.moveTo(random(-0.6, 0.6), random(-0.6, 0.6), random(-0.2, 0.8));
+	const fit = greatLand.boundingStructures.tightestFit('sphere');
+	const middle = [ball.x + ball.size * fit.center.x, ball.y + ball.size * fit.center.y, ball.z + ball.size * fit.center.z];
+	let truth = false;
+	for (let k = 0; k < corners.length && !truth; k += 3) {
+		truth = distanceFrom(middle, corners.slice(k, k + 3)) <= ball.size * fit.radius;
+	}
+	truth ||= Math.abs(windingAround(middle)) > 0.5;
+	touching += truth ? 1 : 0;
+	for (const [name, system] of Object.entries(ballSystems)) {
+		const answer = system.areColliding(ball, beast);
+		ofBalls[name].found += answer ? 1 : 0;
+		ofBalls[name].right += answer && truth ? 1 : 0;
+	}
+}
+console.log(`a ball in ${PLACES} places beside a dragon, ${touching} of them touching`);
+console.log('| system | found | precision | recall |');
+for (const [name, { found, right }] of Object.entries(ofBalls)) {
+	console.log(`| ${name} | ${found} | ${(right / found).toFixed(3)} | ${(right / touching).toFixed(3)} |`);
 }

@@ -40,9 +40,10 @@ package starlogo.collision
         }
 
         /**
-         * If true, the triangles of overlapping leaves decide whether two hierarchies collide. Depth limits do not apply. A model inside another
-         * collides with it if the outer surface is closed, even if the surfaces do not touch. If a model has no triangles, and between a
-         * hierarchy and a structure, the leaves decide.
+         * If true, the triangles of hierarchies decide, in frames, contacts and all questions. Depth limits do not apply. Two hierarchies collide
+         * if two of their triangles touch. A hierarchy and a structure collide if a triangle touches the solid sphere, capsule or box. A model
+         * or structure inside another model collides with it if the outer surface is closed, even if the surfaces do not touch. If a model has
+         * no triangles, its leaves decide.
          *
          * <p>The first frame in which an exact collider tests a model prepares its triangles. This takes tens of milliseconds for thousands of
          * triangles, unless GreatLand.prepareExact was set when the model was added. Other tree colliders prepare them too, when they first test

@@ -400,9 +400,14 @@ package starlogo.intersection
             displacement.startY = time * _motion.y;
             displacement.startZ = time * _motion.z;
             out.depth = Infinity;
-            _tried.setNormal(_face.normalX, _face.normalY, _face.normalZ);
+            // The side of the structure's middle comes first, because the first one is kept if rounding decides.
+            _face.measure(_triangle, _at, _at + 9);
+            var plane:Number = _face.least;
+            _face.measure(_corners, 0, _end);
+            var side:int = (_face.least + _face.greatest) / 2 + time * speedAlong(_face) < plane ? -1 : 1;
+            _tried.setNormal(side * _face.normalX, side * _face.normalY, side * _face.normalZ);
             keepLeast(out);
-            _tried.setNormal(-_face.normalX, -_face.normalY, -_face.normalZ);
+            _tried.setNormal(-side * _face.normalX, -side * _face.normalY, -side * _face.normalZ);
             keepLeast(out);
             for (var i:int = 0; i < 9; i += 3)
             {

@@ -311,7 +311,7 @@ package starlogo.queries
         /**
          * The distance between the surfaces of two agents, as the collision system sees them. It is 0 if they touch, and only then.
          *
-         * <p>A tree's surface is the nodes at which a test of the tree ends. In exact mode it is the triangles, if both models have some. A
+         * <p>A tree's surface is the nodes at which a test of the tree ends. In exact mode it is the triangles, if the model has some. A
          * greater depth never gives a smaller distance. Exact mode never gives a smaller distance than another system, except the
          * BinCollider.</p>
          *

@@ -115,7 +115,7 @@ package starlogo.search
         }
 
         /**
-         * Becomes the body of a structure, which triangles meet in exact mode.
+         * Becomes the body of a structure.
          *
          * @throws ArgumentError if it is null, or not a sphere, box or capsule
          * @throws RangeError if it is not in the world
@@ -132,7 +132,7 @@ package starlogo.search
             if (own == null)
             {
                 own = _ownShapes[structure.kind] = new ModelShape("structure", Agent.ANY_KIND, 0);
-                own.isUpright = own.meetsTriangles = true;
+                own.isUpright = true;
             }
             // the shape's structure has its middle at the origin
             placement.copyFrom(UPRIGHT);

@@ -46,12 +46,6 @@ package starlogo.search
         // Whether the shape stays upright and faces along the x axis, however its agent is turned.
         engine var isUpright:Boolean = false;
 
-        /**
-         * @private Whether triangles decide about the structure in exact mode. This is so for the structure of a question, which belongs to no
-         * model.
-         */
-        engine var meetsTriangles:Boolean = false;
-
         /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
         engine var fixture:FixtureAgent = null;
 

@@ -45,7 +45,7 @@ package starlogo.search
          */
         public var nodeVisits:int;
 
-        /** Triangle-triangle tests. */
+        /** Tests of two triangles, or of a triangle and a structure. */
         public var triangleTests:int;
 
         /** Pairs of agents that collide. */

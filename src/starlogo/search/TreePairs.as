@@ -22,11 +22,11 @@ package starlogo.search
         /** The number of levels that a test visits in a tree, unless the agent has a depth limit of its own. */
         public var maxDepth:int = 5;
 
-        /** Whether triangles decide. Then no depth limit applies. */
+        /** Whether the triangles of trees decide. Then no depth limit applies. */
         public var exact:Boolean = false;
 
         /**
-         * Whether the leaves of two trees are tested instead of triangles for a while. They find every touch that triangles find, in a tenth of
+         * Whether the leaves of trees are tested instead of triangles for a while. They find every touch that triangles find, in a tenth of
          * the time.
          */
         public var byLeaves:Boolean = false;
@@ -64,7 +64,7 @@ package starlogo.search
                 var isTouching:Boolean;
                 if (other == null || otherBody.number > number)
                 {
-                    isTouching = pair.areOverlapping(tree, placement, depth, other, otherBody.shape.structure, otherPlacement, otherDepth, isExact && other != null);
+                    isTouching = pair.areOverlapping(tree, placement, depth, other, otherBody.shape.structure, otherPlacement, otherDepth, isExact);
                 }
                 else
                 {
@@ -88,7 +88,7 @@ package starlogo.search
             }
             _tests++;
             var shapeB:ModelShape = b.shape;
-            return _pair.areOverlapping(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), areExact(shapeB));
+            return _pair.areOverlapping(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), exact && !byLeaves);
         }
 
         /** @inheritDoc */
@@ -161,12 +161,6 @@ package starlogo.search
             out.triangleTests = _pair.triangleTests;
         }
 
-        // Whether triangles decide about a tree and the second body of a pair.
-        private function areExact(shapeB:ModelShape):Boolean
-        {
-            return exact && !byLeaves && (shapeB.hierarchy != null || shapeB.meetsTriangles);
-        }
-
         // Sets the two bodies in this order or the opposite order, and the motion of the body that is then first.
         private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isTurned:Boolean):void
         {
@@ -183,7 +177,7 @@ package starlogo.search
         private function setPair(a:Body, b:Body):void
         {
             var shapeB:ModelShape = b.shape;
-            _pair.setTo(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), areExact(shapeB));
+            _pair.setTo(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), exact && !byLeaves);
         }
     }
 }

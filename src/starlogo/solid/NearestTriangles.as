@@ -11,8 +11,6 @@ package starlogo.solid
     /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
     internal final class NearestTriangles extends LeafTest
     {
-        private static const POINT:Vector.<Number> = new Vector.<Number>(9, true);
-
         /** The number of pairs of triangles measured. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
@@ -40,7 +38,7 @@ package starlogo.solid
         public function begin(a:Solid, b:Solid):void
         {
             _solid = a;
-            _moved.begin(b == null ? POINT : b.corners);
+            _moved.begin(b.corners);
             points.distance = Infinity;
             _nearest.begin();
         }

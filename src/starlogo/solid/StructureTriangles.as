@@ -8,14 +8,22 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ConvexTriangle;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
-    /** Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, or when it does so. */
+    /**
+     * Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, when it does so, or how far the two are apart. The ground
+     * tests its triangles by the same ConvexTriangle.
+     */
     internal final class StructureTriangles extends LeafTest
     {
+        /** The number of triangles tested. The caller sets it to 0. */
+        public var triangleTests:int = 0;
+
         private var _solid:Solid;
+        private var _isMeasuring:Boolean = false;
         private var _motion:RelativeMotion;
         private var _test:ConvexTriangle = new ConvexTriangle();
 
@@ -24,6 +32,12 @@ package starlogo.solid
 
         // The index of the first number of the triangle that is touched first.
         private var _first:int = 0;
+
+        /** Creates a test without a model. */
+        public function StructureTriangles()
+        {
+            points = new ClosestPair();
+        }
 
         /**
          * Begins with a model that has triangles.
@@ -35,11 +49,9 @@ package starlogo.solid
          */
         public function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            _solid = model.solid;
-            _motion = motion;
+            _isMeasuring = false;
             _test.margin = pose.gap + Tolerances.SURFACES * model.root.radius;
-            _test.begin(structure, pose.placement, motion);
-            _test.structure.extentsInto(_extents);
+            place(model, structure, pose, motion);
             _extents[0] += Math.min(motion.x, 0);
             _extents[1] += Math.max(motion.x, 0);
             _extents[2] += Math.min(motion.y, 0);
@@ -48,9 +60,21 @@ package starlogo.solid
             _extents[5] += Math.max(motion.z, 0);
         }
 
+        /** Begins to measure the distance from a model that has triangles. The parameters are those of <code>begin()</code>. */
+        public function beginDistance(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
+        {
+            _isMeasuring = true;
+            _test.margin = 0;
+            place(model, structure, pose, RelativeMotion.NONE);
+        }
+
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
+            if (_isMeasuring)
+            {
+                return isNearer(a);
+            }
             var latest:Number = _motion === RelativeMotion.NONE ? 0 : least;
             least = RelativeMotion.NEVER;
             for (var i:int = a.first; i < a.end && least > 0; i++)
@@ -59,6 +83,7 @@ package starlogo.solid
                 {
                     continue;
                 }
+                triangleTests++;
                 _test.setTriangle(_solid.corners, 9 * i);
                 _test.time = latest;
                 _test.findTime();
@@ -78,6 +103,52 @@ package starlogo.solid
             _test.time = _motion.time;
             _test.findContact(out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+        }
+
+        private function place(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        {
+            _solid = model.solid;
+            _motion = motion;
+            _test.begin(structure, pose.placement, motion);
+            _test.structure.extentsInto(_extents);
+        }
+
+        // Whether a triangle in a leaf is nearer than the nearest triangle so far.
+        private function isNearer(a:HierarchyNode):Boolean
+        {
+            var before:Number = least;
+            for (var i:int = a.first; i < a.end && least > 0; i++)
+            {
+                if (squaredGap(i) < least * least)
+                {
+                    triangleTests++;
+                    _test.setTriangle(_solid.corners, 9 * i);
+                    _test.measure();
+                    least = _test.distance < least ? Math.max(_test.distance, 0) : least;
+                }
+            }
+            if (!(least < before))
+            {
+                return false;
+            }
+            _test.writeClosest(points);
+            points.turn();
+            return true;
+        }
+
+        // The squared distance of a triangle's extents from the structure's extents.
+        private function squaredGap(triangle:int):Number
+        {
+            var squared:Number = 0;
+            var at:int = 6 * triangle;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var low:Number = _solid.extents[int(at + axis)] - _extents[int(2 * axis + 1)];
+                var high:Number = _extents[2 * axis] - _solid.extents[int(at + axis + 3)];
+                var gap:Number = Math.max(0, Math.max(low, high));
+                squared += gap * gap;
+            }
+            return squared;
         }
 
         // Whether the extents of a triangle overlap the structure's extents.

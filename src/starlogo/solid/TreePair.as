@@ -88,17 +88,17 @@ package starlogo.solid
             return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _sweptBoxes.nodeVisits + _distances.nodeVisits;
         }
 
-        /** The number of pairs of triangles tested since resetCounts. */
+        /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
         public function get triangleTests():int
         {
-            return _trianglePairs.triangleTests + _sweptPairs.triangleTests + _nearest.triangleTests;
+            return _trianglePairs.triangleTests + _sweptPairs.triangleTests + _nearest.triangleTests + _triangles.triangleTests;
         }
 
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
             _uprightBoxes.nodeVisits = _boxes.nodeVisits = _sweptBoxes.nodeVisits = _distances.nodeVisits = 0;
-            _trianglePairs.triangleTests = _sweptPairs.triangleTests = _nearest.triangleTests = 0;
+            _trianglePairs.triangleTests = _sweptPairs.triangleTests = _nearest.triangleTests = _triangles.triangleTests = 0;
         }
 
         /**
@@ -111,8 +111,8 @@ package starlogo.solid
          * @param structureB that structure, in the second model's space; ignored if b is not null
          * @param placementB the second model's placement in the world
          * @param depthB how many levels of its hierarchy are visited
-         * @param exact whether triangles decide in place of depths, if both are trees with triangles; must be false for a tree and a
-         *     structure
+         * @param exact whether triangles decide in place of depths, if the trees have triangles. A tree and a structure collide if a triangle
+         *     touches the solid structure, or if the structure is inside of the tree's closed surface
          */
         public function setTo(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):void
@@ -141,9 +141,8 @@ package starlogo.solid
         /**
          * Whether two standing models overlap. Afterwards, the pair must be set again for other questions.
          *
-         * <p>The arguments are the same as for <code>setTo()</code>. In addition, triangles may decide for a tree and a structure: the two
-         * collide if a triangle touches the solid structure. The arguments are not kept, because keeping them would take a tenth of the
-         * time for two models that are apart.</p>
+         * <p>The arguments are the same as for <code>setTo()</code>. They are not kept, because keeping them would take a tenth of the time
+         * for two models that are apart.</p>
          */
         public function areOverlapping(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):Boolean
@@ -247,27 +246,35 @@ package starlogo.solid
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
-            if (_isExact)
-            {
-                _nearest.begin(_a.solid, _b == null ? null : _b.solid);
-            }
+            _distances.structure = null;
             if (_b == null)
             {
                 _leaf.begin(_structureB, _pose);
+                _distances.structure = _leaf.moved;
             }
-            _distances.structure = _b == null ? _leaf.moved : null;
-            search(_distances, _isExact ? _nearest : null);
+            search(_distances, _isExact ? beginDistance() : null);
             out.copyPoints(_distances.points);
             out.distance = _distances.least;
             out.distance *= _placementA.size;
             var placement:Placement = _placementA;
-            if (areTouching && out.distance > 0 && isOneInside(_a, _b, _structureB))
+            if (!areTouching || !(out.distance > 0))
+            {
+                // the closest points are right
+            }
+            else if (isOneInside(_a, _b, _structureB))
             {
                 var point:Vector3D = _containment.innerPoint;
                 out.aX = out.bX = point.x;
                 out.aY = out.bY = point.y;
                 out.aZ = out.bZ = point.z;
                 placement = _containment.isPointOfSecond ? _placementB : _placementA;
+            }
+            else if (_isExact && _b == null)
+            {
+                // a triangle inside of a box
+                out.bX = out.aX;
+                out.bY = out.aY;
+                out.bZ = out.aZ;
             }
             out.settle(areTouching);
             out.place(placement);
@@ -328,6 +335,17 @@ package starlogo.solid
             var pairs:TrianglePairTest = motion === RelativeMotion.NONE ? _trianglePairs : _sweptPairs;
             pairs.begin(a, b);
             return pairs;
+        }
+
+        private function beginDistance():LeafTest
+        {
+            if (_b == null)
+            {
+                _triangles.beginDistance(_a, _structureB, _pose);
+                return _triangles;
+            }
+            _nearest.begin(_a.solid, _b.solid);
+            return _nearest;
         }
 
         private function search(traversal:NodePairTraversal, decider:LeafTest):Boolean

@@ -18,6 +18,7 @@ package starlogo.queries
     public class QueriesAllocationTest
     {
         private static const AGENTS:int = 60;
+        private static const ASK_EVERY:int = 8;
         // frames in which all turn about once, an even number: then they are where they were
         private static const TURN:int = 6;
 
@@ -132,7 +133,7 @@ package starlogo.queries
                 agent.moveTo(-agent.x, agent.y, agent.z);
             }
             _queries.update(_agents);
-            for (i = 0; i < AGENTS; i += 4)
+            for (i = 0; i < AGENTS; i += ASK_EVERY)
             {
                 ask(_agents[i]);
             }

@@ -2,7 +2,10 @@ package starlogo.fitting.minimal
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
+    import starlogo.engine;
     import starlogo.fitting.EnclosingStructures;
+
+    use namespace engine;
 
     /**
      * Searches all directions for the smallest capsule. It measures many directions, and descends from the best of them: it moves the
@@ -37,7 +40,7 @@ package starlogo.fitting.minimal
         private var _points:Vector.<Number>;
         private var _distances:Vector.<Number>;
         // The ends, x, y, z of each; the radius that encloses all points; and the volume.
-        private var _ends:Vector.<Number> = new Vector.<Number>(6);
+        private var _ends:Vector.<Number>;
         private var _radius:Number;
         private var _volume:Number;
         private var _trial:Vector.<Number> = new Vector.<Number>(6);
@@ -70,34 +73,32 @@ package starlogo.fitting.minimal
          */
         public function search(directions:Vector.<Number>, apart:Number):void
         {
+            var all:Vector.<Vector3D> = new Vector.<Vector3D>();
             var volumes:Array = [];
             var i:int;
             for (i = 0; i < directions.length; i += 3)
             {
-                volumes.push(capsuleAlong(new Vector3D(directions[i], directions[i + 1], directions[i + 2])).volume);
+                var direction:Vector3D = new Vector3D(directions[i], directions[i + 1], directions[i + 2]);
+                all.push(direction);
+                volumes.push(capsuleAlong(direction).volume);
             }
             var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
-            var starts:Vector.<Number> = new Vector.<Number>();
-            for (i = 0; i < order.length && starts.length < 3 * STARTS; i++)
+            var starts:Vector.<Vector3D> = new Vector.<Vector3D>();
+            for (i = 0; i < order.length && starts.length < STARTS; i++)
             {
-                var at:int = 3 * order[i];
-                if (!isNear(starts, directions[at], directions[at + 1], directions[at + 2], apart))
+                direction = all[order[i]];
+                if (!isNear(starts, direction, apart))
                 {
-                    starts.push(directions[at], directions[at + 1], directions[at + 2]);
-                    descendFrom(directions[at], directions[at + 1], directions[at + 2]);
+                    starts.push(direction);
+                    descendFrom(capsuleAlong(direction));
                 }
             }
         }
 
-        private function descendFrom(x:Number, y:Number, z:Number):void
+        private function descendFrom(start:Capsule):void
         {
-            var start:Capsule = capsuleAlong(new Vector3D(x, y, z));
-            _ends[0] = start.start.x;
-            _ends[1] = start.start.y;
-            _ends[2] = start.start.z;
-            _ends[3] = start.end.x;
-            _ends[4] = start.end.y;
-            _ends[5] = start.end.z;
+            _ends = start.numbers();
+            _ends.length = 6;
             descend();
             var from:Vector3D = new Vector3D(_ends[0], _ends[1], _ends[2]);
             var axis:Vector3D = new Vector3D(_ends[3] - _ends[0], _ends[4] - _ends[1], _ends[5] - _ends[2]);
@@ -113,14 +114,11 @@ package starlogo.fitting.minimal
             }
         }
 
-        private static function isNear(others:Vector.<Number>, x:Number, y:Number, z:Number, angle:Number):Boolean
+        private static function isNear(others:Vector.<Vector3D>, direction:Vector3D, angle:Number):Boolean
         {
-            for (var i:int = 0; i < others.length; i += 3)
+            for each (var other:Vector3D in others)
             {
-                var crossX:Number = y * others[i + 2] - z * others[i + 1];
-                var crossY:Number = z * others[i] - x * others[i + 2];
-                var crossZ:Number = x * others[i + 1] - y * others[i];
-                if (crossX * crossX + crossY * crossY + crossZ * crossZ < angle * angle)
+                if (direction.crossProduct(other).lengthSquared < angle * angle)
                 {
                     return true;
                 }
@@ -164,8 +162,7 @@ package starlogo.fitting.minimal
             {
                 linearise();
                 solve(reach);
-                var i:int;
-                for (i = 0; i < 6; i++)
+                for (var i:int = 0; i < 6; i++)
                 {
                     _trial[i] = _ends[i] + _change[i];
                 }

@@ -19,8 +19,6 @@ package starlogo.models.gltf
         private var _indices:GltfAccessor = null;
         private var _mode:int;
         private var _place:String;
-        private var _firstVertex:int;
-        private var _vertexCount:int;
         private var _points:GltfPoints;
         private var _firstCorner:int;
 
@@ -37,8 +35,6 @@ package starlogo.models.gltf
             _triangles = triangles;
             _place = place;
             _mode = modeOf(_json, primitive, place);
-            _firstVertex = points.firstVertex;
-            _vertexCount = points.count;
             _points = points;
             _firstCorner = triangles.length;
             var index:int = _json.reference(primitive, "indices", place, "accessors");
@@ -48,7 +44,7 @@ package starlogo.models.gltf
                 refuseIf(!_indices.areIndices, _json.name, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
                 add(_indices);
             }
-            var cornerCount:int = _indices == null ? _vertexCount : _indices.count;
+            var cornerCount:int = _indices == null ? _points.count : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
             file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
             slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && _indices != null ? copyTriangles : addTriangles);
@@ -70,8 +66,8 @@ package starlogo.models.gltf
             }
             var to:Vector.<uint> = _triangles;
             var from:Vector.<Number> = _indices.numbers;
-            var firstVertex:int = _firstVertex;
-            var count:int = _vertexCount;
+            var firstVertex:int = _points.firstVertex;
+            var count:int = _points.count;
             var at:int = _firstCorner + 3 * first;
             var last:int = 3 * end;
             for (var i:int = 3 * first; i < last; i++)
@@ -109,14 +105,14 @@ package starlogo.models.gltf
         {
             if (_indices == null)
             {
-                return _firstVertex + corner;
+                return _points.firstVertex + corner;
             }
             var index:Number = _indices.numbers[corner];
-            if (index >= _vertexCount)
+            if (index >= _points.count)
             {
-                throw new ModelError(_json.name, _indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _vertexCount);
+                throw new ModelError(_json.name, _indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _points.count);
             }
-            return _firstVertex + int(index);
+            return _points.firstVertex + int(index);
         }
     }
 }

@@ -21,8 +21,7 @@ package starlogo.models.collada
         private var _mesh:ColladaElement;
         private var _primitives:Vector.<ColladaElement> = new Vector.<ColladaElement>();
         private var _nextPrimitive:int = 0;
-        private var _sources:Object = {}; // of positions; the key is "#" and the source's id
-        private var _points:Object = {};
+        private var _points:Object = {}; // of positions; the key is "#" and the source's id
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
 
         /**
@@ -73,13 +72,8 @@ package starlogo.models.collada
         /** The source that an input refers to, directly or through an element "vertices". */
         private function positionSource(input:ColladaElement):ColladaElement
         {
-            var url:String = input.attribute("source");
-            if (!_sources.hasOwnProperty(url))
-            {
-                var target:ColladaElement = _document.target(input, "source", ["vertices", "source"], _mesh);
-                _sources[url] = target.name == "source" ? target : sourceOfVertices(target);
-            }
-            return _sources[url];
+            var target:ColladaElement = _document.target(input, "source", ["vertices", "source"], _mesh);
+            return target.name == "source" ? target : sourceOfVertices(target);
         }
 
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement

@@ -6,7 +6,7 @@ package starlogo.geometry
      *
      * @param a up to 1e290 in magnitude, because the largest Numbers cannot be split
      * @param b as a
-     * @param product a * b
+     * @param product the product of the two, rounded
      * @private
      */
     public function roundingOf(a:Number, b:Number, product:Number):Number

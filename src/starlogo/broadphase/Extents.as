@@ -32,12 +32,6 @@ package starlogo.broadphase
         /** The number of the level of bins that fits; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        /** Half the longest side of a row. */
-        public function largestHalf(row:int):Number
-        {
-            return Math.max(halfX[row], Math.max(halfY[row], halfZ[row]));
-        }
-
         /** Makes sure that there are at least this many rows. New rows are points at the origin without a level. */
         public function grow(length:int):void
         {

@@ -319,7 +319,7 @@ package starlogo.collision
             }
             forgetStaleTouches();
             var searched:Collider = _searched || _system.collider;
-            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain, bounds);
+            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain, findFixtures());
         }
 
         /**
@@ -345,7 +345,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var collider:Collider = _system.collider;
-            _calls.tracker = _snapshots.read(bytes, agents, collider.search, terrain, bounds);
+            _calls.tracker = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
             _searched = collider;
             keepList(agents);
             _isRefused = _touchesAreStale = false;
@@ -393,17 +393,23 @@ package starlogo.collision
             }
         }
 
+        // The agents of the ground and of the edges, or null, as they are now.
+        private function findFixtures():Vector.<Agent>
+        {
+            _calls.fixtures[0] = terrain == null ? null : terrain.agent;
+            _calls.fixtures[1] = bounds == null ? null : bounds.agent;
+            return _calls.fixtures;
+        }
+
         private function findPairs(system:BaseCollider, collider:Collider, agents:Vector.<Agent>, takePart:Vector.<Boolean>):void
         {
             var start:Number = getTimer();
-            _calls.fixtures[0] = terrain == null ? null : terrain.agent;
-            _calls.fixtures[1] = bounds == null ? null : bounds.agent;
             // a game's own BaseCollider may call findCollisions of the collider in it
             if (collider != null)
             {
                 collider.isInFrame = true;
             }
-            system.findPairs(agents, _handlers.interests, takePart, _calls.fixtures, _calls.pairs);
+            system.findPairs(agents, _handlers.interests, takePart, findFixtures(), _calls.pairs);
             if (collider != null)
             {
                 collider.isInFrame = false;

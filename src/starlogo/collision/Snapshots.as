@@ -15,7 +15,6 @@ package starlogo.collision
     import starlogo.search.CollisionSearch;
     import starlogo.terrain.FixtureAgent;
     import starlogo.terrain.Terrain;
-    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
@@ -53,11 +52,11 @@ package starlogo.collision
          * @param agents the last frame's list. It is empty if there was no frame
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
          * @param terrain the ground, or null
-         * @param bounds the edges of the world, or null
+         * @param fixtures the agents of the ground and of the edges, or null
          * @throws IllegalOperationError if the collision system has searched another list
          */
         public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain,
-                bounds:WorldBounds):ByteArray
+                fixtures:Vector.<Agent>):ByteArray
         {
             if (agents.length > 0 && !table.isListed(agents))
             {
@@ -67,7 +66,7 @@ package starlogo.collision
             bytes.writeUnsignedInt(MARK);
             bytes.writeInt(agents.length);
             KeptPlaces.write(table, agents, bytes, keepsMotions);
-            writePairs(bytes, tracker, table, fixturesOf(terrain, bounds));
+            writePairs(bytes, tracker, table, fixtures);
             if (terrain != null)
             {
                 writeGround(bytes, terrain);
@@ -81,11 +80,11 @@ package starlogo.collision
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
          * @param terrain the ground, which gets the heights that it had then; or null
-         * @param bounds the edges of the world, or null
+         * @param fixtures the agents of the ground and of the edges, or null
          * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, bounds:WorldBounds):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, fixtures:Vector.<Agent>):TouchTracker
         {
             search.table.propose(agents);
             var copy:ByteArray = newBytes();
@@ -98,7 +97,7 @@ package starlogo.collision
             var touches:TouchTracker = new TouchTracker();
             try
             {
-                var groundAt:uint = checkAll(copy, agents, terrain, bounds, touches);
+                var groundAt:uint = checkAll(copy, agents, terrain, fixtures, touches);
             }
             catch (error:EOFError)
             {
@@ -152,11 +151,6 @@ package starlogo.collision
             return index;
         }
 
-        private static function fixturesOf(terrain:Terrain, bounds:WorldBounds):Vector.<Agent>
-        {
-            return new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent];
-        }
-
         private static function writeGround(bytes:ByteArray, terrain:Terrain):void
         {
             bytes.writeInt(terrain.columns);
@@ -182,7 +176,7 @@ package starlogo.collision
         }
 
         // Checks all bytes, and reads the touching pairs. Returns where the ground's surface begins.
-        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, bounds:WorldBounds, touches:TouchTracker):uint
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, fixtures:Vector.<Agent>, touches:TouchTracker):uint
         {
             var count:uint = bytes.readUnsignedInt();
             check(count <= (bytes.length - AGENTS_AT) / BYTES_PER_AGENT);
@@ -192,7 +186,7 @@ package starlogo.collision
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
-            readPairs(bytes, agents.concat(fixturesOf(terrain, bounds), _former), count, touches);
+            readPairs(bytes, agents.concat(fixtures, _former), count, touches);
             var hasGround:Boolean = bytes.position < bytes.length;
             if (hasGround != (terrain != null))
             {

@@ -96,20 +96,6 @@ package starlogo.handlers
         /** Moves the pairs that do not touch in this frame into <code>ended</code>. */
         public function separateEnded():void
         {
-            count = moveApart();
-            for (var i:int = 0; i < endedCount; i++)
-            {
-                _pairs[count + i] = ended[i];
-            }
-            if (endedCount > 0)
-            {
-                fill(_table.length > LEAST_LENGTH && 16 * count < _table.length ? _table.length >> 2 : _table.length);
-            }
-        }
-
-        // Lists the touching pairs at the beginning, and the others in ended. Returns the number of touching pairs.
-        private function moveApart():int
-        {
             var kept:int = 0;
             endedCount = 0;
             for (var i:int = 0; i < count; i++)
@@ -126,7 +112,16 @@ package starlogo.handlers
                     endedCount++;
                 }
             }
-            return kept;
+            count = kept;
+            // their objects are kept for later touches
+            for (i = 0; i < endedCount; i++)
+            {
+                _pairs[count + i] = ended[i];
+            }
+            if (endedCount > 0)
+            {
+                fill(_table.length > LEAST_LENGTH && 16 * count < _table.length ? _table.length >> 2 : _table.length);
+            }
         }
 
         /** Forgets the ended touches. */
@@ -155,12 +150,7 @@ package starlogo.handlers
             {
                 _table[i] = null;
             }
-            enterAll();
-        }
-
-        private function enterAll():void
-        {
-            for (var i:int = 0; i < count; i++)
+            for (i = 0; i < count; i++)
             {
                 _table[slotOf(_pairs[i].first, _pairs[i].second)] = _pairs[i];
             }

@@ -187,12 +187,6 @@ package starlogo.search
             }
         }
 
-        /** Whether the agent of a row has a motion between the last two searches: it was in both of them, and has not jumped. */
-        public function hasMotion(row:int):Boolean
-        {
-            return agents[row].jumpRevision <= last.revisions[row];
-        }
-
         private function moveAllExtents():void
         {
             var listedRows:Vector.<int> = rows;

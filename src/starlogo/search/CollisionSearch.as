@@ -101,7 +101,8 @@ package starlogo.search
             _interests = interests == null || interests.areAll ? null : interests;
             _out = out;
             _skippedPairs = out.count = 0;
-            _pairs.resetCounts();
+            // tests since the last search, as those of questions, do not count
+            _pairs.takeCounts(counts);
             _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
             for (row = RowList.GROUND; row <= RowList.EDGES; row++)
             {
@@ -302,7 +303,7 @@ package starlogo.search
 
         private function report(agentCount:int, pairCount:int, counts:SearchCounts):void
         {
-            _pairs.writeCounts(counts);
+            _pairs.takeCounts(counts);
             counts.agents = agentCount;
             counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;

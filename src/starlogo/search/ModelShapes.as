@@ -31,9 +31,8 @@ package starlogo.search
         private static const PREFIX:String = ":";
         private static const MOST_RECENT:int = 8;
 
-        // All shapes; the shapes of each model, by its name, as a chain; and a few that were needed last, without making a key. Of these, the
+        // The shapes of each model, by its name, as a chain; and a few that were needed last, without making a key. Of these, the
         // shapes that are needed often move to the front.
-        private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
         private var _ofModels:Object = {};
         private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
 
@@ -95,15 +94,9 @@ package starlogo.search
             _choice.bind(shape, agent);
             requireExtents(shape, agent);
             forms |= 1 << shape.form;
-            _shapes.push(shape);
-            chain(shape);
-            return shape;
-        }
-
-        private function chain(shape:ModelShape):void
-        {
             shape.next = _ofModels[PREFIX + shape.model];
             _ofModels[PREFIX + shape.model] = shape;
+            return shape;
         }
 
         // A game's own choice, and a model as it was given, may be anywhere.
@@ -137,30 +130,23 @@ package starlogo.search
                 return false;
             }
             _revision = _greatLand.revision;
-            var left:int = 0;
             var haveChanged:Boolean = false;
-            for (var i:int = 0; i < _shapes.length; i++)
+            for (var key:String in _ofModels)
             {
-                var shape:ModelShape = _shapes[i];
-                if (shape.revision == _greatLand.revisionOf(shape.model))
+                var shape:ModelShape = _ofModels[key];
+                if (shape.revision != _greatLand.revisionOf(shape.model))
                 {
-                    _shapes[left] = shape;
-                    left++;
-                }
-                else
-                {
-                    shape.isVoid = haveChanged = true;
+                    delete _ofModels[key];
+                    haveChanged = true;
+                    for (; shape != null; shape = shape.next)
+                    {
+                        shape.isVoid = true;
+                    }
                 }
             }
-            _shapes.length = left;
             if (haveChanged)
             {
                 _recent.length = 0;
-                _ofModels = {};
-                for (i = 0; i < left; i++)
-                {
-                    chain(_shapes[i]);
-                }
             }
             return haveChanged;
         }

@@ -67,7 +67,7 @@ package starlogo.search
             for (var i:int = 0; i < table.count; i++)
             {
                 var row:int = table.rows[i];
-                var hasMotion:Boolean = table.hasMotion(row);
+                var hasMotion:Boolean = table.last.isBeginning(row, table.agents[row]);
                 var motionX:Number = hasMotion ? table.now.x[row] - table.last.x[row] : 0;
                 var motionY:Number = hasMotion ? table.now.y[row] - table.last.y[row] : 0;
                 var motionZ:Number = hasMotion ? table.now.z[row] - table.last.z[row] : 0;

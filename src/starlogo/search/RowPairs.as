@@ -16,7 +16,7 @@ package starlogo.search
      */
     public final class RowPairs
     {
-        /** The number of pairs that were tested along their motions since <code>resetCounts()</code>. */
+        /** The number of pairs that were tested along their motions since <code>takeCounts()</code>. */
         public var sweptPairs:int = 0;
 
         /** Tests pairs of structures that are not both spheres. */
@@ -80,7 +80,7 @@ package starlogo.search
                     {
                         continue;
                     }
-                    if (!spheres.areRowsTouching(table, bins.rowAt[slot], bins.rowAt[other]))
+                    if (!spheres.areTouching(table.bodyOf(bins.rowAt[slot]), table.bodyOf(bins.rowAt[other])))
                     {
                         continue;
                     }
@@ -108,6 +108,7 @@ package starlogo.search
             {
                 return trees.keepTouching(table, bins, row, rows, others, count);
             }
+            var slack:Number = bins.slack;
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;
             var zs:Vector.<Number> = table.extents.z;
@@ -118,7 +119,7 @@ package starlogo.search
             var atX:Number = xs[row];
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
-            var reachZ:Number = halfZs[row] + bins.slack;
+            var reachZ:Number = halfZs[row] + slack;
             var box:Box = boxes[row];
             var body:Body = null;
             var boxTests:int = 0;
@@ -161,10 +162,20 @@ package starlogo.search
                     sphereTests++;
                     var x:Number = xs[otherRow] - atX;
                     var y:Number = ys[otherRow] - atY;
+                    var squared:Number = x * x + y * y + distance * distance;
                     reach = halfZs[row] + halfZs[otherRow];
-                    if (x * x + y * y + distance * distance > reach * reach && !spheres.areRowsTouching(table, row, otherRow))
+                    if (squared > reach * reach)
                     {
-                        continue;
+                        // as in keepTouchingSpheres
+                        reach += slack;
+                        if (squared > reach * reach)
+                        {
+                            continue;
+                        }
+                        if (!spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
+                        {
+                            continue;
+                        }
                     }
                 }
                 else if (!areNear(table.extents, bins, row, otherRow) || !areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
@@ -199,26 +210,16 @@ package starlogo.search
             return testsOf(a, b).areTouching(a, b);
         }
 
-        /** Sets all counts to 0. */
-        public function resetCounts():void
-        {
-            sweptPairs = spheres.tests = 0;
-            structures.resetCounts();
-            if (trees != null)
-            {
-                trees.resetCounts();
-            }
-        }
-
-        /** Writes the numbers of tests since <code>resetCounts()</code>. */
-        public function writeCounts(out:SearchCounts):void
+        /** Writes the numbers of tests, and sets them to 0. */
+        public function takeCounts(out:SearchCounts):void
         {
             out.sweptPairs = sweptPairs;
-            structures.writeCounts(out);
+            structures.takeCounts(out);
             out.sphereSphereTests += spheres.tests;
+            sweptPairs = spheres.tests = 0;
             if (trees != null)
             {
-                trees.writeCounts(out);
+                trees.takeCounts(out);
             }
         }
 

@@ -46,6 +46,12 @@ package starlogo.search
             revisions[row] = agent.revision;
         }
 
+        /** Whether a motion of an agent may begin at its place: the search has seen the agent there, and it has not jumped since. */
+        public function isBeginning(row:int, agent:Agent):Boolean
+        {
+            return agent.jumpRevision <= revisions[row];
+        }
+
         /**
          * Reads the places of agents, and lists the rows with changes in more than the place.
          *

@@ -17,22 +17,13 @@ package starlogo.search
      */
     public final class StructurePairs extends PairTests
     {
-        /** The number of tests since <code>resetCounts()</code>. The index has a bit for the kind of each of the two structures. */
+        /** The number of tests since <code>takeCounts()</code>. The index has a bit for the kind of each of the two structures. */
         public var tests:Vector.<int> = new Vector.<int>(8, true);
 
         private var _finder:ContactFinder = new ContactFinder();
 
-        /** Sets all counts to 0. */
-        public function resetCounts():void
-        {
-            for (var i:int = 0; i < tests.length; i++)
-            {
-                tests[i] = 0;
-            }
-        }
-
-        /** Writes the numbers of tests. */
-        public function writeCounts(out:SearchCounts):void
+        /** Writes the numbers of tests, and sets them to 0. */
+        public function takeCounts(out:SearchCounts):void
         {
             out.sphereSphereTests = tests[1 << BoundingStructure.SPHERE];
             out.sphereCapsuleTests = tests[1 << BoundingStructure.SPHERE | 1 << BoundingStructure.CAPSULE];
@@ -40,6 +31,10 @@ package starlogo.search
             out.capsuleCapsuleTests = tests[1 << BoundingStructure.CAPSULE];
             out.capsuleBoxTests = tests[1 << BoundingStructure.CAPSULE | 1 << BoundingStructure.BOX];
             out.boxBoxTests = tests[1 << BoundingStructure.BOX];
+            for (var i:int = 0; i < tests.length; i++)
+            {
+                tests[i] = 0;
+            }
         }
 
         /** @inheritDoc */
@@ -47,7 +42,7 @@ package starlogo.search
         {
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
-            noteTest(structureA, structureB);
+            tests[1 << a.form | 1 << b.form]++;
             return intersects(structureA, structureB);
         }
 
@@ -56,7 +51,7 @@ package starlogo.search
         {
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
-            noteTest(structureA, structureB);
+            tests[1 << a.form | 1 << b.form]++;
             findTimeOfImpact(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouching(a, b))
@@ -76,11 +71,6 @@ package starlogo.search
         override public function hasExactContact(a:Body, b:Body):Boolean
         {
             return true;
-        }
-
-        private function noteTest(a:BoundingStructure, b:BoundingStructure):void
-        {
-            tests[1 << a.kind | 1 << b.kind]++;
         }
     }
 }

@@ -146,19 +146,14 @@ package starlogo.search
             return exact || depth > HierarchyNode.LARGEST_DEPTH ? HierarchyNode.LARGEST_DEPTH : depth;
         }
 
-        /** Sets all counts to 0. */
-        public function resetCounts():void
-        {
-            _tests = 0;
-            _pair.resetCounts();
-        }
-
-        /** Writes the numbers of tests since <code>resetCounts()</code>. */
-        public function writeCounts(out:SearchCounts):void
+        /** Writes the numbers of tests, and sets them to 0. */
+        public function takeCounts(out:SearchCounts):void
         {
             out.hierarchyTests = _tests;
             out.nodeVisits = _pair.nodeVisits;
             out.triangleTests = _pair.triangleTests;
+            _tests = 0;
+            _pair.resetCounts();
         }
 
         // Sets the two bodies in this order or the opposite order, and the motion of the body that is then first.

@@ -11,7 +11,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class Trees extends ShapeChoice
+    public class Trees extends ShapeChoice
     {
         /** @param greatLand the models' hierarchies */
         public function Trees(greatLand:GreatLand)

@@ -12,23 +12,15 @@ package starlogo.search
      *
      * @private
      */
-    public final class TreesAndFits extends ShapeChoice
+    public final class TreesAndFits extends Trees
     {
-        private var _trees:Trees;
         private var _fits:TightestFits;
 
         /** @param greatLand the models' hierarchies and structures */
         public function TreesAndFits(greatLand:GreatLand)
         {
             super(greatLand);
-            _trees = new Trees(greatLand);
             _fits = new TightestFits(greatLand);
-        }
-
-        /** @private */
-        override engine function prepare(pairs:RowPairs):void
-        {
-            _trees.prepare(pairs);
         }
 
         /** @inheritDoc */
@@ -40,8 +32,12 @@ package starlogo.search
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            var choice:ShapeChoice = shape.kind == ModelShape.TREE ? _trees : _fits;
-            choice.bind(shape, agent);
+            if (shape.kind == ModelShape.TREE)
+            {
+                super.bind(shape, agent);
+                return;
+            }
+            _fits.bind(shape, agent);
         }
     }
 }

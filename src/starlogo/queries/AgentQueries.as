@@ -115,7 +115,7 @@ package starlogo.queries
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             var at:Placement = _seen.placeOf(agent);
-            return ask.places.list(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, out);
+            return ask.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter).list(out);
         }
 
         /**
@@ -128,7 +128,7 @@ package starlogo.queries
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
             var at:Placement = _seen.placeOf(agent);
-            return ask.places.count(agent, at.x, at.y, at.z, radius, filter);
+            return ask.near(agent, at.x, at.y, at.z, radius, Collector.NUMBER, filter).end();
         }
 
         /**
@@ -143,7 +143,7 @@ package starlogo.queries
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             var at:Placement = _seen.placeOf(agent);
-            return ask.places.nearest(agent, at.x, at.y, at.z, radius, filter);
+            return ask.near(agent, at.x, at.y, at.z, radius, 1, filter).firstAgent();
         }
 
         /**
@@ -161,12 +161,9 @@ package starlogo.queries
          */
         public function nearestOf(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            if (count < 0)
-            {
-                throw new RangeError("count must not be negative: " + count);
-            }
+            QuestionSet.requirePositive("count", count);
             var at:Placement = _seen.placeOf(agent);
-            return ask.places.list(agent, at.x, at.y, at.z, radius, count, filter, out);
+            return ask.near(agent, at.x, at.y, at.z, radius, count, filter).list(out);
         }
 
         /**
@@ -181,7 +178,7 @@ package starlogo.queries
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requirePoint(point);
-            return ask.places.list(null, point.x, point.y, point.z, radius, Collector.ALL, filter, out);
+            return ask.near(null, point.x, point.y, point.z, radius, Collector.ALL, filter).list(out);
         }
 
         /**
@@ -194,7 +191,7 @@ package starlogo.queries
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
             requirePoint(point);
-            return ask.places.count(null, point.x, point.y, point.z, radius, filter);
+            return ask.near(null, point.x, point.y, point.z, radius, Collector.NUMBER, filter).end();
         }
 
         /**
@@ -208,7 +205,7 @@ package starlogo.queries
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             requirePoint(point);
-            return ask.places.nearest(null, point.x, point.y, point.z, radius, filter);
+            return ask.near(null, point.x, point.y, point.z, radius, 1, filter).firstAgent();
         }
 
         /**
@@ -227,7 +224,9 @@ package starlogo.queries
          */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.places.inCone(agent, radius, degrees, filter, out);
+            QuestionSet.requirePositive("degrees", degrees);
+            var at:Placement = _seen.placeOf(agent);
+            return ask.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, degrees).list(out);
         }
 
         /**
@@ -242,7 +241,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touches.list(agent, null, filter, out);
+            return ask.touching(agent, _seen.bodyOf(agent), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -255,7 +254,7 @@ package starlogo.queries
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
-            return ask.touches.touchesAny(agent, filter);
+            return ask.touching(agent, _seen.bodyOf(agent), 1, filter).end() > 0;
         }
 
         /**
@@ -268,7 +267,12 @@ package starlogo.queries
          */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
-            return ask.touches.touchesEdge(agent, bounds);
+            if (bounds == null)
+            {
+                throw new ArgumentError("bounds must not be null");
+            }
+            var body:Body = _seen.bodyOf(agent);
+            return body.shape != null && _seen.pairs.areTouching(body, _seen.bodyOf(bounds.agent, _seen.other));
         }
 
         /**
@@ -287,7 +291,7 @@ package starlogo.queries
         public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
             requireInWorld("a place", x, y, z);
-            return ask.touches.overlapsAgent(agent, x, y, z, filter);
+            return ask.touching(agent, _seen.bodyAt(agent, x, y, z), 1, filter).end() > 0;
         }
 
         /**
@@ -304,8 +308,7 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            Body.requireStructure(structure);
-            return ask.touches.list(null, structure, filter, out);
+            return ask.touching(null, _seen.bodyOfStructure(structure), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -443,8 +446,7 @@ package starlogo.queries
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            Body.requireStructure(structure);
-            return ask.moves.cast(null, structure, dx, dy, dz, filter, hit);
+            return ask.moves.cast(null, _seen.bodyOfStructure(structure), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -465,8 +467,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            Body.requireStructure(structure);
-            return ask.moves.castAll(null, structure, dx, dy, dz, filter, out);
+            return ask.moves.castAll(null, _seen.bodyOfStructure(structure), dx, dy, dz, filter, out);
         }
 
         /**
@@ -485,7 +486,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(agent, null, dx, dy, dz, filter, hit);
+            return ask.moves.cast(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -506,7 +507,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(agent, null, dx, dy, dz, filter, out);
+            return ask.moves.castAll(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter, out);
         }
 
         /**
@@ -536,7 +537,7 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            return ask.moves.move(agent, dx, dy, dz, filter, contact, Mover.TOUCH);
+            return ask.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
         /**
@@ -558,7 +559,7 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            return ask.moves.move(agent, dx, dy, dz, filter, null, Mover.SLIDE);
+            return ask.moves.slide(agent, dx, dy, dz, filter);
         }
 
         /**

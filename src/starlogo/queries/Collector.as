@@ -23,6 +23,9 @@ package starlogo.queries
         /** A value of <code>wanted</code>: all rows. */
         public static const ALL:int = int.MAX_VALUE;
 
+        /** The number of all rows is wanted, not the rows. Only <code>end()</code> has it. */
+        public static const NUMBER:int = -1;
+
         /** The rows that were found, unsorted. If <code>accepts</code> decides, it has not been called for these yet. */
         public var rows:Vector.<int> = new Vector.<int>();
 
@@ -50,17 +53,11 @@ package starlogo.queries
         /** Whether the filter's <code>accepts</code> decides. */
         public var asks:Boolean = false;
 
-        /** Whether the filter excludes breeds or agents. */
+        /** Whether breeds, agents or a cone exclude rows. */
         public var filters:Boolean = false;
 
-        /** The cone that rows must be in too; null for none. */
-        public var cone:Cone = null;
-
-        /** A row that does not count, or -1. */
+        /** The row of the agent that asks, which does not count; or -1. */
         public var skipped:int = -1;
-
-        /** A second row that does not count, or -1. */
-        public var skippedToo:int = -1;
 
         /** By row: the index of its agent in the list. */
         public var ranks:Vector.<int>;
@@ -80,7 +77,9 @@ package starlogo.queries
         private var _excepted:Vector.<int> = new Vector.<int>();
         private var _breeds:Vector.<int> = new Vector.<int>();
         private var _breedsCount:Boolean = false;
-        private var _excepts:Boolean = false;
+
+        // The cone that rows must be in too; null for none.
+        private var _cone:Cone = null;
 
         /** @param seen the agents that questions are about */
         public function Collector(seen:SeenAgents)
@@ -91,7 +90,7 @@ package starlogo.queries
         /**
          * Begins a search.
          *
-         * @param wanted how many of the rows with the smallest keys are wanted, or ALL
+         * @param wanted how many of the rows with the smallest keys are wanted, or ALL, or NUMBER
          * @param limit the largest key
          * @param asker the agent that asks, which does not count; or null
          * @param filter the agents that count; null for all
@@ -101,44 +100,56 @@ package starlogo.queries
             _agents = _seen.table.agents;
             ranks = _seen.table.ranks;
             skipped = asker == null ? -1 : _seen.table.rowOf(asker);
-            skippedToo = -1;
-            cone = null;
             _accepts = filter == null ? null : filter.accepts;
             asks = _accepts != null;
-            filters = filter != null && (filter.breeds != null || filter.exceptBreeds != null || filter.except != null);
-            if (filters)
-            {
-                mark(filter);
-            }
-            this.wanted = wanted;
-            this.limit = wanted > 0 ? limit : -1;
+            mark(filter);
+            counts = wanted == NUMBER && !asks;
+            this.wanted = wanted == NUMBER ? ALL : wanted;
+            this.limit = wanted == 0 ? -1 : limit;
             keepsFirst = wanted == 1 && !asks;
-            counts = false;
-            room = asks || wanted > ALL / 2 ? ALL : 2 * wanted;
+            room = asks || this.wanted > ALL / 2 ? ALL : 2 * wanted;
             count = _admittedCount = 0;
         }
 
-        /** Begins a search for the number of rows. The parameters are those of <code>begin()</code>. Only <code>end()</code> has the answer. */
-        public function beginCount(limit:Number, asker:Agent, filter:AgentFilter):void
+        /** Excludes one more row. */
+        public function except(row:int):void
         {
-            begin(ALL, limit, asker, filter);
-            counts = !asks;
+            if (row >= 0)
+            {
+                filters = true;
+                _excepted[row] = _question;
+            }
+        }
+
+        /** Excludes the rows outside of a cone. */
+        public function keepWithin(cone:Cone):void
+        {
+            filters = true;
+            _cone = cone;
         }
 
         /** Whether a row counts. The filter's <code>accepts</code> is not asked here. */
         public function admits(row:int):Boolean
         {
-            return row != skipped && row != skippedToo && (!filters || admitsMarked(row));
+            return row != skipped && (!filters || admitsMarked(row));
         }
 
         /** Whether a row counts, if it is not one that is skipped. Ask only if <code>filters</code> is true. */
         public function admitsMarked(row:int):Boolean
         {
-            if (_excepts && _excepted[row] == _question)
+            return _excepted[row] != _question && (_breeds[_agents[row].breedNumber] == _question) == _breedsCount
+                && (_cone == null || _cone.contains(row));
+        }
+
+        /** The next row of a search that counts and has a shape, or -1. */
+        public function nextOf(search:WaySearch):int
+        {
+            var row:int = search.next();
+            while (row >= 0 && (_seen.table.shapes[row] == null || !admits(row)))
             {
-                return false;
+                row = search.next();
             }
-            return _breeds[_agents[row].breedNumber] == _question ? _breedsCount : !_breedsCount;
+            return row;
         }
 
         /**
@@ -237,6 +248,13 @@ package starlogo.queries
             return end() == 0 ? -1 : (asks ? _admitted[0] : rows[0]);
         }
 
+        /** Ends the search. Returns the agent of the first row of the answer, or null. */
+        public function firstAgent():Agent
+        {
+            var row:int = first();
+            return row < 0 ? null : _agents[row];
+        }
+
         /** Ends the search. Returns the rows of the answer in their order. Only the first of them count, as many as <code>end()</code> says. */
         public function sorted():Vector.<int>
         {
@@ -296,15 +314,7 @@ package starlogo.queries
         private function mark(filter:AgentFilter):void
         {
             _question++;
-            _breedsCount = filter.breeds != null;
-            if (_breedsCount)
-            {
-                markBreeds(filter.breeds, _question);
-            }
-            if (filter.exceptBreeds != null)
-            {
-                markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
-            }
+            _cone = null;
             if (_breeds.length < Breeds.count)
             {
                 _breeds.length = Breeds.count;
@@ -313,15 +323,20 @@ package starlogo.queries
             {
                 _excepted.length = _agents.length;
             }
-            var except:Vector.<Agent> = filter.except;
-            _excepts = except != null;
-            for (var i:int = 0; _excepts && i < except.length; i++)
+            filters = filter != null && (filter.breeds != null || filter.exceptBreeds != null);
+            _breedsCount = filters && filter.breeds != null;
+            if (_breedsCount)
             {
-                var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);
-                if (row >= 0)
-                {
-                    _excepted[row] = _question;
-                }
+                markBreeds(filter.breeds, _question);
+            }
+            if (filters && filter.exceptBreeds != null)
+            {
+                markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
+            }
+            var except:Vector.<Agent> = filter == null ? null : filter.except;
+            for (var i:int = 0; except != null && i < except.length; i++)
+            {
+                this.except(except[i] == null ? -1 : _seen.table.rowOf(except[i]));
             }
         }
 

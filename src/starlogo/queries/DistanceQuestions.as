@@ -54,7 +54,7 @@ package starlogo.queries
                 closest.distance = Infinity;
                 return;
             }
-            answer(_seen.bodyOf(a, _seen.asker), rowB < 0 ? _seen.bodyOf(b, _seen.other) : _seen.table.bodyOf(rowB), pointA, pointB);
+            answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _seen.other) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** Finds the distance between an agent and a point, and writes it to <code>closest</code>. See AgentQueries.distanceToPoint. */
@@ -62,7 +62,7 @@ package starlogo.queries
         {
             _point.center.setTo(point.x, point.y, point.z);
             _seen.other.readStructure(_point);
-            answer(_seen.bodyOf(agent, _seen.asker), _seen.other, out, null);
+            answer(_seen.bodyOf(agent), _seen.other, out, null);
             if (closest.distance == 0)
             {
                 // without the rounding of the point that was found

@@ -2,7 +2,6 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
@@ -18,70 +17,86 @@ package starlogo.queries
      */
     public final class MoveQuestions
     {
-        /** Computes where moving rows end. */
+        /** Computes where moving bodies end. */
         public var mover:Mover = null;
 
-        /** The motion of the last question. */
-        public var way:Vector3D = new Vector3D();
+        /** The body that moves, as it was at the beginning of the last question. */
+        public var body:Body;
 
-        /** The agents that count and are near the way of the last question. */
-        public var agents:Vector.<Agent> = new Vector.<Agent>();
+        /** The rows that count and are near the way of the last question, in the order of the list. */
+        public var near:Vector.<int> = new Vector.<int>();
+
+        /** The number of these rows. */
+        public var nearCount:int = 0;
 
         private var _seen:SeenAgents;
-
-        private var _pool:HitPool = new HitPool(ShapeHit);
-        private var _single:Vector.<Agent> = new <Agent>[null];
-
-        // The first contact on the way, and the place where it stops the body.
-        private var _first:ContactPoint = new ContactPoint();
-        private var _firstAt:Vector3D = new Vector3D();
-
-        // The rows near the way, all with the distance 0. Then the rows that a cast meets, with their times.
-        private var _search:WaySearch = new WaySearch();
         private var _found:Collector;
+        private var _search:WaySearch;
 
-        /** @param seen the agents that questions are about */
-        public function MoveQuestions(seen:SeenAgents)
-        {
-            _seen = seen;
-            _found = new Collector(seen);
-        }
+        // The last number of a hit is the depth.
+        private var _hits:Hits;
+        private var _copy:Body = new Body();
+        private var _way:Vector3D = new Vector3D();
+
+        // The place where the row that is met first stops the body.
+        private var _end:Vector3D = new Vector3D();
 
         /**
-         * Moves an agent. See AgentQueries.moveUntilTouch and AgentQueries.slide.
-         *
-         * @param contact receives the contact; or null
-         * @param ending Mover.TOUCH or Mover.SLIDE
-         * @return the free part of the motion
+         * @param seen the agents that questions are about
+         * @param found collects the rows near a way, and then those that are met
+         * @param search finds the rows near a way
          */
-        public function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact, ending:int):Number
+        public function MoveQuestions(seen:SeenAgents, found:Collector, search:WaySearch)
         {
-            // an agent that slides may go anywhere within the length of its way
-            var reach:Number = ending == Mover.SLIDE ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 0;
-            var body:Body = begin(agent, null, dx, dy, dz, filter, reach);
-            if (ending == Mover.SLIDE)
-            {
-                mover.move(_seen.table, body, agents, way, ending);
-            }
-            else
-            {
-                findFirst(body, ending);
-            }
+            _seen = seen;
+            _found = found;
+            _search = search;
+            _hits = new Hits(found, ShapeHit);
+        }
+
+        /** See AgentQueries.moveUntilTouch. */
+        public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
+        {
+            begin(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter);
+            collect(1, Mover.TOUCH);
+            var row:int = _found.first();
+            var part:Number = row < 0 ? 1 : _found.limit;
             if (contact != null)
             {
-                writeContact(contact);
+                contact.time = part;
+                if (row >= 0)
+                {
+                    var at:int = _hits.write(row, contact.point, contact.normal);
+                    contact.depth = _hits.numbers[int(at + 7)];
+                    contact.approachSpeed = Math.max(0, -(contact.normal.x * dx + contact.normal.y * dy + contact.normal.z * dz));
+                }
             }
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                put(agent);
+                put(agent, _end);
+            }
+            return part;
+        }
+
+        /** See AgentQueries.slide. */
+        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
+        {
+            // the agent may go anywhere within the length of its way
+            begin(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter, Math.sqrt(dx * dx + dy * dy + dz * dz));
+            mover.begin(_seen.table, body, near, 0, nearCount);
+            mover.go(_way, Mover.SLIDE);
+            mover.leaveTouches(true);
+            if (dx != 0 || dy != 0 || dz != 0)
+            {
+                put(agent, mover.at);
             }
             return mover.part;
         }
 
-        /** Puts an agent where the mover has come to. */
-        public function put(agent:Agent):void
+        /** Puts an agent to its new place. */
+        public function put(agent:Agent, at:Vector3D):void
         {
-            agent.moveTo(mover.at.x, mover.at.y, mover.at.z);
+            agent.moveTo(at.x, at.y, at.z);
             if (_seen.table.rowOf(agent) >= 0)
             {
                 _seen.moved(agent);
@@ -91,141 +106,114 @@ package starlogo.queries
         /**
          * Casts an agent or a structure. See AgentQueries.castAgent and AgentQueries.castShape.
          *
-         * @param agent the agent that is cast, if there is no structure
-         * @param structure the structure that is cast; null to cast the agent
+         * @param agent the agent that is cast; null for a structure
+         * @param body the body of the agent or of the structure
+         * @param hit receives the answer; null for a new ShapeHit
+         * @return hit, or the new ShapeHit; null if the way is free
          */
-        public function cast(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
+        public function cast(agent:Agent, body:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            findFirst(begin(agent, structure, dx, dy, dz, filter), Mover.SHORT);
-            return mover.hasContact ? write(hit || new ShapeHit()) : null;
+            begin(agent, body, dx, dy, dz, filter);
+            collect(1, Mover.SHORT);
+            var row:int = _found.first();
+            return row < 0 ? null : write(row, hit || new ShapeHit());
         }
 
         /** See AgentQueries.castAgentAll and AgentQueries.castShapeAll. The parameters are those of <code>cast()</code>. */
-        public function castAll(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
-                out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        public function castAll(agent:Agent, body:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
+            begin(agent, body, dx, dy, dz, filter);
+            collect(Collector.ALL, Mover.SHORT);
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            var body:Body = begin(agent, structure, dx, dy, dz, filter);
-            _found.begin(Collector.ALL, Infinity, null, null);
-            for (var i:int = 0; i < agents.length; i++)
+            var rows:Vector.<int> = _found.sorted();
+            _hits.fit(hits, _found.end());
+            for (var i:int = 0; i < hits.length; i++)
             {
-                _single[0] = agents[i];
-                mover.move(_seen.table, body, _single, way, Mover.SHORT);
-                if (mover.hasContact)
-                {
-                    _found.add(mover.contactRow, mover.part);
-                }
-            }
-            _found.list(agents);
-            _pool.fit(hits, agents.length);
-            for (i = 0; i < agents.length; i++)
-            {
-                _single[0] = agents[i];
-                mover.move(_seen.table, body, _single, way, Mover.SHORT);
-                write(hits[i]);
+                write(rows[i], hits[i]);
             }
             return hits;
         }
 
         /**
-         * Finds the agents near a way, and returns the body that moves.
+         * Finds the rows near a way.
          *
+         * @param asker the agent that moves; null for a structure
+         * @param asking the body that moves. It is copied, because the filter's accepts may move the agent
          * @param reach how far the body may go in any direction. If it is 0, the body goes only along the motion
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
          */
-        public function begin(agent:Agent, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, reach:Number = 0,
-                up:Number = 0, down:Number = 0):Body
+        public function begin(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, reach:Number = 0, up:Number = 0,
+                down:Number = 0):void
         {
             requireInWorld("a motion", dx, dy, dz);
-            if (structure == null)
-            {
-                _seen.placeOf(agent);
-            }
-            var body:Body = _seen.bodyOfEither(agent, structure);
-            _found.begin(Collector.ALL, Infinity, agent, filter);
-            if (body.shape != null)
-            {
-                _seen.beginWay(_search, body);
-                _search.widen(reach, up, down);
-                if (reach == 0)
-                {
-                    _search.moveAlong(dx, dy, dz, 1);
-                }
-                findNear();
-            }
-            // the filter may ask other questions, so all that they share is set afterwards
-            _found.list(agents);
-            way.setTo(dx, dy, dz);
+            _way.setTo(dx, dy, dz);
             if (mover == null || mover.pairs !== _seen.pairs)
             {
                 mover = new Mover(_seen.pairs);
             }
-            return _seen.bodyOfEither(agent, structure);
-        }
-
-        // Finds the agent that stops the body first, each as if the others were not there. If several stop it at the same time, it is the first of
-        // them in the list.
-        private function findFirst(body:Body, ending:int):void
-        {
-            _found.begin(1, Infinity, null, null);
-            if (agents.length == 0)
+            body = asking;
+            nearCount = 0;
+            if (asking.shape == null)
             {
-                mover.move(_seen.table, body, agents, way, ending);
+                return;
             }
-            for (var i:int = 0; i < agents.length && _found.limit > 0; i++)
+            body = _copy;
+            body.readPart(asking, null, 0);
+            _found.begin(Collector.ALL, Infinity, asker, filter);
+            _seen.beginWay(_search, body);
+            _search.widen(reach, up, down);
+            if (reach == 0)
             {
-                _single[0] = agents[i];
-                mover.move(_seen.table, body, _single, way, ending);
-                if (mover.hasContact && _found.add(mover.contactRow, mover.part))
-                {
-                    _first.copyFrom(mover.contact);
-                    _firstAt.copyFrom(mover.at);
-                }
+                _search.moveAlong(dx, dy, dz, 1);
             }
-            if (_found.end() > 0)
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                mover.hasContact = true;
-                mover.contactRow = _found.rows[0];
-                mover.part = _found.limit;
-                mover.contact.copyFrom(_first);
-                mover.at.copyFrom(_firstAt);
+                _found.add(row, 0);
+            }
+            var rows:Vector.<int> = _found.sorted();
+            nearCount = _found.end();
+            for (var i:int = 0; i < nearCount; i++)
+            {
+                near[i] = rows[i];
             }
         }
 
-        private function findNear():void
+        // Finds the rows that stop the body, each as if the others were not there. If one is wanted, the body ends at _end.
+        private function collect(wanted:int, ending:int):void
         {
-            for (var other:int = _search.next(); other >= 0; other = _search.next())
-            {
-                if (_found.admits(other))
-                {
-                    _found.add(other, 0);
-                }
-            }
-        }
-
-        // Writes how the last row that moved touches the agent that stopped it.
-        private function write(hit:ShapeHit):ShapeHit
-        {
+            var numbers:Vector.<Number> = _hits.numbers;
             var contact:ContactPoint = mover.contact;
-            hit.agent = _seen.table.agents[mover.contactRow];
-            hit.time = mover.part;
-            hit.point.setTo(contact.x, contact.y, contact.z);
-            hit.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+            _end.setTo(body.placement.x, body.placement.y, body.placement.z);
+            _end.incrementBy(_way);
+            _found.begin(wanted, Infinity, null, null);
+            for (var i:int = 0; i < nearCount && _found.limit > 0; i++)
+            {
+                mover.begin(_seen.table, body, near, i, i + 1);
+                mover.go(_way, ending);
+                if (mover.hasContact && _found.add(near[i], mover.part))
+                {
+                    var at:int = _hits.put(near[i]);
+                    numbers[at] = mover.part;
+                    numbers[int(at + 1)] = contact.x;
+                    numbers[int(at + 2)] = contact.y;
+                    numbers[int(at + 3)] = contact.z;
+                    numbers[int(at + 4)] = contact.normalX;
+                    numbers[int(at + 5)] = contact.normalY;
+                    numbers[int(at + 6)] = contact.normalZ;
+                    numbers[int(at + 7)] = contact.depth;
+                    _end.copyFrom(mover.at);
+                }
+            }
+        }
+
+        // Writes how the body touches a row that stops it.
+        private function write(row:int, hit:ShapeHit):ShapeHit
+        {
+            var at:int = _hits.write(row, hit.point, hit.normal);
+            hit.agent = _seen.table.agents[row];
+            hit.time = _hits.numbers[at];
             return hit;
-        }
-
-        private function writeContact(out:Contact):void
-        {
-            var contact:ContactPoint = mover.contact;
-            out.time = mover.part;
-            if (mover.hasContact)
-            {
-                out.point.setTo(contact.x, contact.y, contact.z);
-                out.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
-                out.depth = contact.depth;
-                out.approachSpeed = Math.max(0, -contact.along(way));
-            }
         }
     }
 }

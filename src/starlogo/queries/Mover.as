@@ -1,7 +1,6 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
@@ -109,47 +108,30 @@ package starlogo.queries
         }
 
         /**
-         * Computes where a body ends.
+         * Begins with a body and the rows in its way.
          *
-         * @param table has the agents in its way
          * @param body the body that moves. It stays where it is
-         * @param others the agents in its way
-         * @param motion the whole motion
-         * @param ending TOUCH, SHORT or SLIDE
+         * @param others the rows, of which those from an index to another count
          */
-        public function move(table:AgentTable, body:Body, others:Vector.<Agent>, motion:Vector3D, ending:int):void
-        {
-            begin(table, body, others);
-            go(motion, ending);
-            if (ending == SLIDE)
-            {
-                _lifts.leave(_sweep, at, _others, _count, _sweep.clearRow);
-            }
-        }
-
-        /** Takes a body and other agents, as move() does, for several motions. */
-        public function begin(table:AgentTable, body:Body, others:Vector.<Agent>):void
+        public function begin(table:AgentTable, body:Body, others:Vector.<int>, from:int, end:int):void
         {
             at.setTo(body.placement.x, body.placement.y, body.placement.z);
             _sweep.begin(table, body);
             _ranks = table.ranks;
-            _all = 0;
-            for (var i:int = 0; i < others.length; i++)
+            _all = end - from;
+            for (var i:int = 0; i < _all; i++)
             {
-                var other:int = table.rowOf(others[i]);
-                if (table.shapes[other] != null)
-                {
-                    _others[_all] = other;
-                    _sweep.addOther(other);
-                    _all++;
-                }
+                _others[i] = others[int(from + i)];
+                _sweep.addOther(_others[i]);
             }
             _count = _all;
         }
 
         /**
-         * Computes where the row ends if it starts at <code>at</code>. The parameters are those of <code>move()</code>.
+         * Computes where the body ends if it starts at <code>at</code>.
          *
+         * @param motion the whole motion
+         * @param ending TOUCH, SHORT or SLIDE
          * @param steepest a slide treats a contact as an upright wall if the z of its normal is less than this. With -2 it does so with none
          * @param widest how far a slide may go on the ground plane at most
          * @param steepness for a slide that is a fall: the least slope on which it goes on, as a tangent
@@ -363,10 +345,14 @@ package starlogo.queries
             return _sweep.time * _rest.length < NEXT * _sweep.slop;
         }
 
-        /** Lifts the row off what it only touches at the end, if there is room. */
-        public function leaveTouches():void
+        /**
+         * Lifts the row off what it only touches at the end, if there is room.
+         *
+         * @param isAtEnd whether the row is where the last motion has ended, so that it does not touch what the sweep has found clear
+         */
+        public function leaveTouches(isAtEnd:Boolean):void
         {
-            _lifts.leave(_sweep, at, _others, _count, -1);
+            _lifts.leave(_sweep, at, _others, _count, isAtEnd ? _sweep.clearRow : -1);
         }
 
         // Finds the row that the rest of the motion meets first. Returns whether there is one.

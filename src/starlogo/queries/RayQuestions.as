@@ -18,28 +18,29 @@ package starlogo.queries
     public final class RayQuestions
     {
         private var _seen:SeenAgents;
-        private var _search:WaySearch = new WaySearch();
-        private var _rays:RowRays = new RowRays();
-        private var _ray:Ray = _rays.ray;
-
         private var _found:Collector;
-        private var _pool:HitPool = new HitPool(RayHit);
+        private var _search:WaySearch;
+        private var _rays:RowRays;
+        private var _ray:Ray;
 
-        // By row: the number of its hit. By hit: its distance and its normal, and its triangle. There is no RayHit for it before the answer is
-        // known.
-        private var _hitOf:Vector.<int> = new Vector.<int>();
-        private var _hits:Vector.<Number> = new Vector.<Number>();
-        private var _triangles:Vector.<int> = new Vector.<int>();
-        private var _hitCount:int = 0;
-
+        // The last number of a hit is the triangle.
+        private var _hits:Hits;
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
 
-        /** @param seen the agents that questions are about */
-        public function RayQuestions(seen:SeenAgents)
+        /**
+         * @param seen the agents that questions are about
+         * @param found collects the rows that the ray meets
+         * @param search finds the rows near the ray
+         */
+        public function RayQuestions(seen:SeenAgents, found:Collector, search:WaySearch)
         {
             _seen = seen;
-            _found = new Collector(seen);
+            _found = found;
+            _search = search;
+            _rays = new RowRays(seen);
+            _ray = _rays.ray;
+            _hits = new Hits(found, RayHit);
         }
 
         /** See AgentQueries.cast. */
@@ -58,7 +59,7 @@ package starlogo.queries
             collect();
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
             var rows:Vector.<int> = _found.sorted();
-            _pool.fit(hits, _found.end());
+            _hits.fit(hits, _found.end());
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(rows[i], hits[i]);
@@ -83,8 +84,8 @@ package starlogo.queries
                 towards.z = 1;
             }
             begin(1, from, towards, distance, filter);
-            _found.skipped = _seen.rowOf(a);
-            _found.skippedToo = _seen.rowOf(b);
+            _found.except(_seen.rowOf(a));
+            _found.except(_seen.rowOf(b));
             // any row will do, unless accepts decides
             for (var row:int = next(); row >= 0; row = _found.asks ? next() : -1)
             {
@@ -97,7 +98,7 @@ package starlogo.queries
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
             var at:Placement = _seen.placeOf(agent);
-            var body:Body = _seen.bodyOf(agent, _seen.asker);
+            var body:Body = _seen.bodyOf(agent);
             if (body.shape == null)
             {
                 out.setTo(at.x, at.y, at.z);
@@ -121,10 +122,9 @@ package starlogo.queries
         private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
         {
             _ray.aim(origin, direction);
+            QuestionSet.requirePositive("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            _rays.begin(_seen.table, _seen.pairs.trees);
             _found.begin(wanted, maxDistance, null, filter);
-            _hitCount = 0;
             _search.begin(_seen.findExtents(), _ray.x, _ray.y, _ray.z, 0, 0, 0);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
         }
@@ -132,10 +132,10 @@ package starlogo.queries
         // The next row that counts and that the ray meets, or -1.
         private function next():int
         {
-            var row:int = _search.next();
-            while (row >= 0 && (!_found.admits(row) || !_rays.meets(row)))
+            var row:int = _found.nextOf(_search);
+            while (row >= 0 && !_rays.meets(row))
             {
-                row = _search.next();
+                row = _found.nextOf(_search);
             }
             return row;
         }
@@ -143,23 +143,22 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect():void
         {
-            if (_hitOf.length < _seen.table.agents.length)
-            {
-                _hitOf.length = _seen.table.agents.length;
-            }
+            var ray:Ray = _ray;
+            var numbers:Vector.<Number> = _hits.numbers;
             for (var row:int = next(); row >= 0; row = next())
             {
-                if (_found.add(row, _ray.from))
+                if (_found.add(row, ray.from))
                 {
-                    var at:int = 4 * _hitCount;
-                    _hits[at] = _ray.from;
-                    _hits[int(at + 1)] = _ray.normalX;
-                    _hits[int(at + 2)] = _ray.normalY;
-                    _hits[int(at + 3)] = _ray.normalZ;
-                    _triangles[_hitCount] = _rays.triangle;
-                    _hitOf[row] = _hitCount;
-                    _hitCount++;
-                    _search.limit = _ray.to = _found.limit;
+                    var at:int = _hits.put(row);
+                    numbers[at] = ray.from;
+                    numbers[int(at + 1)] = ray.x + ray.from * ray.directionX;
+                    numbers[int(at + 2)] = ray.y + ray.from * ray.directionY;
+                    numbers[int(at + 3)] = ray.z + ray.from * ray.directionZ;
+                    numbers[int(at + 4)] = ray.normalX;
+                    numbers[int(at + 5)] = ray.normalY;
+                    numbers[int(at + 6)] = ray.normalZ;
+                    numbers[int(at + 7)] = _rays.triangle;
+                    _search.limit = ray.to = _found.limit;
                 }
             }
         }
@@ -167,14 +166,10 @@ package starlogo.queries
         // Writes how the ray meets a row.
         private function write(row:int, hit:RayHit):RayHit
         {
-            var number:int = _hitOf[row];
-            var at:int = 4 * number;
-            var distance:Number = _hits[at];
+            var at:int = _hits.write(row, hit.point, hit.normal);
             hit.agent = _seen.table.agents[row];
-            hit.distance = distance;
-            hit.triangle = _triangles[number];
-            hit.point.setTo(_ray.x + distance * _ray.directionX, _ray.y + distance * _ray.directionY, _ray.z + distance * _ray.directionZ);
-            hit.normal.setTo(_hits[int(at + 1)], _hits[int(at + 2)], _hits[int(at + 3)]);
+            hit.distance = _hits.numbers[at];
+            hit.triangle = _hits.numbers[int(at + 7)];
             return hit;
         }
     }

@@ -5,17 +5,15 @@ package starlogo.queries
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.rayStructure;
-    import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.TreePairs;
     import starlogo.solid.SolidRay;
     import starlogo.terrain.HeightGrid;
 
     use namespace engine;
 
     /**
-     * Finds the point where a ray first meets a row of a table, as a collider sees the row.
+     * Finds the point where a ray first meets a row, as a collider sees the row.
      *
      * <p>It first moves the ray into the space of the row's model. There the structure, the tree and the triangles are as they were fitted,
      * and rounding errors depend on the model's size, not on its place. The ray is given there by the point of its line that is nearest to
@@ -40,37 +38,21 @@ package starlogo.queries
          */
         public var ray:Ray = new Ray();
 
-        private var _table:AgentTable;
-        private var _trees:TreePairs;
+        private var _seen:SeenAgents;
         private var _line:Ray = new Ray();
         private var _inModel:Ray = new Ray();
         private var _solid:SolidRay = new SolidRay();
 
-        /**
-         * Begins with the rows of a table. Set the ray first.
-         *
-         * @param table has the rows
-         * @param trees knows how deep trees are visited
-         * @throws RangeError if the ray's end is negative or not a number
-         */
-        public function begin(table:AgentTable, trees:TreePairs):void
+        /** @param seen has the rows */
+        public function RowRays(seen:SeenAgents)
         {
-            if (!(ray.to >= 0))
-            {
-                throw new RangeError("maxDistance must not be negative: " + ray.to);
-            }
-            _table = table;
-            _trees = trees;
+            _seen = seen;
         }
 
-        /** Whether the ray meets a row. If it does, its part begins there. */
+        /** Whether the ray meets a row that has a shape. If it does, its part begins there. */
         public function meets(row:int):Boolean
         {
-            var shape:ModelShape = _table.shapes[row];
-            if (shape == null)
-            {
-                return false;
-            }
+            var shape:ModelShape = _seen.table.shapes[row];
             ray.from = 0;
             triangle = -1;
             if (shape.form == ModelShape.GROUND)
@@ -78,7 +60,7 @@ package starlogo.queries
                 var grid:HeightGrid = shape.fixture.terrain.grid;
                 return grid.rays.find(grid, ray);
             }
-            var body:Body = _table.bodyOf(row);
+            var body:Body = _seen.table.bodyOf(row);
             var placement:Placement = body.placement;
             var line:Ray = _line;
             var toX:Number = placement.x - ray.x;
@@ -122,7 +104,7 @@ package starlogo.queries
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var isMet:Boolean = _solid.find(shape.hierarchy, _trees.depthOf(body), _trees.exact, found);
+                var isMet:Boolean = _solid.find(shape.hierarchy, _seen.pairs.trees.depthOf(body), _seen.pairs.trees.exact, found);
                 triangle = _solid.triangle;
                 return isMet;
             }

@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
@@ -44,6 +45,7 @@ package starlogo.queries
         /** @copy #asker */
         public var other:Body = new Body();
 
+        private var _place:Vector3D = new Vector3D();
         private var _source:Object;
         private var _system:Object;
         private var _terrain:Terrain = null;
@@ -183,22 +185,37 @@ package starlogo.queries
         /**
          * The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
          *
-         * @param made <code>asker</code> or <code>other</code>, which becomes this body if the agent has changed since the last update
+         * @param made becomes this body if the agent has changed since the last update; null for <code>asker</code>
          * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
          */
-        public function bodyOf(agent:Agent, made:Body):Body
+        public function bodyOf(agent:Agent, made:Body = null):Body
         {
             requireAgent(agent);
-            return table.bodyOfNow(agent, made);
+            return table.bodyOfNow(agent, made || asker);
         }
 
-        /** The body of a structure, or of an agent as it is now if the structure is null. */
-        public function bodyOfEither(agent:Agent, structure:BoundingStructure):Body
+        /** The body of an agent that can move, as it is now. Throws the errors of <code>placeOf()</code> and <code>bodyOf()</code>. */
+        public function bodyOfMoving(agent:Agent):Body
         {
-            if (structure == null)
+            placeOf(agent);
+            return bodyOf(agent);
+        }
+
+        /** The body that an agent would have at a place. */
+        public function bodyAt(agent:Agent, x:Number, y:Number, z:Number):Body
+        {
+            var body:Body = bodyOfMoving(agent);
+            if (body.shape != null)
             {
-                return bodyOf(agent, asker);
+                _place.setTo(x, y, z);
+                other.readPart(body, _place, 0);
             }
+            return body.shape == null ? body : other;
+        }
+
+        /** The body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
+        public function bodyOfStructure(structure:BoundingStructure):Body
+        {
             asker.readStructure(structure);
             return asker;
         }

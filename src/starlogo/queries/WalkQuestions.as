@@ -6,7 +6,6 @@ package starlogo.queries
     import starlogo.geometry.Trigonometry;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
-    import starlogo.search.AgentTable;
     import starlogo.search.Body;
 
     use namespace engine;
@@ -38,7 +37,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _moves:MoveQuestions;
         private var _mover:Mover;
-        private var _rays:RowRays = new RowRays();
+        private var _rays:RowRays;
         private var _defaults:WalkOptions = new WalkOptions();
 
         // The walk: its options, and the cosine and the tangent of the steepest slope; the way of a piece, its length, and the place where it
@@ -79,6 +78,7 @@ package starlogo.queries
         {
             _seen = seen;
             _moves = moves;
+            _rays = new RowRays(seen);
         }
 
         /** See AgentQueries.walk. */
@@ -92,9 +92,8 @@ package starlogo.queries
             var pieces:int = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
             // on the steepest slope the way is this long
             var reach:Number = whole / cosine + slide / 2;
-            var body:Body = _moves.begin(agent, null, dx, dy, 0, asked.filter, reach, pieces * asked.stepHeight, pieces * asked.snap + asked.fall);
-            var table:AgentTable = _seen.table;
-            // the filter may have asked for other walks, which set these fields
+            _moves.begin(agent, _seen.bodyOfMoving(agent), dx, dy, 0, asked.filter, reach, pieces * asked.stepHeight, pieces * asked.snap + asked.fall);
+            var body:Body = _moves.body;
             _options = asked;
             _cosine = cosine;
             _tangent = Math.sqrt(1 - cosine * cosine) / cosine;
@@ -106,13 +105,13 @@ package starlogo.queries
             _extent = 2 * body.largestHalf;
             _close = CLOSE * _extent;
             _mover = _moves.mover;
-            _mover.begin(table, body, _moves.agents);
+            _mover.begin(_seen.table, body, _moves.near, 0, _moves.nearCount);
             var stands:Boolean = go(body, pieces);
-            _moves.put(agent);
+            _moves.put(agent, _mover.at);
             var footing:Footing = out || new Footing();
             footing.part = _part;
             footing.stands = stands;
-            footing.on = stands ? table.agents[_row] : null;
+            footing.on = stands ? _seen.table.agents[_row] : null;
             if (!stands)
             {
                 _normal.setTo(0, 0, 1);
@@ -138,7 +137,7 @@ package starlogo.queries
             y = at.y - y;
             _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (pieces * _whole)) : 1;
             stands ||= body.shape != null && fall();
-            _mover.leaveTouches();
+            _mover.leaveTouches(false);
             return stands;
         }
 
@@ -293,7 +292,6 @@ package starlogo.queries
             var ray:Ray = _rays.ray;
             ray.aim(_origin, _down);
             ray.to = 2 * above;
-            _rays.begin(_seen.table, _seen.pairs.trees);
             if (!_rays.meets(row) || ray.from == 0)
             {
                 return false;

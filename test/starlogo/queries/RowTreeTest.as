@@ -197,7 +197,7 @@ package starlogo.queries
                     assertEquals(message + ": " + most + ", distance " + i, near[i].square, _found.keys[i]);
                 }
             }
-            _found.beginCount(limit, null, filter);
+            _found.begin(Collector.NUMBER, limit, null, filter);
             _found.skipped = skipped;
             _near.find(_tree, x, y, z, _found);
             assertEquals(message + ": count", near.length, _found.end());

@@ -566,8 +566,11 @@ package starlogo.queries
          * Moves an agent along the ground, as a game character walks. The agent slides along walls. It climbs steps and slopes if they are
          * not too high and not too steep. It stays on the ground when it goes downhill or down steps.
          *
+         * <p>First, if the agent that it stands on has moved or turned since the last walk, it moves and turns about the z axis with that one. Then
+         * it is pushed out of what it overlaps. Neither leads through anything else. Then it goes its way.</p>
+         *
          * <p>An agent that stands can climb, and it stays on the ground. An agent that does not stand goes straight on and falls, as far as
-         * the options say. If something too steep stops its fall, it slides down there. On the ground plane a walk is never longer than
+         * the options say. If something too steep stops its fall, it slides down there. On the ground plane the way is never longer than
          * <code>dx</code> and <code>dy</code>, except for a slide after a fall. Such a slide goes only down, where the way is steeper than
          * <code>slopeDegrees</code>, and at most half as far sideways as the agent may fall. The agent ends a hair above the ground, as with <code>slide()</code>.</p>
          *

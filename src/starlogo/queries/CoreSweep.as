@@ -167,6 +167,18 @@ package starlogo.queries
             return touches(_standing);
         }
 
+        /** Whether the row at a place is deep in another, and can leave it by a short way. Writes their contact, whose depth has a gap added. */
+        public function isDeepIn(other:int, at:Vector3D, out:ContactPoint):Boolean
+        {
+            if (!meetsAt(other, at) || findContact(other, at, out, true) || !overlapsAt(other, at))
+            {
+                return false;
+            }
+            out.depth += gap;
+            return _table.forms[other] != ModelShape.TREE || out.depth <= Math.abs(out.normalX) * _body.halfX + Math.abs(out.normalY) * _body.halfY
+                + Math.abs(out.normalZ) * _body.halfZ;
+        }
+
         /**
          * Makes the core narrower for this motion, by SHALLOW of the largest extent, if it does not touch another row then.
          *

@@ -18,6 +18,12 @@ package starlogo.queries
         /** How far it has come on the ground plane, as a part of the way, from 0 to 1. A fall does not count. */
         public var part:Number = 1;
 
+        /**
+         * How far the walk has first pushed the agent out of what it overlapped, in patches. It is 0 if it overlapped nothing. The push does not
+         * count in <code>part</code>.
+         */
+        public var pushed:Number = 0;
+
         /** An empty Footing. Pass it to <code>AgentQueries.walk()</code>, which fills it. */
         public function Footing()
         {

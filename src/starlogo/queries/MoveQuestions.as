@@ -93,10 +93,14 @@ package starlogo.queries
             return mover.part;
         }
 
-        /** Puts an agent to its new place. */
-        public function put(agent:Agent, at:Vector3D):void
+        /** Puts an agent to its new place, and turns it by some degrees. */
+        public function put(agent:Agent, at:Vector3D, turn:Number = 0):void
         {
             agent.moveTo(at.x, at.y, at.z);
+            if (turn != 0)
+            {
+                agent.heading += turn;
+            }
             if (_seen.table.rowOf(agent) >= 0)
             {
                 _seen.moved(agent);
@@ -177,6 +181,17 @@ package starlogo.queries
             {
                 near[i] = rows[i];
             }
+        }
+
+        /** Whether a row counts and is near the way of the last question. */
+        public function isNear(row:int):Boolean
+        {
+            var i:int = 0;
+            while (i < nearCount && near[i] != row)
+            {
+                i++;
+            }
+            return i < nearCount;
         }
 
         // Finds the rows that stop the body, each as if the others were not there. If one is wanted, the body ends at _end.

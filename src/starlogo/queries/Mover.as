@@ -83,11 +83,16 @@ package starlogo.queries
         /** The place of the row's agent at the end. */
         public var at:Vector3D = new Vector3D();
 
+        /** The deepest overlap that <code>findDeepest()</code> has found. */
+        public var deepest:ContactPoint = new ContactPoint();
+
+        /** The sum of the depths of all overlaps that it has found. */
+        public var overlap:Number = 0;
+
         private var _sweep:CoreSweep;
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _lifts:LastLifts = new LastLifts();
         private var _others:Vector.<int> = new Vector.<int>();
-        private var _ranks:Vector.<int>;
         private var _count:int = 0;
         private var _all:int = 0;
 
@@ -112,17 +117,21 @@ package starlogo.queries
          *
          * @param body the body that moves. It stays where it is
          * @param others the rows, of which those from an index to another count
+         * @param except a row that does not count, or -1
          */
-        public function begin(table:AgentTable, body:Body, others:Vector.<int>, from:int, end:int):void
+        public function begin(table:AgentTable, body:Body, others:Vector.<int>, from:int, end:int, except:int = -1):void
         {
             at.setTo(body.placement.x, body.placement.y, body.placement.z);
             _sweep.begin(table, body);
-            _ranks = table.ranks;
-            _all = end - from;
-            for (var i:int = 0; i < _all; i++)
+            _all = 0;
+            for (var i:int = from; i < end; i++)
             {
-                _others[i] = others[int(from + i)];
-                _sweep.addOther(_others[i]);
+                if (others[i] != except)
+                {
+                    _others[_all] = others[i];
+                    _sweep.addOther(others[i]);
+                    _all++;
+                }
             }
             _count = _all;
         }
@@ -208,9 +217,32 @@ package starlogo.queries
             }
         }
 
+        /**
+         * Finds the deepest overlap of the body at <code>at</code>. An overlap that a motion only lifts out of does not count. Neither does an
+         * overlap with a tree that is deeper than the middle of the body, because the shortest way out may lead through a wall of the tree.
+         *
+         * @return whether there is one
+         */
+        public function findDeepest():Boolean
+        {
+            deepest.depth = overlap = 0;
+            for (var i:int = 0; i < _all; i++)
+            {
+                if (_sweep.isDeepIn(_others[i], at, _standing))
+                {
+                    overlap += _standing.depth;
+                    if (_standing.depth > deepest.depth)
+                    {
+                        deepest.copyFrom(_standing);
+                    }
+                }
+            }
+            return overlap > 0;
+        }
+
         private function goUntilTouch(ending:int):void
         {
-            var crossed:ContactPoint = _rest.findCrossed(_ranks);
+            var crossed:ContactPoint = _rest.findCrossed();
             if (crossed != null)
             {
                 contact.copyFrom(crossed);

@@ -133,18 +133,17 @@ package starlogo.queries
             _rows[at] = _rows[count];
         }
 
-        /**
-         * The plane that the motion crosses, of the row that is first in the list; null if it crosses none.
-         *
-         * @param ranks by row: its place in the list
-         */
-        public function findCrossed(ranks:Vector.<int>):ContactPoint
+        /** The plane that the motion crosses at the steepest angle; null if it crosses none. */
+        public function findCrossed():ContactPoint
         {
             var crossed:ContactPoint = null;
+            var least:Number = -LEVEL * length;
             for (var i:int = 0; i < count; i++)
             {
-                if (_planes[i].along(motion) < -LEVEL * length && (crossed == null || ranks[_rows[i]] < ranks[crossedRow]))
+                var along:Number = _planes[i].along(motion);
+                if (along < least)
                 {
+                    least = along;
                     crossed = _planes[i];
                     crossedRow = _rows[i];
                 }

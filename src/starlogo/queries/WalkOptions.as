@@ -13,6 +13,12 @@ package starlogo.queries
         /** The agents that can be in its way, and that it can stand on; null for all. */
         public var filter:AgentFilter = null;
 
+        /**
+         * Whether the agent is carried by the agent that it stands on: moved and turned about the z axis, as that one has moved and turned since
+         * the last walk.
+         */
+        public var carried:Boolean = true;
+
         /** Begins with options for agents that are about a patch wide. */
         public function WalkOptions()
         {

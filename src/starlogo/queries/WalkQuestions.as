@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.Body;
+    import starlogo.search.RowList;
 
     use namespace engine;
 
@@ -34,28 +35,37 @@ package starlogo.queries
         // no more pieces than this.
         private static const MOST_PIECES:int = 64;
 
+        // A walk begins with this many pushes at most.
+        private static const MOST_PUSHES:int = 8;
+
         private var _seen:SeenAgents;
         private var _moves:MoveQuestions;
         private var _mover:Mover;
         private var _rays:RowRays;
         private var _defaults:WalkOptions = new WalkOptions();
 
-        // The walk: its options, and the cosine and the tangent of the steepest slope; the way of a piece, its length, and the place where it
-        // begins; the part of the way that the agent has come; how far it slides down after a fall; whether it was in the air at the beginning;
-        // its size; the depth of ground that is close; and its lowest point as seen from its place.
+        // The walk: its options, and the cosine and the tangent of the steepest slope; the number of pieces; the way of a piece, its length, and the
+        // place where it begins; how far the agent may come; the part of the way that it has come; how far it was pushed; how far it slides down
+        // after a fall; its size; the depth of ground that is close; and its lowest point as seen from its place.
         private var _options:WalkOptions;
         private var _cosine:Number = 0;
         private var _tangent:Number = 0;
+        private var _pieces:int = 1;
         private var _dx:Number = 0;
         private var _dy:Number = 0;
         private var _whole:Number = 0;
         private var _start:Vector3D = new Vector3D();
+        private var _reach:Number = 0;
         private var _part:Number = 1;
+        private var _pushed:Number = 0;
         private var _slide:Number = 0;
-        private var _isInAir:Boolean = false;
         private var _extent:Number = 0;
         private var _close:Number = 0;
         private var _bottom:Number = 0;
+
+        // How the agent is carried: its motion, and its turn in degrees.
+        private var _carry:Vector3D = new Vector3D();
+        private var _turn:Number = 0;
 
         // The place that is reached without a step, the places before and after the way down, and a part of the walk.
         private var _plain:Vector3D = new Vector3D();
@@ -84,32 +94,93 @@ package starlogo.queries
         /** See AgentQueries.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
-            var asked:WalkOptions = options || _defaults;
-            var cosine:Number = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(asked.slopeDegrees);
-            var whole:Number = Math.sqrt(dx * dx + dy * dy);
             var size:Number = _seen.placeOf(agent).size;
-            var slide:Number = Math.min(asked.fall, size);
-            var pieces:int = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
+            _options = options || _defaults;
+            _cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(_options.slopeDegrees);
+            _tangent = Math.sqrt(1 - _cosine * _cosine) / _cosine;
+            _slide = Math.min(_options.fall, size);
+            _whole = Math.sqrt(dx * dx + dy * dy);
+            _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
+            _pushed = 0;
+            var platform:int = findPlatform(agent);
             // on the steepest slope the way is this long
-            var reach:Number = whole / cosine + slide / 2;
-            _moves.begin(agent, _seen.bodyOfMoving(agent), dx, dy, 0, asked.filter, reach, pieces * asked.stepHeight, pieces * asked.snap + asked.fall);
+            _reach = _whole / _cosine + _slide / 2 + _carry.length;
+            _dx = dx;
+            _dy = dy;
+            findNear(agent, 0);
+            _dx /= _pieces;
+            _dy /= _pieces;
+            _whole /= _pieces;
             var body:Body = _moves.body;
-            _options = asked;
-            _cosine = cosine;
-            _tangent = Math.sqrt(1 - cosine * cosine) / cosine;
-            _dx = dx / pieces;
-            _dy = dy / pieces;
-            _whole = whole / pieces;
-            _slide = slide;
-            _isInAir = false;
+            _start.setTo(body.placement.x, body.placement.y, body.placement.z);
             _extent = 2 * body.largestHalf;
             _close = CLOSE * _extent;
+            _bottom = body.z - body.halfZ - _start.z;
+            var isCarried:Boolean = platform >= 0 && _moves.isNear(platform);
+            if (isCarried)
+            {
+                beginAt(_start, platform);
+                _mover.go(_carry, Mover.SLIDE);
+                _start.copyFrom(_mover.at);
+            }
+            beginAt(_start, -1);
+            var stands:Boolean = go(agent);
+            _moves.put(agent, _mover.at, isCarried ? _turn : 0);
+            noteStanding(agent, stands ? _row : -1);
+            return write(stands, out || new Footing());
+        }
+
+        // Returns the row of the agent below if it has moved since the last walk, or -1. Writes how it carries the agent.
+        private function findPlatform(agent:Agent):int
+        {
+            var standing:Standing = _seen.standingOf(agent);
+            _carry.setTo(0, 0, 0);
+            if (!_options.carried || !standing.isValid)
+            {
+                return -1;
+            }
+            var row:int = _seen.rowOf(standing.on);
+            if (row < 0 || _seen.table.shapes[row] == null)
+            {
+                return -1;
+            }
+            _turn = standing.carry(_seen.table.bodyOf(row).placement, _carry);
+            return _turn != 0 || _carry.length > 0 ? row : -1;
+        }
+
+        private function noteStanding(agent:Agent, row:int):void
+        {
+            var standing:Standing = _seen.standingOf(agent);
+            if (row >= RowList.LISTED)
+            {
+                standing.read(_seen.table.agents[row], _seen.table.bodyOf(row).placement, _seen.table.now.revisions[row]);
+            }
+            else
+            {
+                standing.on = null;
+            }
+        }
+
+        // Finds the rows near the walk, and in some distance from these.
+        private function findNear(agent:Agent, distance:Number):void
+        {
+            var up:Number = _pieces * _options.stepHeight;
+            var down:Number = _pieces * _options.snap + _options.fall;
+            _moves.begin(agent, _seen.bodyOfMoving(agent), _dx, _dy, 0, _options.filter, _reach + distance, up, down);
             _mover = _moves.mover;
-            _mover.begin(_seen.table, body, _moves.near, 0, _moves.nearCount);
-            var stands:Boolean = go(body, pieces);
-            _moves.put(agent, _mover.at);
-            var footing:Footing = out || new Footing();
+        }
+
+        // Lets the next motion begin at a place, among all rows but one.
+        private function beginAt(place:Vector3D, except:int):void
+        {
+            _mover.begin(_seen.table, _moves.body, _moves.near, 0, _moves.nearCount, except);
+            _mover.at.copyFrom(place);
+        }
+
+        private function write(stands:Boolean, footing:Footing):Footing
+        {
             footing.part = _part;
+            footing.pushed = _pushed;
             footing.stands = stands;
             footing.on = stands ? _seen.table.agents[_row] : null;
             if (!stands)
@@ -120,33 +191,66 @@ package starlogo.queries
             return footing;
         }
 
-        // Goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
-        private function go(body:Body, pieces:int):Boolean
+        // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
+        private function go(agent:Agent):Boolean
         {
-            var at:Vector3D = _mover.at;
-            var x:Number = at.x;
-            var y:Number = at.y;
-            var stands:Boolean = false;
-            _bottom = body.z - body.halfZ - at.z;
-            for (var i:int = 0; i < pieces; i++)
+            var stands:Boolean = findGround(_close);
+            if (_mover.isDeep)
             {
-                _start.copyFrom(at);
-                stands = goOnGround(i == 0);
+                pushOut(agent);
+                stands = findGround(_close);
+            }
+            // a walk that begins in the air stays there
+            var isInAir:Boolean = !stands;
+            var at:Vector3D = _mover.at;
+            var x:Number = _start.x;
+            var y:Number = _start.y;
+            for (var i:int = 0; i < _pieces; i++)
+            {
+                if (i > 0)
+                {
+                    _start.copyFrom(at);
+                    stands = !isInAir && findGround(_close);
+                }
+                stands = goOn(stands);
             }
             x = at.x - x;
             y = at.y - y;
-            _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (pieces * _whole)) : 1;
-            stands ||= body.shape != null && fall();
+            _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (_pieces * _whole)) : 1;
+            stands ||= _moves.body.shape != null && fall();
             _mover.leaveTouches(false);
             return stands;
         }
 
-        // Goes a piece of the way, and down to the ground. A walk that begins in the air stays there. Returns whether the agent stands at the end.
-        private function goOnGround(isFirst:Boolean):Boolean
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else.
+        private function pushOut(agent:Agent):void
         {
-            if (_isInAir && !isFirst || !findStart())
+            var at:Vector3D = _mover.at;
+            at.copyFrom(_start);
+            if (!_mover.findDeepest())
             {
-                _isInAir ||= isFirst;
+                return;
+            }
+            var left:Number = _mover.overlap;
+            findNear(agent, left);
+            beginAt(_start, -1);
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(); i++)
+            {
+                var length:Number = Math.min(left, _mover.deepest.depth);
+                left -= length;
+                _way.setTo(0, 0, 0);
+                _mover.deepest.push(_way, length);
+                _mover.go(_way, Mover.SLIDE);
+            }
+            _pushed = Vector3D.distance(_start, at);
+            _start.copyFrom(at);
+        }
+
+        // Goes a piece of the way, and down to the ground. Returns whether the agent stands at the end.
+        private function goOn(stands:Boolean):Boolean
+        {
+            if (!stands)
+            {
                 slide(0, FLOOR);
                 return findGround(_close);
             }
@@ -167,23 +271,6 @@ package starlogo.queries
                 _mover.at.copyFrom(_plain);
             }
             return findGround(_options.snap + _close);
-        }
-
-        // Finds the ground at the beginning of the walk. If the ground has risen into the agent, the agent comes up to it, by a step at most.
-        private function findStart():Boolean
-        {
-            var stands:Boolean = findGround(_close);
-            if (_mover.isDeep)
-            {
-                goDown(-_options.stepHeight);
-                stands = findGround(_options.stepHeight);
-                if (stands)
-                {
-                    _start.z = _mover.at.z;
-                }
-                _mover.at.z = _start.z;
-            }
-            return stands;
         }
 
         private function slide(rise:Number, steepest:Number):void

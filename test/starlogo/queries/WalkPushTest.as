@@ -1,0 +1,261 @@
+package starlogo.queries
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import support.EachCollider;
+    import support.agentAt;
+    import support.assertThrows;
+
+    /** Agents that are pushed out of what they overlap, and carried by what they stand on. */
+    public class WalkPushTest
+    {
+        // A BinCollider has no flat floors.
+        private static const NAMES:Array = ["tightest fits", "hierarchies", "triangles", "combinations", "combinations, exact"];
+        private static const NEAR:Number = 1e-6;
+
+        private static var sGreatLand:GreatLand;
+
+        private var _options:WalkOptions = new WalkOptions();
+        private var _footing:Footing = new Footing();
+        private var _walker:Agent;
+        private var _floor:Agent;
+        private var _wall:Agent;
+        private var _agents:Vector.<Agent>;
+        private var _queries:AgentQueries;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.addModel(BuiltInModel.cube());
+            sGreatLand.addModel(BuiltInModel.cylinder());
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Test]
+        public function aTurnBesideAWallPushes():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(0.7501, 0, 0);
+                _queries.update(_agents);
+                var pushed:Number = 0;
+                for (var i:int = 0; i < 9; i++)
+                {
+                    _walker.heading += 10;
+                    _queries.walk(_walker, 0.05, 0, _options, _footing);
+                    pushed += _footing.pushed;
+                    assertTrue(name + ": " + i + ", " + _footing.pushed, _footing.stands && _footing.pushed < 0.05 && !_queries.touchesAny(_walker));
+                }
+                assertTrue(name + ": " + pushed, Math.abs(pushed - (0.25 * Math.SQRT2 - 0.25)) < 0.01);
+                assertTrue(name + ": back at the wall " + _walker.x, Math.abs(_walker.x - 0.0001) < NEAR && Math.abs(_walker.z) < NEAR);
+            }
+        }
+
+        [Test]
+        public function whatGrowsAndWhatComesPushes():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(0.8, 0, 0);
+                _queries.update(_agents);
+                _walker.size = 0.8;
+                _queries.walk(_walker, 0, 0, _options, _footing);
+                assertTrue(name + ": grown " + _footing.pushed, Math.abs(_footing.pushed - 0.1) < NEAR && Math.abs(_walker.x + 0.1) < NEAR);
+                for (var i:int = 1; i <= 8; i++)
+                {
+                    _wall.x -= 0.1;
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertTrue(name + ": pushed " + _footing.pushed, Math.abs(_footing.pushed - 0.1) < NEAR && _footing.stands && _footing.part == 1);
+                    assertTrue(name + ": at " + _walker.x, Math.abs(_walker.x - _wall.x + 0.9) < NEAR && Math.abs(_walker.z) < NEAR);
+                }
+            }
+        }
+
+        [Test]
+        public function whatIsSqueezedGoesThroughNothing():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                var other:Agent = agentAt("cube", -0.8, 0, 0);
+                _agents.push(other);
+                for (var i:int = 0; i <= 14; i++)
+                {
+                    _wall.moveTo(1.3 - 0.05 * i, 0, 0);
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertTrue(name + ": " + i + " at " + _walker.x, _walker.x > -0.05 - NEAR && _walker.x < 0.55);
+                    assertTrue(name + ": " + i + ", pushed " + _footing.pushed, _footing.pushed < 0.36);
+                }
+                // it comes free sideways, and when there is room again
+                assertTrue(name, _queries.touchesAny(_walker));
+                _wall.moveTo(1.5, 0, 0);
+                _queries.update(_agents);
+                _queries.walk(_walker, 0.1, 0, _options, _footing);
+                assertTrue(name + ": free at " + _walker.x, !_queries.touchesAny(_walker) && _footing.part > 0.99);
+            }
+        }
+
+        [Test]
+        public function theGroundPushes():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var isBlocky:Boolean in [false, true])
+                {
+                    begin(name);
+                    var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
+                    terrain.isBlocky = isBlocky;
+                    _queries.terrain = terrain;
+                    _queries.update(new <Agent>[_walker]);
+                    _walker.moveTo(0, 0, 0.01);
+                    for (var i:int = 0; i < 5; i++)
+                    {
+                        terrain.raiseMound(0, 0, 16, 0.1);
+                        _queries.walk(_walker, 0, 0, _options, _footing);
+                        var over:Number = _walker.z - terrain.heightAt(_walker.x, _walker.y);
+                        assertTrue([name, isBlocky, i, over, _footing.pushed].join(), _footing.stands && over > -NEAR && over < 0.02 && !_queries.touchesAny(_walker));
+                        assertTrue([name, _footing.pushed].join(), i == 0 || Math.abs(_footing.pushed - 0.1) < 0.01);
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public function aPlatformCarries():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _walker.moveTo(0.5, 0, 0);
+                _queries.update(_agents);
+                _queries.walk(_walker, 0, 0, _options, _footing);
+                for (var i:int = 1; i <= 10; i++)
+                {
+                    _floor.moveTo(0.1 * i, -0.2 * i, -4 + 0.05 * i);
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0.01, _options, _footing);
+                    assertTrue(name + ": moved " + [i, _walker.x, _walker.y, _walker.z], Math.abs(_walker.x - 0.5 - 0.1 * i) < NEAR
+                            && Math.abs(_walker.y + 0.19 * i) < NEAR && Math.abs(_walker.z - 0.05 * i) < NEAR && _footing.pushed == 0);
+                    assertStrictlyEquals(_floor, _footing.on);
+                }
+                // half of a turn about the middle
+                var x:Number = _walker.x - _floor.x;
+                var y:Number = _walker.y - _floor.y;
+                for (i = 0; i < 18; i++)
+                {
+                    _floor.heading += 10;
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                }
+                assertTrue(name + ": turned " + [_walker.x, _walker.y], Math.abs(_walker.x - _floor.x + x) < NEAR && Math.abs(_walker.y - _floor.y + y) < NEAR);
+                assertTrue(name + ": heading " + _walker.heading, Math.abs(_walker.heading - 180) < NEAR && Math.abs(_walker.z - 0.5) < NEAR);
+            }
+        }
+
+        [Test]
+        public function aWallHoldsWhatIsCarried():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(1, 0, 0);
+                for (var i:int = 0; i < 20; i++)
+                {
+                    _floor.moveTo(0.05 * i, 0, -4);
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertTrue(name + ": " + [i, _walker.x], Math.abs(_walker.x - Math.min(0.25, 0.05 * i)) < NEAR && _footing.stands && Math.abs(_walker.z) < NEAR);
+                }
+            }
+        }
+
+        [Test]
+        public function whatHasLeftIsNotCarried():void
+        {
+            begin("tightest fits");
+            _options.carried = false;
+            carryOnce(1);
+            assertEquals(0, _walker.x);
+            _options.carried = true;
+            carryOnce(2);
+            assertTrue(String(_walker.x), Math.abs(_walker.x - 1) < NEAR);
+            // the game has moved it, or the platform has jumped
+            _walker.moveTo(1, 0.5, 0);
+            carryOnce(1);
+            assertEquals(1, _walker.x);
+            _floor.jumpTo(0, 0, -4);
+            _queries.update(_agents);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertEquals(1, _walker.x);
+            // a platform that is not there any more
+            _queries.update(new <Agent>[_walker]);
+            _options.fall = 0;
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertEquals(1, _walker.x);
+            assertTrue(!_footing.stands);
+        }
+
+        [Test]
+        public function aRefusedWalkMovesNothing():void
+        {
+            begin("tightest fits");
+            _floor.moveTo(1, 0, -4);
+            _floor.heading = 20;
+            _wall.moveTo(0.7, 0, 0);
+            _queries.update(_agents);
+            assertThrows(RangeError, /motion/, _queries.walk, _walker, NaN, 0, _options, _footing);
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                throw new Error("accepts");
+            };
+            _options.filter = filter;
+            assertThrows(Error, /accepts/, _queries.walk, _walker, 1, 0, _options, _footing);
+            assertEquals(0, _walker.x);
+            assertEquals(0, _walker.heading);
+            _options.filter = null;
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertTrue([_walker.x, _walker.heading, _footing.pushed].join(), Math.abs(_walker.heading - 20) < NEAR && !_queries.touchesAny(_walker, AgentFilter.ofBreeds("floors")));
+        }
+
+        private function carryOnce(x:Number):void
+        {
+            _floor.moveTo(x, 0, -4);
+            _queries.update(_agents);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+        }
+
+        // A walker of half a patch stands on a large cube, beside another that is far away.
+        private function begin(name:String):void
+        {
+            _walker = agentAt("cube", 0, 0, 0, "walkers");
+            _walker.size = 0.5;
+            _floor = agentAt("cube", 0, 0, -4, "floors");
+            _floor.size = 4;
+            _wall = agentAt("cube", 9, 0, 0, "walls");
+            _agents = new <Agent>[_walker, _floor, _wall];
+            for each (var agent:Agent in _agents)
+            {
+                agent.hierarchical = true;
+            }
+            _queries = new AgentQueries(EachCollider.make(name, sGreatLand));
+            _queries.update(_agents);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+        }
+    }
+}

@@ -182,7 +182,7 @@ package starlogo.libraries
             {
                 newGame(_store).addModel(model);
             }
-            for each (var damage:Function in [clear, truncate, spoil])
+            for each (var damage:Function in [clear, truncate, spoil, overwrite])
             {
                 damage();
                 _fitter.count = 0;
@@ -296,6 +296,16 @@ package starlogo.libraries
         private function truncate():void
         {
             _storage.entries["index"].length -= 3;
+        }
+
+        private function overwrite():void
+        {
+            var bytes:ByteArray = new ByteArray();
+            for (var i:int = 0; i < 1024; i++)
+            {
+                bytes.writeByte(255 - i);
+            }
+            _storage.entries["index"] = bytes;
         }
 
         private function spoil():void

@@ -109,7 +109,7 @@ package starlogo.bounding
                 var structure:BoundingStructure = make(row);
                 var before:String = structure.toString();
                 assertThrows(RangeError, /e.?308|Infinity/, structure.scale, 1e308);
-                assertThrows(RangeError, /e-308/, structure.scale, 1e-308);
+                assertThrows(RangeError, /e-30[89]/, structure.scale, 1e-308);
                 assertThrows(RangeError, /1e.?80/, structure.translate, at(0, 1e80, 0));
                 assertEquals(before, structure.toString());
             }

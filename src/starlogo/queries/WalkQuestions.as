@@ -242,7 +242,9 @@ package starlogo.queries
                 _mover.deepest.push(_way, length);
                 _mover.go(_way, Mover.SLIDE);
             }
-            _pushed = Vector3D.distance(_start, at);
+            _way.copyFrom(at);
+            _way.decrementBy(_start);
+            _pushed = _way.length;
             _start.copyFrom(at);
         }
 

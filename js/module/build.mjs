@@ -35,9 +35,8 @@ mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: true });
-writeFileSync(join(out, minified), `${small.code}//# sourceMappingURL=${minified}.map\n`);
-writeFileSync(join(out, `${minified}.map`), small.map);
+const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022" });
+writeFileSync(join(out, minified), small.code);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
@@ -98,6 +97,6 @@ function manifest() {
 		peerDependencies: { three: ">=0.180.0" },
 		peerDependenciesMeta: { three: { optional: true } },
 		bin: { "starlogo-bake": "./bake.mjs" },
-		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg", "three", "nova"],
+		files: ["*.js", "*.mjs", "*.d.ts", "*.md", "*.svg", "three", "nova"],
 	};
 }

@@ -6,14 +6,14 @@ import sirv from 'sirv';
  *
  * @param {string | null} page the page's HTML, if there is one
  * @param {Record<string, string>} folders what to serve: path ('/assets', or '' for all other) to folder; the first that fits counts
- * @param {{port?: number, host?: string, headers?: Record<string, string>}} options the port, any free one unless told; the address to listen on, loopback
- * unless told; what every answer says
+ * @param {{port?: number, host?: string, headers?: Record<string, string>, isKept?: boolean}} options the port, any free one unless told; the address to
+ * listen on, loopback unless told; what every answer says; whether no file changes meanwhile: then browsers keep them, and compile scripts once
  * @returns {Promise<{url: string, close: () => void}>}
  */
-export async function serve(page, folders, { port = 0, host = '127.0.0.1', headers = {} } = {}) {
+export async function serve(page, folders, { port = 0, host = '127.0.0.1', headers = {}, isKept = false } = {}) {
 	const mounts = Object.entries(folders).map(([path, folder]) => ({
 		path,
-		handle: sirv(folder, { dev: true, etag: false }),
+		handle: sirv(folder, isKept ? { maxAge: 86400, immutable: true } : { dev: true, etag: false }),
 	}));
 	const server = http.createServer((request, response) => {
 		for (const [name, value] of Object.entries(headers)) {

@@ -38,7 +38,7 @@ export async function begin() {
 	if (!existsSync(path.join(folder, 'index.html'))) {
 		throw new Error(`${folder} is not built: ./antw test builds it`);
 	}
-	const server = await serve(null, { '/any/where': folder });
+	const server = await serve(null, { '/any/where': folder }, { isKept: true });
 	const browser = await launch();
 	return {
 		browser,
@@ -88,10 +88,10 @@ const left = new Map();
  *
  * @param {object} site what begin gave
  * @param {string} hash the view, with its argument
- * @param {object} options of the browser's context; isDrawn says whether it draws 3D
+ * @param {object} options of the browser's context; isDrawn has it draw 3D, which the processor does, and slowly
  * @returns {Promise<{page: object, said: string[], leave: () => Promise<void>}>} said is what came on the console, and from elsewhere; leave gives the page back
  */
-export async function open(site, hash, { isDrawn = true, ...options } = SIZES.desktop) {
+export async function open(site, hash, { isDrawn = false, ...options } = SIZES.desktop) {
 	if (!left.has(site.browser)) left.set(site.browser, new Map());
 	const pages = left.get(site.browser);
 	const key = JSON.stringify({ isDrawn, ...options });

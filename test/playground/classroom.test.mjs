@@ -10,8 +10,8 @@ before(async () => {
 });
 after(() => site.close());
 
-const Desktop = { ...SIZES.desktop, viewport: { width: 1366, height: 768 }, isDrawn: false };
-const Phone = { ...SIZES.phone, isDrawn: false };
+const Desktop = { ...SIZES.desktop, viewport: { width: 1366, height: 768 } };
+const Phone = SIZES.phone;
 
 /** Waits for the lesson of a number. */
 const lesson = (page, number) => page.waitForFunction((n) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${n} of 10`), number);

@@ -12,7 +12,7 @@ before(async () => {
 });
 after(() => site.close());
 
-const Desktop = { ...SIZES.desktop, viewport: { width: 1366, height: 768 }, isDrawn: false };
+const Desktop = { ...SIZES.desktop, viewport: { width: 1366, height: 768 } };
 const BEAR = path.join(root, 'assets/bear.obj');
 const skip = isChromium ? false : 'downloads are Chromium\'s';
 const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.controls .status').textContent), source);

@@ -19,7 +19,7 @@ async function wordsOf(file) {
 }
 const languages = Object.fromEntries(await Promise.all(readdirSync(folder).filter((file) => file.endsWith('.js')).map(async (file) => [path.parse(file).name, await wordsOf(file)])));
 const { en, ...others } = languages;
-const German = { locale: 'de-AT', viewport: { width: 1366, height: 768 }, isDrawn: false };
+const German = { locale: 'de-AT', viewport: { width: 1366, height: 768 } };
 
 let site;
 before(async () => {

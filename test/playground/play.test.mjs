@@ -10,7 +10,7 @@ before(async () => {
 });
 after(() => site.close());
 
-const Desktop = { ...SIZES.desktop, isDrawn: false };
+const Desktop = SIZES.desktop;
 
 let common;
 /** A page that tests share which leave nothing of theirs there but the program that is open. */
@@ -66,7 +66,7 @@ const settle = (page) => rest(page, 150);
 
 for (const [name, size] of Object.entries(SIZES)) {
 	test(`keys move the bear, and a thrown ball colours a turtle (${name})`, async () => {
-		const { page, said, leave } = await open(site, 'play/paintball', size);
+		const { page, said, leave } = await open(site, 'play/paintball', { ...size, isDrawn: true });
 		const [before] = await agents(page, 'bears');
 		await press(page, 'Run');
 		await page.locator('.world').focus();
@@ -433,7 +433,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 });
 
 test('on a phone fingers scroll the page over the world, and Run is in sight beside the blocks', { skip: isChromium ? false : 'fingers that move are Chromium\'s' }, async () => {
-	const { page, said, leave } = await open(site, 'play/paintball', { ...SIZES.phone, isDrawn: false });
+	const { page, said, leave } = await open(site, 'play/paintball', { ...SIZES.phone });
 	const touch = await finger(page);
 	const swipe = async (selector) => {
 		// in its middle, or as near to that as there is no block, which the finger would move
@@ -631,7 +631,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 });
 
 test('at first sight: what this is, the goal, the keys, Run, and words of 14 pixels', async () => {
-	const { page, said, leave } = await open(site, 'play/paintball', { viewport: { width: 1366, height: 768 }, isDrawn: false });
+	const { page, said, leave } = await open(site, 'play/paintball', { viewport: { width: 1366, height: 768 } });
 	for (const [width, height] of [[1366, 768], [1920, 1080], [390, 844]]) {
 		await page.setViewportSize({ width, height });
 		await settle(page);

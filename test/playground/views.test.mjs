@@ -37,7 +37,7 @@ async function shared(view) {
 /** A page of a view, in which nothing may be said on the console and nothing comes from elsewhere, whatever is tried there. */
 for (const view of VIEWS) {
 	test(`${view} on a desktop`, async (t) => {
-		const { page, said, leave } = await open(site, ADDRESSES[view] ?? view);
+		const { page, said, leave } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.desktop, isDrawn: true });
 		await t.test('what is there stays where it is', () => staysInPlace(page));
 		await t.test('Blockly comes with Play alone', async () => {
 			const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
@@ -97,7 +97,7 @@ for (const view of VIEWS) {
 	});
 
 	test(`${view} on a phone, in German`, async () => {
-		const { page, said, leave } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de', isDrawn: false });
+		const { page, said, leave } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de' });
 		assert.equal(await page.getAttribute('html', 'lang'), 'de');
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 		await staysInPlace(page);
@@ -538,7 +538,7 @@ test('Compare: of the exact system the triangles are drawn', async () => {
 });
 
 test('a near miss that stands still is coloured as the chosen system sees it, and tests are counted', async () => {
-	const { page, said, leave } = await open(site, 'play/wing', { ...SIZES.desktop, isDrawn: false });
+	const { page, said, leave } = await open(site, 'play/wing');
 	await page.getByRole('button', { name: 'Step', exact: true }).click();
 	const seen = () => page.evaluate(() => {
 		const { world, panel: { figures } } = globalThis.playground;
@@ -553,7 +553,7 @@ test('a near miss that stands still is coloured as the chosen system sees it, an
 });
 
 test('a file that is dropped elsewhere, and a graphics card that goes away, are said in words', async () => {
-	const { page, leave } = await open(site, 'compare');
+	const { page, leave } = await open(site, 'compare', { ...SIZES.desktop, isDrawn: true });
 	await drop(page, ['bear.obj', Buffer.from('v 1 2 3')]);
 	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened\. Open models in the view “Inspect”/);
 	await drop(page, ['mine.json', Buffer.from('{}')]);
@@ -693,7 +693,7 @@ test('Inspect takes a program for what it is, and leads to Play', async () => {
 
 test('the head of the page links the guide and the API, and stays in one line in windows of 1024 pixels', async () => {
 	for (const locale of ['en-US', 'de-DE']) {
-		const { page, said, leave } = await open(site, 'measure', { ...SIZES.desktop, viewport: { width: 1024, height: 768 }, isDrawn: false, locale });
+		const { page, said, leave } = await open(site, 'measure', { ...SIZES.desktop, viewport: { width: 1024, height: 768 }, locale });
 		const links = await page.locator('.helps a').evaluateAll((all) => all.map((each) => each.href));
 		assert.equal(links.length, 2);
 		for (const link of links) {

@@ -1,7 +1,17 @@
-package starlogo.fitting
+package starlogo.libraries
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.fitting.AxisAlignedBoxFitter;
+    import starlogo.fitting.CapsuleFitter;
+    import starlogo.fitting.CentredRitterSphereFitter;
+    import starlogo.fitting.CylinderFitter;
+    import starlogo.fitting.Fitter;
+    import starlogo.fitting.MinimalSphereFitter;
+    import starlogo.fitting.NaiveSphereFitter;
+    import starlogo.fitting.OrientedBoxFitter;
+    import starlogo.fitting.RitterSphereFitter;
+    import starlogo.fitting.ZAlignedBoxFitter;
     import starlogo.models.Model;
     import support.Fixtures;
     import support.SteppedModels;

@@ -1,4 +1,4 @@
-package starlogo.intersection
+package starlogo.intersection.contact
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
@@ -9,8 +9,6 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.intersection.contact.ContactFinder;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sweep.RelativeMotion;
 

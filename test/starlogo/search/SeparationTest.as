@@ -1,10 +1,12 @@
-package starlogo.collision
+package starlogo.search
 {
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
+    import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.Complaints;

@@ -25,9 +25,7 @@ package starlogo.solid
         }
 
         /**
-         * Finds the triangle. The ray enters a child where it crosses the last of the three faces towards it, along x, y and z. The code
-         * does this for one child and then for the other. If a component of the direction is 0, a ray in a face's plane gives NaN, which
-         * decides nothing.
+         * Finds the triangle. If a component of the direction is 0, a ray in a face's plane gives NaN, which decides nothing.
          *
          * @param root the node around all triangles
          * @param corners the triangles' corners
@@ -50,6 +48,9 @@ package starlogo.solid
             var sideY:Number = inverseY < 0 ? -1 : 1;
             var sideZ:Number = inverseZ < 0 ? -1 : 1;
             var from:Number = ray.from;
+            var half:Number;
+            var middle:Number;
+            var place:Number;
             var top:int = 0;
             var node:HierarchyNode = root;
             triangles.begin(ray, reachOf(root));
@@ -62,48 +63,15 @@ package starlogo.solid
                 }
                 else
                 {
-                    var enter:Number = from;
-                    var leave:Number = triangles.at;
-                    var half:Number = sideX * low.halfX;
-                    var middle:Number = low.x - x;
-                    var place:Number = (middle - half) * inverseX;
-                    enter = place > enter ? place : enter;
-                    place = (middle + half) * inverseX;
-                    leave = place < leave ? place : leave;
-                    half = sideY * low.halfY;
-                    middle = low.y - y;
-                    place = (middle - half) * inverseY;
-                    enter = place > enter ? place : enter;
-                    place = (middle + half) * inverseY;
-                    leave = place < leave ? place : leave;
-                    half = sideZ * low.halfZ;
-                    middle = low.z - z;
-                    place = (middle - half) * inverseZ;
-                    enter = place > enter ? place : enter;
-                    place = (middle + half) * inverseZ;
-                    leave = place < leave ? place : leave;
-
                     var high:HierarchyNode = node.high;
-                    var enterHigh:Number = from;
-                    var leaveHigh:Number = triangles.at;
-                    half = sideX * high.halfX;
-                    middle = high.x - x;
-                    place = (middle - half) * inverseX;
-                    enterHigh = place > enterHigh ? place : enterHigh;
-                    place = (middle + half) * inverseX;
-                    leaveHigh = place < leaveHigh ? place : leaveHigh;
-                    half = sideY * high.halfY;
-                    middle = high.y - y;
-                    place = (middle - half) * inverseY;
-                    enterHigh = place > enterHigh ? place : enterHigh;
-                    place = (middle + half) * inverseY;
-                    leaveHigh = place < leaveHigh ? place : leaveHigh;
-                    half = sideZ * high.halfZ;
-                    middle = high.z - z;
-                    place = (middle - half) * inverseZ;
-                    enterHigh = place > enterHigh ? place : enterHigh;
-                    place = (middle + half) * inverseZ;
-                    leaveHigh = place < leaveHigh ? place : leaveHigh;
+                    var enter:Number;
+                    var leave:Number;
+                    var child:HierarchyNode = high;
+                    include "rayAndNode.inc";
+                    var enterHigh:Number = enter;
+                    var leaveHigh:Number = leave;
+                    child = low;
+                    include "rayAndNode.inc";
                     if (enter <= leave)
                     {
                         node = low;

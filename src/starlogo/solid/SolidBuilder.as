@@ -1,21 +1,17 @@
 package starlogo.solid
 {
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyRefiner;
-    import starlogo.hierarchy.Items;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
-     * Prepares a hierarchy's triangles for exact tests, in steps: nodes down to a few triangles, their corners in the hierarchy's order,
-     * the surface that they make, its cavities, and the outermost points of its parts. If the surface is known already, most of the work is not needed.
+     * Prepares a hierarchy for all exact tests, in steps: its triangles, the surface that they make, its cavities, and the outermost points of
+     * its parts. If the surface is known already, most of the work is not needed.
      */
     internal final class SolidBuilder extends StepSequence
     {
-        private static const TRIANGLES_PER_STEP:int = 400;
         private static const PARTS_PER_STEP:int = 50;
 
         // After so many looks at pieces for each triangle, the parts that are left stay as they are. The answers are the same.
@@ -36,9 +32,6 @@ package starlogo.solid
         private var _looks:int = 0;
         private var _welding:Welding = null;
 
-        // The normal of the current triangle.
-        private var _face:ContactPoint = new ContactPoint();
-
         /**
          * @param hierarchy of triangles; receives the solid and the surface
          */
@@ -47,9 +40,10 @@ package starlogo.solid
             _hierarchy = hierarchy;
             _order = hierarchy.order;
             _surface = hierarchy.surface;
-            _solid = new Solid(hierarchy.root, _order.length);
-            add(new HierarchyRefiner(hierarchy));
-            sliced(place);
+            if (hierarchy.placed == null)
+            {
+                add(new TrianglesBuilder(hierarchy));
+            }
             if (_surface == null)
             {
                 begin(newSurface);
@@ -59,17 +53,7 @@ package starlogo.solid
 
         private function sliced(work:Function):StepSequence
         {
-            return slices(_order.length, TRIANGLES_PER_STEP, work);
-        }
-
-        private function place(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                placeCorners(i, 3 * _order[i], null, _solid.corners);
-                Items.writeExtents(_hierarchy.vertices, _hierarchy.triangles, 3 * _order[i], _solid.extents, 6 * i);
-                placePlane(i);
-            }
+            return slices(_order.length, TrianglesBuilder.TRIANGLES_PER_STEP, work);
         }
 
         private function newSurface():Steps
@@ -81,6 +65,7 @@ package starlogo.solid
 
         private function useSurface():void
         {
+            _solid = _hierarchy.placed;
             _solid.isClosed = _surface.isClosed;
             _solid.shells = _surface.shells;
             _solid.windings = new Vector.<int>(_surface.shells.length, true);
@@ -152,7 +137,7 @@ package starlogo.solid
                 }
                 if (_welding != null)
                 {
-                    placeCorners(i, 3 * _order[i], _welding.welded, _solid.places);
+                    _hierarchy.writeCorners(3 * _order[i], _welding.welded, _solid.places, 9 * i);
                 }
             }
         }
@@ -160,45 +145,6 @@ package starlogo.solid
         private function newCavities():Steps
         {
             return new CavityFinder(_solid, _builder.balances);
-        }
-
-        // Writes a triangle's corners, or the places to which they are welded.
-        private function placeCorners(triangle:int, corner:int, welded:Vector.<int>, corners:Vector.<Number>):void
-        {
-            var vertices:Vector.<Number> = _hierarchy.vertices;
-            var triangles:Vector.<uint> = _hierarchy.triangles;
-            var to:int = 9 * triangle;
-            for (var end:int = corner + 3; corner < end; corner++)
-            {
-                var at:int = 3 * (welded == null ? triangles[corner] : welded[triangles[corner]]);
-                corners[to] = vertices[at];
-                corners[int(to + 1)] = vertices[int(at + 1)];
-                corners[int(to + 2)] = vertices[int(at + 2)];
-                to += 3;
-            }
-        }
-
-        private function placePlane(triangle:int):void
-        {
-            var corners:Vector.<Number> = _solid.corners;
-            var planes:Vector.<Number> = _solid.planes;
-            var at:int = 9 * triangle;
-            var to:int = 5 * triangle;
-            _face.setAcross(corners, at);
-            if (!(_face.length > 0))
-            {
-                planes[to] = planes[to + 1] = planes[to + 2] = planes[to + 3] = 0;
-                planes[to + 4] = Infinity;
-                return;
-            }
-            _face.measure(corners, at, at + 3);
-            var place:Number = _face.least;
-            planes[to] = _face.normalX;
-            planes[to + 1] = _face.normalY;
-            planes[to + 2] = _face.normalZ;
-            planes[to + 3] = place;
-            _face.measure(corners, at + 3, at + 9);
-            planes[to + 4] = Math.max(Math.abs(_face.least - place), Math.abs(_face.greatest - place));
         }
 
         private function measure(first:int, end:int):void

@@ -53,7 +53,7 @@ package starlogo.solid
 
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
         {
-            var solid:Solid = hierarchy.solid;
+            var solid:Solid = hierarchy.facets;
             var found:int = _triangles.find(hierarchy.root, solid.corners, ray);
             if (found < 0)
             {

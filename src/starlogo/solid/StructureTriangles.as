@@ -107,7 +107,7 @@ package starlogo.solid
 
         private function place(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            _solid = model.solid;
+            _solid = model.facets;
             _motion = motion;
             _test.begin(structure, pose.placement, motion);
             _test.structure.extentsInto(_extents);

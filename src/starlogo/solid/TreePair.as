@@ -344,7 +344,7 @@ package starlogo.solid
                 _triangles.beginDistance(_a, _structureB, _pose);
                 return _triangles;
             }
-            _nearest.begin(_a.solid, _b.solid);
+            _nearest.begin(_a.facets, _b.facets);
             return _nearest;
         }
 

@@ -35,8 +35,8 @@ package starlogo.solid
         /** Begins with two models that have triangles. The pose must relate them already. */
         public function begin(a:SolidHierarchy, b:SolidHierarchy):void
         {
-            solidA = a.solid;
-            solidB = b.solid;
+            solidA = a.facets;
+            solidB = b.facets;
             moved.begin(solidB.corners);
             touching = pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * pose.placement.size);
         }

@@ -63,6 +63,30 @@ package starlogo.solid
             assertTrue("in the hollow", !hierarchy.solid.isInside(new Vector3D(0, 0, 0.5)));
         }
 
+        // A point with an open side is outside. This is known without the surface.
+        [Test]
+        public function anOpenSideIsOutside():void
+        {
+            var random:SeededRandom = new SeededRandom(5103);
+            var spared:int = 0;
+            var insides:int = 0;
+            for each (var model:Model in SolidModels.all())
+            {
+                var known:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
+                known.prepare();
+                for (var i:int = 0; i < 20; i++)
+                {
+                    var point:Vector3D = new Vector3D(random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(0, 1));
+                    var asked:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
+                    var isInside:Boolean = known.isInside(point, 0);
+                    assertEquals(model.name + " at " + point, isInside, asked.isInside(point, 0));
+                    insides += isInside ? 1 : 0;
+                    spared += asked.isPrepared ? 0 : 1;
+                }
+            }
+            assertTrue(insides + " inside, " + spared + " spared", insides > 20 && spared > 10);
+        }
+
         [Test]
         public function piecesThatCrossAreSolidWhereBothAreAndHoweverTheyAreTurned():void
         {

@@ -94,10 +94,13 @@ package starlogo.collision
                 _asked ||= new CollisionSearch(choice, pairs);
                 asked = _asked;
             }
-            measure(asked, agents, interests, null, null, _found);
-            out ||= new Vector.<Agent>();
-            _found.write(agents, out);
-            return out;
+            var found:Vector.<Agent> = out || new Vector.<Agent>();
+            measure(asked, agents, interests, null, null, _found, found);
+            if (found.length > 2 * _found.count)
+            {
+                found.length = 2 * _found.count;
+            }
+            return found;
         }
 
         /**
@@ -154,14 +157,14 @@ package starlogo.collision
         /** @private */
         override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
         {
-            measure(search, agents, interests, takePart, fixtures, out);
+            measure(search, agents, interests, takePart, fixtures, out, null);
         }
 
         private function measure(search:CollisionSearch, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>,
-                out:FoundPairs):void
+                out:FoundPairs, outAgents:Vector.<Agent>):void
         {
             var start:Number = getTimer();
-            search.find(agents, interests, takePart, out, _statistics, fixtures);
+            search.find(agents, interests, takePart, out, _statistics, outAgents, fixtures);
             _statistics.findMs = getTimer() - start;
         }
 

@@ -14,9 +14,6 @@ package starlogo.collision
     /** Calls the handlers of a frame: first for touches that have ended, then for the pairs. If a handler throws, the next one is still called. */
     internal final class HandlerCalls
     {
-        // In place of an index in the list.
-        private static const NOWHERE:int = -1;
-
         /** The pairs of the frame, in the order of their calls. */
         public var pairs:FoundPairs = new FoundPairs();
 
@@ -136,66 +133,80 @@ package starlogo.collision
             }
         }
 
-        // The handlers belong to the breeds that the two agents had when the touch began.
+        // takePair() has a loop of its own, because one more call for each pair takes a tenth of a frame in Adobe's VM.
+        // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
         private function endTouch(touch:Touch):void
         {
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(touch.firstBreed, touch.secondBreed);
             }
-            var end:int = touch.isBothWays ? _handlers.handlers.length : _handlers.forwardCount;
-            call(touch.first, touch.second, NOWHERE, NOWHERE, CollisionHandler.END, CollisionHandler.END, end);
+            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
+            var forwardCount:int = _handlers.forwardCount;
+            var end:int = touch.isBothWays ? handlers.length : forwardCount;
+            while (_next < end)
+            {
+                var handler:CollisionHandler = handlers[_next];
+                _next++;
+                if (handler.kind == CollisionHandler.END && !handler.isRemoved)
+                {
+                    count++;
+                    // a local, so that the handler is not called as a method of its CollisionHandler
+                    var toCall:Function = handler.handler;
+                    var isBack:Boolean = _next > forwardCount;
+                    var collider:Agent = isBack ? touch.second : touch.first;
+                    var collidee:Agent = isBack ? touch.first : touch.second;
+                    if (handler.takesContact)
+                    {
+                        toCall(collider, collidee, null);
+                    }
+                    else
+                    {
+                        toCall(collider, collidee);
+                    }
+                }
+            }
         }
 
         // A touch that begins now has handlers for starts. They are called before the others.
         private function takePair(firstAt:int, secondAt:int):void
         {
-            var first:Agent = _listed[firstAt];
-            var second:Agent = agentAt(secondAt);
+            var listed:Vector.<Agent> = _listed;
+            var first:Agent = listed[firstAt];
+            var second:Agent = secondAt < listed.length ? listed[secondAt] : fixtures[secondAt - listed.length];
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
             }
-            var end:int = _handlers.handlers.length;
-            if (!_handlers.tracksTouches)
+            var ofPair:PairHandlers = _handlers;
+            var handlers:Vector.<CollisionHandler> = ofPair.handlers;
+            var forwardCount:int = ofPair.forwardCount;
+            var end:int = handlers.length;
+            var tracksTouches:Boolean = ofPair.tracksTouches;
+            var isStarting:Boolean = false;
+            if (tracksTouches)
             {
-                call(first, second, firstAt, secondAt, CollisionHandler.COLLISION, CollisionHandler.COLLISION, end);
-                return;
-            }
-            var touch:Touch = _touches[_turn];
-            if (touch == null)
-            {
-                if (!areListed(firstAt, secondAt))
+                var touch:Touch = _touches[_turn];
+                if (touch == null)
                 {
-                    return;
+                    if (!areListed(firstAt, secondAt))
+                    {
+                        return;
+                    }
+                    touch = _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
                 }
-                touch = _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
+                isStarting = touch.beganIn == tracker.frame;
             }
-            var isStarting:Boolean = touch.beganIn == tracker.frame;
-            var earliest:int = isStarting ? CollisionHandler.START : CollisionHandler.COLLISION;
-            var next:int = call(first, second, firstAt, secondAt, earliest, CollisionHandler.COLLISION, end);
-            if (isStarting && (next > _handlers.forwardCount || next == end))
-            {
-                touch.isBothWays = true;
-            }
-        }
-
-        // Calls the handlers of these kinds, from the next one on, while both agents are listed. Returns the number of the handler that it did not
-        // get to. An ended touch has no contact, and its agents need not be listed.
-        private function call(first:Agent, second:Agent, firstAt:int, secondAt:int, earliest:int, latest:int, end:int):int
-        {
-            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-            var forwardCount:int = _handlers.forwardCount;
             var next:int = _next;
             while (next < end)
             {
                 var handler:CollisionHandler = handlers[next];
-                if (handler.kind < earliest || handler.kind > latest)
+                if (tracksTouches && handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
                 {
                     next++;
                     continue;
                 }
-                if (firstAt != NOWHERE && !areListed(firstAt, secondAt))
+                if (!areListed(firstAt, secondAt))
                 {
                     break;
                 }
@@ -206,21 +217,23 @@ package starlogo.collision
                 }
                 _next = next;
                 count++;
-                // a local, so that the handler is not called as a method of its CollisionHandler
                 var toCall:Function = handler.handler;
                 var isBack:Boolean = next > forwardCount;
                 var collider:Agent = isBack ? second : first;
                 var collidee:Agent = isBack ? first : second;
                 if (handler.takesContact)
                 {
-                    toCall(collider, collidee, firstAt == NOWHERE ? null : _contacts.contactFor(_turn, first, second, isBack));
+                    toCall(collider, collidee, _contacts.contactFor(_turn, first, second, isBack));
                 }
                 else
                 {
                     toCall(collider, collidee);
                 }
             }
-            return next;
+            if (isStarting && (next > forwardCount || next == end))
+            {
+                touch.isBothWays = true;
+            }
         }
 
         private function agentAt(index:int):Agent

@@ -44,16 +44,9 @@ package starlogo.search
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
         public function write(list:Vector.<Agent>, out:Vector.<Agent>):void
         {
-            // the game may use one list for both
-            var from:Vector.<Agent> = out === list ? list.concat() : list;
-            var end:int = 2 * count;
-            for (var i:int = 0; i < end; i++)
+            for (var i:int = 0; i < 2 * count; i++)
             {
-                out[i] = from[indices[i]];
-            }
-            if (out.length > end)
-            {
-                out.length = end;
+                out[i] = list[indices[i]];
             }
         }
     }

@@ -41,7 +41,6 @@ package starlogo.hierarchy
         protected var bound:Number;
 
         // The pairs still to visit, and their bounds.
-        private var _count:int;
         private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _bounds:Vector.<Number> = new Vector.<Number>();
 
@@ -58,41 +57,80 @@ package starlogo.hierarchy
          */
         public function find(pose:RelativePose, a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
         {
-            this.pose = pose;
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
+            if (this.pose !== pose)
+            {
+                this.pose = pose;
+            }
             var nodes:Vector.<HierarchyNode> = _nodes;
             var bounds:Vector.<Number> = _bounds;
+            var scale:Number = pose.placement.size;
+            var top:int = 0;
+            var visits:int = 1;
             least = Infinity;
             bound = 0;
-            _count = 0;
             begin(a, b);
             estimate(a, b);
-            push(a, b, bound);
-            while (_count > 0 && least > 0)
+            while (true)
             {
-                _count--;
-                bound = bounds[_count];
-                if (bound >= least)
-                {
-                    continue;
-                }
-                a = nodes[2 * _count];
-                b = nodes[2 * _count + 1];
-                var aEnds:Boolean = a.cutoffLevel >= depthA;
-                var bEnds:Boolean = b.cutoffLevel >= depthB;
-                if (!aEnds || !bEnds)
-                {
-                    divide(a, b, bEnds || !aEnds && a.radius >= pose.placement.size * b.radius);
-                    continue;
-                }
-                settle(a, b, leaves);
                 if (bound < least)
                 {
-                    least = bound;
-                    firstA = a;
-                    firstB = b;
+                    var aEnds:Boolean = a.cutoffLevel >= depthA;
+                    var bEnds:Boolean = b.cutoffLevel >= depthB;
+                    if (!aEnds || !bEnds)
+                    {
+                        // The better of the two pairs with a child comes first.
+                        var dividesA:Boolean = bEnds || !aEnds && a.radius >= scale * b.radius;
+                        var otherA:HierarchyNode = dividesA ? a.low : a;
+                        var otherB:HierarchyNode = dividesA ? b : b.low;
+                        a = dividesA ? a.high : a;
+                        b = dividesA ? b : b.high;
+                        var above:Number = bound;
+                        estimate(otherA, otherB);
+                        var other:Number = bound;
+                        bound = above;
+                        estimate(a, b);
+                        visits += 2;
+                        if (other < bound)
+                        {
+                            var node:HierarchyNode = a;
+                            a = otherA;
+                            otherA = node;
+                            node = b;
+                            b = otherB;
+                            otherB = node;
+                            above = bound;
+                            bound = other;
+                            other = above;
+                        }
+                        if (other < least)
+                        {
+                            nodes[2 * top] = otherA;
+                            nodes[2 * top + 1] = otherB;
+                            bounds[top] = other;
+                            top++;
+                        }
+                        continue;
+                    }
+                    settle(a, b, leaves);
+                    if (bound < least)
+                    {
+                        least = bound;
+                        firstA = a;
+                        firstB = b;
+                    }
                 }
+                if (top == 0 || !(least > 0))
+                {
+                    nodeVisits += visits;
+                    return least < Infinity;
+                }
+                top--;
+                a = nodes[2 * top];
+                b = nodes[2 * top + 1];
+                bound = bounds[top];
             }
-            return least < Infinity;
+            return false;
         }
 
         /** Prepares the traversal of two trees. */
@@ -108,42 +146,6 @@ package starlogo.hierarchy
         /** Sets <code>bound</code> to the time or distance of a pair that decides. If it is not less than <code>least</code>, it need not be exact. */
         protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
         {
-        }
-
-        // Puts a node's children, each paired with the other node, on the stack. The better pair is on top.
-        private function divide(a:HierarchyNode, b:HierarchyNode, isFirst:Boolean):void
-        {
-            var above:Number = bound;
-            var highA:HierarchyNode = isFirst ? a.high : a;
-            var highB:HierarchyNode = isFirst ? b : b.high;
-            a = isFirst ? a.low : a;
-            b = isFirst ? b : b.low;
-            estimate(a, b);
-            var low:Number = bound;
-            bound = above;
-            estimate(highA, highB);
-            if (low < bound)
-            {
-                push(highA, highB, bound);
-                push(a, b, low);
-            }
-            else
-            {
-                push(a, b, low);
-                push(highA, highB, bound);
-            }
-        }
-
-        private function push(a:HierarchyNode, b:HierarchyNode, itsBound:Number):void
-        {
-            nodeVisits++;
-            if (itsBound < least)
-            {
-                _nodes[2 * _count] = a;
-                _nodes[2 * _count + 1] = b;
-                _bounds[_count] = itsBound;
-                _count++;
-            }
         }
     }
 }

@@ -39,9 +39,14 @@ package starlogo.hierarchy
         private var _axis:Vector3D = new Vector3D();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        /** Creates a leaf without a structure. */
-        public function StructureLeaf()
+        /**
+         * Creates a leaf without a structure.
+         *
+         * @param motion the second model's motion in the first model's space; kept
+         */
+        public function StructureLeaf(motion:RelativeMotion)
         {
+            pose.motion = motion;
             node.x = node.y = node.z = 0;
             node.end = 1;
         }
@@ -50,30 +55,36 @@ package starlogo.hierarchy
          * Begins with a structure.
          *
          * @param structure in its model's space
-         * @param models that model's pose in the first model's space. Its motion is kept
+         * @param models that model's pose in the first model's space
          */
         public function begin(structure:BoundingStructure, models:RelativePose):void
         {
             var kind:int = structure.kind;
-            moved = _placed[kind] = structure.place(models.placement, _placed[kind]);
-            models.widen(moved);
+            _placed[kind] ||= structure.clone();
+            var placed:BoundingStructure = _placed[kind];
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
+            if (moved !== placed)
+            {
+                moved = placed;
+            }
+            structure.place(models.placement, placed);
+            models.widen(placed);
             pose.gap = models.gap;
-            pose.motion = models.motion;
             pose.placement.size = models.placement.size;
             if (kind == BoundingStructure.BOX)
             {
-                beginBox(Box(structure), Box(moved));
+                beginBox(Box(structure), Box(placed));
             }
             else if (kind == BoundingStructure.SPHERE)
             {
                 var sphere:Sphere = Sphere(structure);
-                setMiddle(Sphere(moved).center);
+                setMiddle(Sphere(placed).center);
                 setAxis(0, 0, 1);
                 setExtents(sphere.radius, 0);
             }
             else
             {
-                beginCapsule(Capsule(structure), Capsule(moved));
+                beginCapsule(Capsule(structure), Capsule(placed));
             }
         }
 

@@ -59,7 +59,7 @@ package starlogo.solid
         private var _distances:BoxDistances = new BoxDistances();
 
         // What decides about leaves: one of these, or null. The last one is that of the first touch of moving models.
-        private var _leaf:StructureLeaf = new StructureLeaf();
+        private var _leaf:StructureLeaf;
         private var _trianglePairs:ExactPairTest;
         private var _sweptPairs:SweptPairTest;
         private var _nearest:NearestTriangles;
@@ -76,6 +76,7 @@ package starlogo.solid
         /** Creates a test without a pair. All counts are 0. */
         public function TreePair()
         {
+            _leaf = new StructureLeaf(_pose.motion);
             _trianglePairs = new ExactPairTest(_pose);
             _sweptPairs = new SweptPairTest(_pose);
             _nearest = new NearestTriangles(_pose);
@@ -321,7 +322,10 @@ package starlogo.solid
             {
                 return decider;
             }
-            _leaf.motion = motion;
+            if (_leaf.motion !== motion)
+            {
+                _leaf.motion = motion;
+            }
             return _leaf;
         }
 

@@ -53,8 +53,11 @@ package starlogo.queries
         /** Whether the filter's <code>accepts</code> decides. */
         public var asks:Boolean = false;
 
-        /** Whether breeds, agents or a cone exclude rows. */
+        /** Whether breeds or agents are excluded. */
         public var filters:Boolean = false;
+
+        /** The cone that rows near a place must be in too; null for none. */
+        public var cone:Cone = null;
 
         /** The row of the agent that asks, which does not count; or -1. */
         public var skipped:int = -1;
@@ -77,9 +80,6 @@ package starlogo.queries
         private var _excepted:Vector.<int> = new Vector.<int>();
         private var _breeds:Vector.<int> = new Vector.<int>();
         private var _breedsCount:Boolean = false;
-
-        // The cone that rows must be in too; null for none.
-        private var _cone:Cone = null;
 
         /** @param seen the agents that questions are about */
         public function Collector(seen:SeenAgents)
@@ -121,13 +121,6 @@ package starlogo.queries
             }
         }
 
-        /** Excludes the rows outside of a cone. */
-        public function keepWithin(cone:Cone):void
-        {
-            filters = true;
-            _cone = cone;
-        }
-
         /** Whether a row counts. The filter's <code>accepts</code> is not asked here. */
         public function admits(row:int):Boolean
         {
@@ -137,8 +130,7 @@ package starlogo.queries
         /** Whether a row counts, if it is not one that is skipped. Ask only if <code>filters</code> is true. */
         public function admitsMarked(row:int):Boolean
         {
-            return _excepted[row] != _question && (_breeds[_agents[row].breedNumber] == _question) == _breedsCount
-                && (_cone == null || _cone.contains(row));
+            return (_breeds[_agents[row].breedNumber] == _question) == _breedsCount && _excepted[row] != _question;
         }
 
         /** The next row of a search that counts and has a shape, or -1. */
@@ -314,7 +306,7 @@ package starlogo.queries
         private function mark(filter:AgentFilter):void
         {
             _question++;
-            _cone = null;
+            cone = null;
             if (_breeds.length < Breeds.count)
             {
                 _breeds.length = Breeds.count;

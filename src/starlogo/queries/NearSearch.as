@@ -229,6 +229,7 @@ package starlogo.queries
             var atZ:Number = _z;
             var rows:Vector.<int> = _tree.rows;
             var filters:Boolean = found.filters;
+            var cone:Cone = found.cone;
             var counts:Boolean = found.counts;
             var countsAll:Boolean = _countsNodes;
             var skipped:int = found.skipped;
@@ -264,6 +265,10 @@ package starlogo.queries
                     {
                         continue;
                     }
+                }
+                if (cone != null && !cone.contains(row))
+                {
+                    continue;
                 }
                 if (keepsFirst)
                 {

@@ -64,7 +64,7 @@ package starlogo.queries
             _found.begin(wanted, radius * radius, asker, filter);
             if (degrees < 360)
             {
-                _found.keepWithin(_cone.setTo(asker.worldPlacement(), degrees / 2, _seen.table));
+                _found.cone = _cone.setTo(asker.worldPlacement(), degrees / 2, _seen.table);
             }
             _near.find(_seen.findPlaces(), x, y, z, _found);
             return _found;

@@ -57,6 +57,9 @@ package starlogo.agents
         private static var sCreated:int = 0;
         private static var sTurned:Placement = new Placement();
         private static var sAngles:Vector3D = new Vector3D();
+        // How far a quaternion's length may be from 1 if its numbers are kept as they are.
+        private static const NEARLY_UNIT:Number = 1e-6;
+
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
         /**
@@ -101,6 +104,10 @@ package starlogo.agents
         private var _rotationIsStale:Boolean = false;
         private var _isTurnedByQuaternion:Boolean = false;
         private var _anglesAreStale:Boolean = false;
+
+        // The numbers of the last setQuaternion(), and whether they made the rotation.
+        private var _quaternion:Vector.<Number> = null;
+        private var _hasQuaternion:Boolean = false;
 
         /**
          * Creates an agent of size 1 at the origin.
@@ -342,11 +349,30 @@ package starlogo.agents
             {
                 throw new RangeError(this + ": a quaternion must not be 0");
             }
-            turnBy(x / largest, y / largest, z / largest, w / largest);
+            var overX:Number = x / largest;
+            var overY:Number = y / largest;
+            var overZ:Number = z / largest;
+            var overW:Number = w / largest;
+            var length:Number = largest * Math.sqrt(overX * overX + overY * overY + overZ * overZ + overW * overW);
+            if (!(Math.abs(length - 1) <= NEARLY_UNIT))
+            {
+                length /= largest;
+                setQuaternion(overX / length, overY / length, overZ / length, overW / length);
+                return;
+            }
+            turnBy(overX, overY, overZ, overW);
+            _quaternion ||= new Vector.<Number>(4, true);
+            _quaternion[0] = x;
+            _quaternion[1] = y;
+            _quaternion[2] = z;
+            _quaternion[3] = w;
+            _hasQuaternion = true;
         }
 
         /**
-         * The unit quaternion of the agent's rotation. Its w is not negative.
+         * The unit quaternion of the agent's rotation. If <code>setQuaternion()</code> has set the rotation, and its numbers had the length 1 up to
+         * a millionth, these are the same numbers to the last bit. Otherwise w is not negative. Given to <code>setQuaternion()</code> again, the
+         * numbers make the same rotation to the last bit if <code>setQuaternion()</code> has made it.
          *
          * @param out takes x, y, z, w; created if null
          * @return out
@@ -354,7 +380,15 @@ package starlogo.agents
         public function getQuaternion(out:Vector.<Number> = null):Vector.<Number>
         {
             out ||= new Vector.<Number>(4);
-            worldPlacement().readQuaternion(out);
+            if (!_hasQuaternion)
+            {
+                worldPlacement().readQuaternion(out);
+                return out;
+            }
+            for (var i:int = 0; i < 4; i++)
+            {
+                out[i] = _quaternion[i];
+            }
             return out;
         }
 
@@ -387,6 +421,7 @@ package starlogo.agents
             var turn:Vector.<Number> = new Vector.<Number>(4, true);
             found.readQuaternion(turn);
             turnBy(turn[0], turn[1], turn[2], turn[3]);
+            _hasQuaternion = false;
         }
 
         /**
@@ -533,7 +568,7 @@ package starlogo.agents
             {
                 return;
             }
-            _isTurnedByQuaternion = false;
+            _isTurnedByQuaternion = _hasQuaternion = false;
             _heading = heading;
             _pitch = pitch;
             _roll = roll;

@@ -109,6 +109,35 @@ package starlogo.agents
         }
 
         [Test]
+        public function aQuaternionIsKeptToTheBit():void
+        {
+            var random:SeededRandom = new SeededRandom(2507);
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var q:Vector.<Number> = randomQuaternion(random);
+                // as far from length 1 as single precision makes it, and of any length
+                var length:Number = random.pick([1, -1, 1 + random.between(-1e-7, 1e-7), random.between(0.1, 10)]);
+                var agent:Agent = new Agent("bear");
+                agent.setQuaternion(length * q[0], length * q[1], length * q[2], length * q[3]);
+                var found:Vector.<Number> = agent.getQuaternion();
+                for (var k:int = 0; k < 4 && Math.abs(Math.abs(length) - 1) < 1e-6; k++)
+                {
+                    assertEquals("taken " + i, length * q[k], found[k]);
+                }
+                var revision:int = agent.revision;
+                agent.setQuaternion(found[0], found[1], found[2], found[3]);
+                assertEquals("the same rotation " + i, revision, agent.revision);
+                var other:Agent = new Agent("bear");
+                other.setQuaternion(found[0], found[1], found[2], found[3]);
+                assertTrue("in another agent " + i, agent.worldPlacement().hasRotationOf(other.worldPlacement()));
+                assertEquals("again " + i, found.join(), agent.getQuaternion().join());
+                // other turns are read from the rotation
+                agent.heading += 90;
+                assertTrue("turned " + i, agent.getQuaternion().join() != found.join() && agent.getQuaternion()[3] >= 0);
+            }
+        }
+
+        [Test]
         public function theSameQuaternionAgainIsNoChange():void
         {
             var agent:Agent = new Agent("bear");

@@ -181,8 +181,9 @@ package starlogo.queries
             var all:Vector.<Standing> = _standings;
             _standings = new Vector.<Standing>();
             _standingOf.clear();
-            for each (var standing:Standing in all)
+            for (var i:int = 0; i < all.length; i++)
             {
+                var standing:Standing = all[i];
                 if (table.rowOf(standing.agent) >= 0)
                 {
                     _standingOf.set (standing.agent.number, _standings.push(standing));

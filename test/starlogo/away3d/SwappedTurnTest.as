@@ -1,6 +1,7 @@
 package starlogo.away3d
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.geometry.Placement;
@@ -45,11 +46,15 @@ package starlogo.away3d
         public function pointsAreTurned():void
         {
             _turn.setAngles(90, 0, 0);
-            _turn.turn(1, 2, 3);
-            assertEquals("-2,1,3", [_turn.x, _turn.y, _turn.z].join());
+            assertTurned("-2,1,3", 1, 2, 3);
             _turn.setAngles(90, 90, 90);
-            _turn.turn(1, 2, 3);
-            assertEquals("3,2,-1", [_turn.x, _turn.y, _turn.z].join());
+            assertTurned("3,2,-1", 1, 2, 3);
+        }
+
+        private function assertTurned(expected:String, x:Number, y:Number, z:Number):void
+        {
+            var turned:Vector3D = _turn.turn(x, y, z);
+            assertEquals(expected, [turned.x, turned.y, turned.z].join());
         }
     }
 }

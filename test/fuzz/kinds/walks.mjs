@@ -31,7 +31,8 @@ function gapOf(game, agent) {
 }
 
 function walkOnce(game, agent, dx, dy, options, stood) {
-	const asked = Object.assign(new WalkOptions(), options);
+	// what is below may have moved since another walk, and would carry it
+	const asked = Object.assign(new WalkOptions(), { carried: false }, options);
 	const before = placeOf(agent);
 	const wasFree = touchedBy(game, agent).length === 0;
 	// a longer walk goes in pieces, and may land meanwhile

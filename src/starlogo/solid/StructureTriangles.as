@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -32,6 +33,7 @@ package starlogo.solid
 
         // The index of the first number of the triangle that is touched first.
         private var _first:int = 0;
+        private var _corner:Vector3D = new Vector3D();
 
         /** Creates a test without a model. */
         public function StructureTriangles()
@@ -103,6 +105,18 @@ package starlogo.solid
             _test.time = _motion.time;
             _test.findContact(out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+        }
+
+        /** If a corner of the triangle that is touched first is inside of a structure, writes it in place of both closest points. */
+        public function takeCorner(structure:BoundingStructure, out:ClosestPair):void
+        {
+            _corner.setTo(_solid.corners[_first], _solid.corners[int(_first + 1)], _solid.corners[int(_first + 2)]);
+            if (structure.contains(_corner))
+            {
+                out.aX = out.bX = _corner.x;
+                out.aY = out.bY = _corner.y;
+                out.aZ = out.bZ = _corner.z;
+            }
         }
 
         private function place(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void

@@ -272,10 +272,9 @@ package starlogo.solid
             }
             else if (_isExact && _b == null)
             {
-                // a triangle inside of a box
-                out.bX = out.aX;
-                out.bY = out.aY;
-                out.bZ = out.aZ;
+                // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
+                search(_boxes, prepareTriangles(_a, null, _structureB, RelativeMotion.NONE));
+                _triangles.takeCorner(_leaf.moved, out);
             }
             out.settle(areTouching);
             out.place(placement);

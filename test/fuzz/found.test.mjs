@@ -123,6 +123,14 @@ const FOUND = {
 	"a small sphere at the outer side of slopes parts where its depth says": [["ground",3,5,false,2,-1,-1,"ravine",890886],
 	["add",1.854123363737017,-1.7625280795618892,1.1918464244809002,0.10948384236544371],
 	["stand",67,0,0.75,0.001]],
+	"a point that is on the border of two columns, below their tops, is deep in the ground": [["add",-1.647,0.5,0.5,2.29],
+	["system",2,true,1],
+	["add",1,-2.414,0.1004,0.5],
+	["ground",3,6,true,1,0,0,"rough",913291],
+	["leave",79],
+	["trait",53,"shape","one place"],
+	["add",-0.859,1.8199,1.2154,1],
+	["walk",74,0,2,0,0,0.5,-0.25,true]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

@@ -80,6 +80,14 @@ export function gapToGround(bodies, prisms) {
 	return { least, most: Math.max(least, most) };
 }
 
+/** Whether an agent is free of all prisms where it is, or a bit beside. A point between two prisms is deep in neither of them, but deep in the ground. */
+export function isBesideGround(game, agent) {
+	const { terrain } = game.collision;
+	if (!terrain || !bodiesOf(game, agent)) return true;
+	const prisms = prismsOf(terrain, heightsOf(terrain));
+	return [[0, 0, 0], ...WAYS].some((way) => standing(agent, way.map((part) => 10 * HAIR * agent.size * part), () => gapToGround(bodiesOf(game, agent), prisms).least > 0));
+}
+
 /** Where to put an agent: its share of the ground, or a bit beside it. */
 export function spotOn(terrain, u, v) {
 	const half = terrain.isBlocky ? terrain.cellWidth / 2 : 0;

@@ -7,6 +7,7 @@ package starlogo.search
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.terrain.HeightGrid;
+    import starlogo.terrain.QuickLook;
     import starlogo.terrain.TerrainPair;
 
     use namespace engine;
@@ -20,11 +21,8 @@ package starlogo.search
     {
         private var _pairs:RowPairs;
 
-        // The columns of one body, and a list with it as its only member.
+        // The columns of one body.
         private var _extents:Extents = new Extents();
-        private var _forms:Vector.<int> = new Vector.<int>(1, true);
-        private var _rows:Vector.<int> = new Vector.<int>(1, true);
-        private var _members:Vector.<int> = new Vector.<int>(1, true);
         private var _farthest:FarthestPoint = new FarthestPoint();
         private var _inwards:Vector3D = new Vector3D();
 
@@ -38,38 +36,32 @@ package starlogo.search
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            var grid:HeightGrid = gridOf(b);
-            if (b.placement.size == 1)
+            // nothing is known about ground that is made narrower
+            if (b.placement.size < 1)
             {
-                _extents.x[0] = a.x;
-                _extents.y[0] = a.y;
-                _extents.z[0] = a.z;
-                _extents.halfX[0] = a.halfX;
-                _extents.halfY[0] = a.halfY;
-                _extents.halfZ[0] = a.halfZ;
-                _forms[0] = a.form;
-                _members[0] = 0;
-                if (grid.look.keepNear(grid, _extents, _forms, _rows, _members, 1) == 0)
-                {
-                    return false;
-                }
-                if (grid.look.isTouching[0])
-                {
-                    return true;
-                }
+                return pairOf(a, b).areOverlapping();
             }
-            return pairOf(a, b).areOverlapping();
+            _extents.x[0] = a.x;
+            _extents.y[0] = a.y;
+            _extents.z[0] = a.z;
+            _extents.halfX[0] = a.halfX;
+            _extents.halfY[0] = a.halfY;
+            _extents.halfZ[0] = a.halfZ;
+            var look:QuickLook = lookOf(b);
+            var found:int = look.lookAt(_extents, a.form, 0);
+            return found == QuickLook.TOUCHING || found == QuickLook.UNKNOWN && pairOf(a, b).areOverlapping();
         }
 
         /** @inheritDoc */
         override public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:Body):int
         {
-            var grid:HeightGrid = gridOf(b);
-            var near:int = grid.look.keepNear(grid, table.extents, table.forms, rows, members, count);
+            var look:QuickLook = lookOf(b);
             var kept:int = 0;
-            for (var i:int = 0; i < near; i++)
+            for (var i:int = 0; i < count; i++)
             {
-                if (grid.look.isTouching[i] || pairOf(table.bodyOf(rows[members[i]]), b).areOverlapping())
+                var row:int = rows[members[i]];
+                var found:int = look.lookAt(table.extents, table.forms[row], row);
+                if (found == QuickLook.TOUCHING || found == QuickLook.UNKNOWN && pairOf(table.bodyOf(row), b).areOverlapping())
                 {
                     members[kept] = members[i];
                     kept++;
@@ -137,6 +129,13 @@ package starlogo.search
         private static function gridOf(ground:Body):HeightGrid
         {
             return ground.shape.fixture.terrain.grid;
+        }
+
+        private static function lookOf(ground:Body):QuickLook
+        {
+            var grid:HeightGrid = gridOf(ground);
+            grid.look.begin(grid);
+            return grid.look;
         }
 
         // The test of the ground, set to a body. If the ground is made narrower, its size is smaller.

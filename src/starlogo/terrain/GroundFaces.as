@@ -75,9 +75,10 @@ package starlogo.terrain
         private var _y:Number = 0;
         private var _z:Number = 0;
 
-        // The part of the way that cut() narrows.
+        // The part of the way that cut() narrows, and the square of how far above or below the box something may be there.
         private var _from:Number = 0;
         private var _to:Number = 0;
+        private var _squared:Number = 0;
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
@@ -125,7 +126,8 @@ package starlogo.terrain
             _y = grid.y - origin.y - border;
             _z = -origin.z;
             _face = _faceCount = _top = 0;
-            _above = 0;
+            _above = _from = 0;
+            _to = limit;
             var wayX:Number = limit * Math.abs(way.x);
             var wayY:Number = limit * Math.abs(way.y);
             var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_x) + Math.abs(middle.y) + Math.abs(_y) + Math.abs(middle.z)
@@ -166,28 +168,22 @@ package starlogo.terrain
             _above = above + 2 * _slack;
         }
 
-        // Puts some squares of a level on the stack: those that the box passes over. The nearest comes last.
+        // Puts those of some squares of a level on the stack that the current part of the way may pass over. The nearest comes last.
         private function addSquares(level:int, first:int, firstRow:int, most:int):void
         {
             var shift:int = level * HeightGrid.SHIFT;
-            var last:int = Math.min(first + most - 1, _lastColumn >> shift);
             _width = _grid.cellWidth * (1 << shift);
-            _from = 0;
-            _to = limit;
+            findRange(middle.x - _x, half.x + reach, way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
+            first = _first;
+            var last:int = _last;
             findRange(middle.y - _y, half.y + reach, way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
-            var step:int = way.y < 0 ? 1 : -1;
-            var row:int = step > 0 ? _first : _last;
-            for (var rows:int = _last - _first + 1; rows > 0; rows--)
+            for (var row:int = _first; row <= _last; row++)
             {
-                _row = row;
-                row += step;
-                cutToRow();
-                findRange(middle.x - _x, half.x + reach, way.x, first, last);
-                for (var i:int = _first; i <= _last && _from <= _to; i++)
+                for (var column:int = first; column <= last; column++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = way.x < 0 ? i : _first + _last - i;
-                    _squares[int(_top + 2)] = _row;
+                    _squares[int(_top + 1)] = way.x < 0 ? column : first + last - column;
+                    _squares[int(_top + 2)] = way.y < 0 ? row : _first + _last - row;
                     _top += 3;
                 }
             }
@@ -202,20 +198,30 @@ package starlogo.terrain
             _column = _squares[int(_top + 1)];
             _row = _squares[int(_top + 2)];
             _width = _grid.cellWidth * (1 << shift);
-            var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
             if (!isOver())
+            {
+                return;
+            }
+            var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
+            var isBlocky:Boolean = _grid.isBlocky;
+            var corner:int = level > 0 || isBlocky ? 0 : 1;
+            _grid.findRange(level, _column, _row, _column + corner, _row + corner);
+            var least:Number = _grid.least + _z;
+            var greatest:Number = _grid.greatest + _z;
+            if (_low > greatest || !(hasWalls || isBlocky && level == 0) && _high < least)
             {
                 return;
             }
             if (level == 0)
             {
-                visitCell(hasWalls || _grid.isBlocky);
-                return;
+                for (var i:int = 0; i < 4; i++)
+                {
+                    _tops[i] = isBlocky ? greatest : _grid.heights[int((_row + (i >> 1)) * _grid.columns + _column + ((i + 1) >> 1 & 1))] + _z;
+                }
+                _face = 0;
+                _faceCount = hasWalls || isBlocky ? 10 : 2;
             }
-            var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
-            var least:Number = _grid.bounds[bounds] + _z;
-            var greatest:Number = _grid.bounds[int(bounds + 1)] + _z;
-            if (_low <= greatest && (hasWalls || _high >= least) && !isBeyond(hasWalls, least, greatest, _grid.bounds[int(bounds + 2)]))
+            else if (!isBeyond(hasWalls, least, greatest, _grid.stepX))
             {
                 addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);
             }
@@ -224,18 +230,15 @@ package starlogo.terrain
         // Whether the box passes over the current square, within the limit. Also finds the heights between which the box is there.
         private function isOver():Boolean
         {
-            cutToRow();
-            cut(middle.x, half.x + reach, way.x, _x + _column * _width, _x + (_column + 1) * _width);
+            _from = 0;
+            _to = limit;
+            _squared = reach * reach;
+            cut(middle.x, half.x, way.x, _x, _column);
+            cut(middle.y, half.y, way.y, _y, _row);
             var start:Number = middle.z + _from * way.z;
             var end:Number = middle.z + _to * way.z;
-            var up:Number = reach;
-            if (reach > 0)
-            {
-                // what is to the side of the box is less far above or below it
-                var x:Number = gapOf(middle.x - _x, half.x, _column);
-                var y:Number = gapOf(middle.y - _y, half.y, _row);
-                up = Math.sqrt(Math.max(0, reach * reach - x * x - y * y));
-            }
+            // what is to the side of the box is less far above or below it
+            var up:Number = Math.sqrt(Math.max(0, _squared));
             _low = Math.min(start, end) - half.z - up + _above;
             _high = Math.max(start, end) + half.z + up;
             return _from <= _to;
@@ -258,31 +261,6 @@ package starlogo.terrain
             _gap.find(structure);
             var come:Number = limit * (_gap.along.x * way.x + _gap.along.y * way.y + _gap.along.z * way.z);
             return _gap.gap + Math.min(0, come) > reach + _slack + (1 - level) * inset;
-        }
-
-        // How far the box is from the current square along one axis.
-        private function gapOf(place:Number, extent:Number, square:int):Number
-        {
-            return Math.max(0, Math.abs(place - (square + 0.5) * _width) - _width / 2 - extent);
-        }
-
-        // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
-        private function visitCell(hasWalls:Boolean):void
-        {
-            var heights:Vector.<Number> = _grid.heights;
-            var at:int = _row * _grid.columns + _column;
-            var z:Number = heights[at] + _z;
-            _tops[0] = z;
-            _tops[1] = _grid.isBlocky ? z : heights[int(at + 1)] + _z;
-            _tops[2] = _grid.isBlocky ? z : heights[int(at + _grid.columns + 1)] + _z;
-            _tops[3] = _grid.isBlocky ? z : heights[int(at + _grid.columns)] + _z;
-            var greatest:Number = Math.max(Math.max(z, _tops[1]), Math.max(_tops[2], _tops[3]));
-            var least:Number = Math.min(Math.min(z, _tops[1]), Math.min(_tops[2], _tops[3]));
-            if (_low <= greatest && (hasWalls || _high >= least))
-            {
-                _face = 0;
-                _faceCount = hasWalls ? 10 : 2;
-            }
         }
 
         // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
@@ -360,26 +338,20 @@ package starlogo.terrain
             }
         }
 
-        // Finds the part of the way that is over the current row.
-        private function cutToRow():void
+        // Narrows the part of the way to the part on which the box comes over the current square, or within reach of it, along one axis.
+        private function cut(at:Number, extent:Number, motion:Number, begin:Number, square:int):void
         {
-            _from = 0;
-            _to = limit;
-            cut(middle.y, half.y + reach, way.y, _y + _row * _width, _y + (_row + 1) * _width);
-        }
-
-        // Narrows the part of the way to the part on which the box overlaps an interval along one axis.
-        private function cut(at:Number, extent:Number, motion:Number, low:Number, high:Number):void
-        {
-            low -= at + extent;
-            high -= at - extent;
             if (motion == 0)
             {
-                _to = low > 0 || high < 0 ? -1 : _to;
+                var gap:Number = Math.abs(at - begin - (square + 0.5) * _width) - _width / 2 - extent;
+                _to = gap > reach ? -1 : _to;
+                _squared -= gap > 0 ? gap * gap : 0;
                 return;
             }
-            _from = Math.max(_from, Math.min(low / motion, high / motion));
-            _to = Math.min(_to, Math.max(low / motion, high / motion));
+            var low:Number = (begin + square * _width - (at + extent)) / motion;
+            var high:Number = (begin + (square + 1) * _width - (at - extent)) / motion;
+            _from = Math.max(_from, Math.min(low, high));
+            _to = Math.min(_to, Math.max(low, high));
         }
 
         // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.

@@ -54,7 +54,6 @@ package starlogo.terrain
 
         protected var _piece:ConvexTriangle = new ConvexTriangle();
         protected var _faces:GroundFaces = new GroundFaces();
-        protected var _depths:GroundDepths;
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
@@ -63,7 +62,6 @@ package starlogo.terrain
         {
             _piece.isOneSided = true;
             _faces.origin = _origin;
-            _depths = new GroundDepths(_piece, _faces);
         }
 
         /**
@@ -115,7 +113,7 @@ package starlogo.terrain
             _motion = motion;
             _best = bound;
             _isFound = false;
-            if (_tree == null)
+            if (_tree == null || goal == WAYS)
             {
                 meetStructure(_structure);
             }
@@ -155,7 +153,7 @@ package starlogo.terrain
             }
         }
 
-        protected function meetStructure(structure:BoundingStructure):void
+        private function meetStructure(structure:BoundingStructure):void
         {
             _piece.begin(structure, _placed, _motion);
             _faces.structure = _piece.structure;
@@ -263,13 +261,9 @@ package starlogo.terrain
                 _piece.measure();
                 found = _piece.distance;
             }
-            else if (_goal == WAYS)
-            {
-                _depths.addWay();
-            }
             else
             {
-                found = _goal == FACES ? _depths.findFace(_best, _grid) : _depths.findEdge(_best);
+                found = findDepth();
             }
             if (!(found < _best || found == _best && !_isFound && found < Infinity))
             {
@@ -282,7 +276,11 @@ package starlogo.terrain
                 _piece.writeClosest(_closest);
                 _faces.reach = found;
             }
-            else if (_goal == TIME)
+            else if (_goal != TIME)
+            {
+                keepDepth();
+            }
+            else
             {
                 _faces.limit = found;
                 if (_contact != null)
@@ -290,15 +288,17 @@ package starlogo.terrain
                     _piece.findContact(_contact);
                 }
             }
-            else
-            {
-                _contact.copyFrom(_depths.contact);
-                _depths.keepPart();
-                if (_goal == FACES)
-                {
-                    _faces.raise(-found);
-                }
-            }
+        }
+
+        // Finds the negative depth for the other goals; Infinity for none.
+        protected function findDepth():Number
+        {
+            return Infinity;
+        }
+
+        // Keeps the contact of that depth.
+        protected function keepDepth():void
+        {
         }
     }
 }

@@ -14,9 +14,6 @@ package starlogo.terrain
         // A range is not read height by height if it is longer than this, along x or along y.
         private static const MOST_SQUARES:int = 16;
 
-        // The list of the first member, and the list of the first row.
-        private static const FIRST:Vector.<int> = new <int>[0];
-
         /** How many heights there are along x. */
         public var columns:int;
 
@@ -105,16 +102,9 @@ package starlogo.terrain
         /** @copy #stepX */
         public var stepY:Number = 0;
 
-        // The triangles of places: see findCorners.
-        private var _corners:Vector.<int> = new <int>[0];
-        private var _sides:Vector.<int> = new <int>[0];
-        private var _mores:Vector.<Number> = new <Number>[0];
-        private var _lesses:Vector.<Number> = new <Number>[0];
-
-        // A list with one place.
-        private var _placeX:Vector.<Number> = new <Number>[0];
-        private var _placeY:Vector.<Number> = new <Number>[0];
-        private var _found:Vector.<Number> = new <Number>[0];
+        // The triangle of the place: the corner of the cell with the least x and y, and the corner beside the diagonal.
+        private var _corner:int = 0;
+        private var _side:int = 0;
 
         /** Creates flat ground. The caller has checked the numbers. */
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
@@ -160,13 +150,40 @@ package starlogo.terrain
             }
         }
 
-        /** Finds the height at the place. */
+        /** Finds the height at the place. Where columns meet, it is the highest. */
         public function findHeight():void
         {
-            _placeX[0] = placeX;
-            _placeY[0] = placeY;
-            findHeights(_placeX, _placeY, FIRST, FIRST, 1, _found);
-            height = _found[0];
+            // Slopes are between heights. Columns begin half a cell before their heights.
+            var toX:Number = (placeX - x) / cellWidth;
+            var toY:Number = (placeY - y) / cellWidth;
+            var lastColumn:int = columns - 1;
+            var lastRow:int = rows - 1;
+            height = NaN;
+            if (isBlocky)
+            {
+                toX += 0.5;
+                toY += 0.5;
+                if (toX >= 0 && toY >= 0 && toX <= columns && toY <= rows)
+                {
+                    findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, lastColumn), Math.min(toY, lastRow));
+                    height = greatest;
+                }
+            }
+            else if (toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow)
+            {
+                // The conversion to int rounds down, because the numbers are not negative.
+                var column:int = toX;
+                var row:int = toY;
+                column -= column == lastColumn ? 1 : 0;
+                row -= row == lastRow ? 1 : 0;
+                toX -= column;
+                toY -= row;
+                _corner = row * columns + column;
+                _side = toX >= toY ? _corner + 1 : _corner + columns;
+                var more:Number = toX >= toY ? toX : toY;
+                var less:Number = toX >= toY ? toY : toX;
+                height = (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
+            }
         }
 
         /**
@@ -195,84 +212,12 @@ package starlogo.terrain
         /** Finds the fall of sloping ground at the place. <code>findHeight()</code> comes before. */
         public function findFall():void
         {
-            var near:Number = heights[_corners[0]];
-            var side:Number = heights[_sides[0]];
-            var far:Number = heights[int(_corners[0] + columns + 1)];
-            var isRight:Boolean = _sides[0] == _corners[0] + 1;
+            var near:Number = heights[_corner];
+            var side:Number = heights[_side];
+            var far:Number = heights[int(_corner + columns + 1)];
+            var isRight:Boolean = _side == _corner + 1;
             fallX = isRight ? near - side : side - far;
             fallY = isRight ? side - far : near - side;
-        }
-
-        /**
-         * Finds the heights at the places of members of a list.
-         *
-         * @param xs the places, by row
-         * @param rows the row of each member
-         * @param members the list
-         * @param count its length
-         * @param out receives the heights, in the order of the list
-         */
-        public function findHeights(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int, out:Vector.<Number>):void
-        {
-            if (isBlocky)
-            {
-                findTops(xs, ys, rows, members, count, out);
-                return;
-            }
-            findCorners(xs, ys, rows, members, count);
-            // This loop is short, so the processor waits for the heights of several places at once.
-            var all:Vector.<Number> = heights;
-            var corners:Vector.<int> = _corners;
-            var sides:Vector.<int> = _sides;
-            var mores:Vector.<Number> = _mores;
-            var lesses:Vector.<Number> = _lesses;
-            var toFar:int = columns + 1;
-            for (var i:int = 0; i < count; i++)
-            {
-                var corner:int = corners[i];
-                var more:Number = mores[i];
-                var less:Number = lesses[i];
-                out[i] = (1 - more) * all[corner] + (more - less) * all[sides[i]] + less * all[int(corner + toFar)];
-            }
-        }
-
-        // Finds the triangles of places: the corner of the cell with the least x and y, the corner beside the diagonal, and the place in the
-        // cell. The shares of a place outside are NaN.
-        private function findCorners(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int):void
-        {
-            var lastColumn:int = columns - 1;
-            var lastRow:int = this.rows - 1;
-            for (var i:int = 0; i < count; i++)
-            {
-                var at:int = rows[members[i]];
-                var toX:Number = (xs[at] - x) / cellWidth;
-                var toY:Number = (ys[at] - y) / cellWidth;
-                if (!(toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow))
-                {
-                    _corners[i] = _sides[i] = 0;
-                    _mores[i] = _lesses[i] = NaN;
-                    continue;
-                }
-                // The conversion to int rounds down, because the numbers are not negative.
-                var column:int = toX;
-                var row:int = toY;
-                if (column == lastColumn)
-                {
-                    column--;
-                }
-                if (row == lastRow)
-                {
-                    row--;
-                }
-                toX -= column;
-                toY -= row;
-                var corner:int = row * columns + column;
-                var isRight:Boolean = toX >= toY;
-                _corners[i] = corner;
-                _sides[i] = isRight ? corner + 1 : corner + columns;
-                _mores[i] = isRight ? toX : toY;
-                _lesses[i] = isRight ? toY : toX;
-            }
         }
 
         /** Computes the bounds of all squares to which a range of heights belongs. */
@@ -282,24 +227,33 @@ package starlogo.terrain
             for (var level:int = 1; level <= levels; level++)
             {
                 var around:int = level == 1 ? 1 : 0;
+                var stride:int = countSquares(columns, level - 1);
+                var lines:int = countSquares(rows, level - 1);
                 first = Math.max(0, first - around) >> SHIFT;
                 firstRow = Math.max(0, firstRow - around) >> SHIFT;
-                last = Math.min(countSquares(columns, level - 1) - 1, last + around) >> SHIFT;
-                lastRow = Math.min(countSquares(rows, level - 1) - 1, lastRow + around) >> SHIFT;
+                last = Math.min(stride - 1, last + around) >> SHIFT;
+                lastRow = Math.min(lines - 1, lastRow + around) >> SHIFT;
                 for (var row:int = firstRow; row <= lastRow; row++)
                 {
                     for (var column:int = first; column <= last; column++)
                     {
-                        findBoundsOf(level, column, row, around);
+                        // some rows and columns around count too
+                        findRange(level - 1, Math.max(0, (column << SHIFT) - around), Math.max(0, (row << SHIFT) - around),
+                                Math.min(stride, ((column + 1) << SHIFT) + around) - 1, Math.min(lines, ((row + 1) << SHIFT) + around) - 1);
+                        var at:int = begins[level] + 3 * (row * countSquares(columns, level) + column);
+                        bounds[at] = least;
+                        bounds[int(at + 1)] = greatest;
+                        bounds[int(at + 2)] = Math.max(stepX, stepY);
                     }
                 }
             }
         }
 
-        /** Finds the least and the greatest height of a range, and how much neighbours differ. */
-        public function findRange(first:int, firstRow:int, last:int, lastRow:int):void
+        /** Finds the least and the greatest height of a range of heights or of a level's squares, and how much neighbours differ. */
+        public function findRange(level:int, first:int, firstRow:int, last:int, lastRow:int):void
         {
             var all:Vector.<Number> = heights;
+            var stride:int = countSquares(columns, level);
             var low:Number = Infinity;
             var high:Number = -Infinity;
             var alongX:Number = 0;
@@ -308,16 +262,24 @@ package starlogo.terrain
             {
                 for (var column:int = first; column <= last; column++)
                 {
-                    var at:int = row * columns + column;
-                    var here:Number = all[at];
-                    low = here < low ? here : low;
-                    high = here > high ? here : high;
-                    var step:Number = column == first ? 0 : here - all[int(at - 1)];
-                    alongX = step > alongX ? step : alongX;
-                    alongX = -step > alongX ? -step : alongX;
-                    step = row == firstRow ? 0 : here - all[int(at - columns)];
-                    alongY = step > alongY ? step : alongY;
-                    alongY = -step > alongY ? -step : alongY;
+                    var at:int = row * stride + column;
+                    if (level == 0)
+                    {
+                        var here:Number = all[at];
+                        low = here < low ? here : low;
+                        high = here > high ? here : high;
+                        var step:Number = column == first ? 0 : here - all[int(at - 1)];
+                        alongX = step > alongX ? step : alongX;
+                        alongX = -step > alongX ? -step : alongX;
+                        step = row == firstRow ? 0 : here - all[int(at - columns)];
+                        alongY = step > alongY ? step : alongY;
+                        alongY = -step > alongY ? -step : alongY;
+                        continue;
+                    }
+                    at = begins[level] + 3 * at;
+                    low = Math.min(low, bounds[at]);
+                    high = Math.max(high, bounds[int(at + 1)]);
+                    alongX = alongY = Math.max(alongX, bounds[int(at + 2)]);
                 }
             }
             least = low;
@@ -348,71 +310,7 @@ package starlogo.terrain
                 lastRow >>= SHIFT;
                 level++;
             }
-            if (level == 0)
-            {
-                findRange(first, firstRow, last, lastRow);
-                return;
-            }
-            joinBounds(begins[level], countSquares(columns, level), first, firstRow, last, lastRow);
-            stepY = stepX;
-        }
-
-        // Computes the bounds of a square from the squares of the level before, or from the heights. Some rows and columns around count too.
-        private function findBoundsOf(level:int, column:int, row:int, around:int):void
-        {
-            var stride:int = countSquares(columns, level - 1);
-            var first:int = Math.max(0, (column << SHIFT) - around);
-            var firstRow:int = Math.max(0, (row << SHIFT) - around);
-            var last:int = Math.min(stride, ((column + 1) << SHIFT) + around) - 1;
-            var lastRow:int = Math.min(countSquares(rows, level - 1), ((row + 1) << SHIFT) + around) - 1;
-            if (level == 1)
-            {
-                findRange(first, firstRow, last, lastRow);
-            }
-            else
-            {
-                joinBounds(begins[level - 1], stride, first, firstRow, last, lastRow);
-            }
-            var at:int = begins[level] + 3 * (row * countSquares(columns, level) + column);
-            bounds[at] = least;
-            bounds[int(at + 1)] = greatest;
-            bounds[int(at + 2)] = Math.max(stepX, stepY);
-        }
-
-        // Like findRange, from the bounds of squares.
-        private function joinBounds(begin:int, stride:int, first:int, firstRow:int, last:int, lastRow:int):void
-        {
-            least = Infinity;
-            greatest = -Infinity;
-            stepX = stepY = 0;
-            for (var row:int = firstRow; row <= lastRow; row++)
-            {
-                for (var column:int = first; column <= last; column++)
-                {
-                    var at:int = begin + 3 * (row * stride + column);
-                    least = Math.min(least, bounds[at]);
-                    greatest = Math.max(greatest, bounds[int(at + 1)]);
-                    stepX = Math.max(stepX, bounds[int(at + 2)]);
-                }
-            }
-        }
-
-        // Finds the heights of columns. Where columns meet, it is the highest.
-        private function findTops(xs:Vector.<Number>, ys:Vector.<Number>, rows:Vector.<int>, members:Vector.<int>, count:int, out:Vector.<Number>):void
-        {
-            for (var i:int = 0; i < count; i++)
-            {
-                var at:int = rows[members[i]];
-                // in cells, from the outer corner of the first column
-                var toX:Number = (xs[at] - x) / cellWidth + 0.5;
-                var toY:Number = (ys[at] - y) / cellWidth + 0.5;
-                out[i] = NaN;
-                if (toX >= 0 && toY >= 0 && toX <= columns && toY <= this.rows)
-                {
-                    findRange(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, this.rows - 1));
-                    out[i] = greatest;
-                }
-            }
+            findRange(level, first, firstRow, last, lastRow);
         }
     }
 }

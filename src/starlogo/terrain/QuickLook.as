@@ -15,89 +15,84 @@ package starlogo.terrain
      */
     public final class QuickLook
     {
-        /** By place in the list of near members: whether the member is known to touch the ground. */
-        public var isTouching:Vector.<Boolean> = new Vector.<Boolean>();
+        /** An answer: the agent is apart from the ground. */
+        public static const APART:int = 0;
+
+        /** An answer: the agent touches the ground. */
+        public static const TOUCHING:int = 1;
+
+        /** No answer. Only a test of the agent's shape decides. */
+        public static const UNKNOWN:int = 2;
 
         private var _grid:HeightGrid;
 
-        // By place in the list of members: how high the ground is.
-        private var _heights:Vector.<Number> = new Vector.<Number>();
-
-        // The gap across which agents may still touch, because of rounding.
+        // The steepest slope, and the gap across which agents may still touch, because of rounding.
+        private var _slope:Number = 0;
         private var _gap:Number = 0;
 
-        /**
-         * Removes members from a list that are known not to touch the ground. Nothing is known about trees, and about agents whose middle is
-         * outside of the terrain.
-         *
-         * @param extents of the agents, by row
-         * @param forms of the agents, by row
-         * @param rows the row of each member
-         * @param members the list; the near ones are moved to its beginning
-         * @param count its length
-         * @return the number of near members
-         */
-        public function keepNear(grid:HeightGrid, extents:Extents, forms:Vector.<int>, rows:Vector.<int>, members:Vector.<int>, count:int):int
+        /** Begins with the ground as it is now. */
+        public function begin(grid:HeightGrid):void
         {
             var whole:int = grid.bounds.length - 3;
-            var slope:Number = grid.isBlocky ? Infinity : grid.bounds[int(whole + 2)] / grid.cellWidth;
-            var gap:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(grid.bounds[whole])
-                    + Math.abs(grid.bounds[int(whole + 1)]));
-            var zs:Vector.<Number> = extents.z;
-            var halfXs:Vector.<Number> = extents.halfX;
-            var heights:Vector.<Number> = _heights;
-            var kept:int = 0;
             _grid = grid;
-            _gap = gap;
-            grid.findHeights(extents.x, extents.y, rows, members, count, heights);
-            for (var i:int = 0; i < count; i++)
-            {
-                var member:int = members[i];
-                var row:int = rows[member];
-                var isSphere:Boolean = forms[row] == BoundingStructure.SPHERE;
-                var above:Number = zs[row] - heights[i];
-                var inner:Number = isSphere ? halfXs[row] : 0;
-                // Nodes of a tree may extend beyond the tree's extents.
-                var isStructure:Boolean = forms[row] <= BoundingStructure.BOX;
-                var isKnown:Boolean = above <= inner && isStructure;
-                if (above > inner && isStructure)
-                {
-                    var reach:Number = isSphere ? inner + inner * slope * slope : extents.halfZ[row] + slope * (halfXs[row] + extents.halfY[row]);
-                    if (above > reach * Tolerances.OUTER + gap || isFar(extents, row, i, isSphere))
-                    {
-                        continue;
-                    }
-                    isKnown = isSphere && isBallBelow(extents, row);
-                }
-                isTouching[kept] = isKnown;
-                members[kept] = member;
-                kept++;
-            }
-            return kept;
+            _slope = grid.isBlocky ? Infinity : grid.bounds[int(whole + 2)] / grid.cellWidth;
+            _gap = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(grid.bounds[whole])
+                    + Math.abs(grid.bounds[int(whole + 1)]));
         }
 
-        // Whether an agent, by its row and its place in the list, is above all heights near it, or higher than the slopes between them allow.
+        /**
+         * Looks at an agent. Nothing is known about trees, and about agents whose middle is outside of the terrain.
+         *
+         * @param extents of agents, by row
+         * @param form the form of the agent
+         * @param row its row
+         * @return one of the three answers
+         */
+        public function lookAt(extents:Extents, form:int, row:int):int
+        {
+            var grid:HeightGrid = _grid;
+            grid.placeX = extents.x[row];
+            grid.placeY = extents.y[row];
+            grid.findHeight();
+            var isSphere:Boolean = form == BoundingStructure.SPHERE;
+            var above:Number = extents.z[row] - grid.height;
+            var inner:Number = isSphere ? extents.halfX[row] : 0;
+            // Nodes of a tree may extend beyond the tree's extents.
+            if (form > BoundingStructure.BOX || !(above <= inner || above > inner))
+            {
+                return UNKNOWN;
+            }
+            if (above <= inner)
+            {
+                return TOUCHING;
+            }
+            var reach:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ[row] + _slope * (extents.halfX[row] + extents.halfY[row]);
+            if (above > reach * Tolerances.OUTER + _gap || isFar(extents, row, isSphere))
+            {
+                return APART;
+            }
+            return isSphere && isBallBelow(extents, row) ? TOUCHING : UNKNOWN;
+        }
+
+        // Whether the agent of a row, at the place, is above all heights near it, or higher than the slopes between them allow.
         // Few heights are read.
-        private function isFar(extents:Extents, row:int, at:int, isSphere:Boolean):Boolean
+        private function isFar(extents:Extents, row:int, isSphere:Boolean):Boolean
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
-            var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
-            var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
+            var height:Number = grid.height;
+            grid.reachX = extents.halfX[row] * Tolerances.OUTER + _gap;
+            grid.reachY = extents.halfY[row] * Tolerances.OUTER + _gap;
             var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
-            grid.placeX = extents.x[row];
-            grid.placeY = extents.y[row];
-            grid.reachX = halfX;
-            grid.reachY = halfY;
             grid.findAround();
             if (extents.z[row] - halfZ > grid.greatest)
             {
                 return true;
             }
-            var riseX:Number = grid.stepX * halfX / width;
-            var riseY:Number = grid.stepY * halfY / width;
+            var riseX:Number = grid.stepX * grid.reachX / width;
+            var riseY:Number = grid.stepY * grid.reachY / width;
             var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
-            return !grid.isBlocky && extents.z[row] - _heights[at] > reach;
+            return !grid.isBlocky && extents.z[row] - height > reach;
         }
 
         // Whether the ground reaches up to the point of a sphere that is nearest to the plane under its middle.
@@ -105,9 +100,6 @@ package starlogo.terrain
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
-            grid.placeX = extents.x[row];
-            grid.placeY = extents.y[row];
-            grid.findHeight();
             grid.findFall();
             var step:Number = extents.halfX[row] / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
             grid.placeX -= step * grid.fallX;

@@ -22,8 +22,28 @@ package starlogo.terrain
      */
     public final class TerrainPair extends GroundSearch
     {
+        // Two ways have nearly the same direction if the cosine of their angle is larger.
+        private static const SAME_WAY:Number = 0.98;
+
+        // How many gaps of a triangle the part of a contact may reach before its plane, because of rounding.
+        private static const PART_GAPS:Number = 10;
+
+        // The most ways that are found.
+        private static const MOST_WAYS:int = 12;
+
+        // The part of a depth that must be known to be needed.
+        private static const NEEDED:Number = 0.8;
+
         /** The length that any way out of the last contact has at least; 0 if it is not known. */
         public var needed:Number = 0;
+
+        // The contact with the last triangle, and the length that any way out of the ground has at least, by this triangle. The part of the ground that the last contact was with, if there was one. The ways and their number.
+        private var _tried:ContactPoint = new ContactPoint();
+        private var _bound:Number = 0;
+        private var _part:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _hasPart:Boolean = false;
+        private var _ways:Vector.<ContactPoint>;
+        private var _wayCount:int = 0;
 
         /** Whether the two overlap or touch where the model stands. */
         public function areOverlapping():Boolean
@@ -78,7 +98,7 @@ package starlogo.terrain
         {
             var time:Number = motion.time;
             needed = 0;
-            _depths.hasPart = false;
+            _hasPart = false;
             if (motion.x != 0 || motion.y != 0 || motion.z != 0)
             {
                 findImpact(motion, out);
@@ -116,17 +136,14 @@ package starlogo.terrain
          */
         public function findWays(reach:Number, ways:Vector.<ContactPoint>):int
         {
-            _goal = WAYS;
-            _motion = RelativeMotion.NONE;
-            _best = reach;
-            _isFound = false;
-            _depths.beginWays(ways);
-            meetStructure(_structure);
-            for (var i:int = 0; i < _depths.wayCount; i++)
+            _ways = ways;
+            _wayCount = 0;
+            search(WAYS, RelativeMotion.NONE, reach, null);
+            for (var i:int = 0; i < _wayCount; i++)
             {
                 moveToWorld(ways[i]);
             }
-            return _depths.wayCount;
+            return _wayCount;
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
@@ -199,6 +216,117 @@ package starlogo.terrain
             _faces.limit = _faces.reach = 0;
             _faces.structure = null;
             _faces.begin(_grid);
+        }
+
+        /** @private */
+        override protected function findDepth():Number
+        {
+            var isUnder:Boolean = _piece.findBehind(_tried);
+            var depth:Number = _tried.depth;
+            if (_goal == WAYS)
+            {
+                if (depth >= -_piece.gap && (!_hasPart || isPartBehind()))
+                {
+                    addWay();
+                }
+                return Infinity;
+            }
+            var isDeeper:Boolean = depth >= _piece.gap - _best;
+            if (_goal == FACES)
+            {
+                if (!isUnder || !(isDeeper || _best == 0 && depth >= -_piece.gap))
+                {
+                    return Infinity;
+                }
+                findBound();
+                return _bound >= NEEDED * depth ? -depth : Infinity;
+            }
+            if (!(isDeeper || _best == 0) || !_piece.touches())
+            {
+                return Infinity;
+            }
+            _piece.time = 0;
+            _piece.findContact(_tried);
+            return -_tried.depth;
+        }
+
+        /** @private */
+        override protected function keepDepth():void
+        {
+            _contact.copyFrom(_tried);
+            for (var i:int = 0; i < 9; i++)
+            {
+                _part[i] = _faces.corners[i];
+            }
+            _hasPart = true;
+            if (_goal == FACES)
+            {
+                _faces.raise(-_best);
+            }
+        }
+
+        // Adds a way out. Of ways with nearly the same direction, the shortest is kept.
+        private function addWay():void
+        {
+            for (var i:int = 0; i < _wayCount; i++)
+            {
+                var way:ContactPoint = _ways[i];
+                if (_tried.normalX * way.normalX + _tried.normalY * way.normalY + _tried.normalZ * way.normalZ > SAME_WAY)
+                {
+                    if (_tried.depth < way.depth)
+                    {
+                        way.copyFrom(_tried);
+                    }
+                    return;
+                }
+            }
+            if (_wayCount < MOST_WAYS)
+            {
+                if (_wayCount == _ways.length)
+                {
+                    _ways[_wayCount] = new ContactPoint();
+                }
+                _ways[_wayCount].copyFrom(_tried);
+                _wayCount++;
+            }
+        }
+
+        private function isPartBehind():Boolean
+        {
+            _tried.measure(_part, 0, 9);
+            var greatest:Number = _tried.greatest;
+            _tried.measure(_faces.corners, 0, 3);
+            return greatest <= _tried.least + PART_GAPS * _piece.gap;
+        }
+
+        // Finds how long any way out of the ground is at least, because the piece's deepest point has to get out.
+        private function findBound():void
+        {
+            var grid:HeightGrid = _grid;
+            var depth:Number = _tried.depth;
+            _bound = 0;
+            grid.placeX = _origin.x + _tried.x - depth / 2 * _tried.normalX;
+            grid.placeY = _origin.y + _tried.y - depth / 2 * _tried.normalY;
+            grid.findHeight();
+            var z:Number = _origin.z + _tried.z - depth / 2 * _tried.normalZ;
+            var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
+            var left:Number = Math.min(grid.placeX - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - grid.placeX);
+            var front:Number = Math.min(grid.placeY - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - grid.placeY);
+            if (!(grid.height > z) || Math.min(left, front) + border < depth)
+            {
+                return;
+            }
+            var high:Number = grid.height;
+            grid.reachX = grid.reachY = depth;
+            grid.findAround();
+            _bound = grid.least - z;
+            if (!grid.isBlocky)
+            {
+                var slopeX:Number = grid.stepX / grid.cellWidth;
+                var slopeY:Number = grid.stepY / grid.cellWidth;
+                _bound = Math.max(_bound, (high - z) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
+            }
+            _bound = Math.min(_bound, depth);
         }
 
         private function overlapsAt(motion:RelativeMotion, time:Number):Boolean

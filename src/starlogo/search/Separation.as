@@ -196,7 +196,7 @@ package starlogo.search
         }
 
         // Finds a way out of the ground. The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks
-        // farther and farther for other ways.
+        // farther and farther for other ways, and straight up.
         private function findWayOfGround(out:ContactPoint):void
         {
             var reach:Number = Math.max(SHALLOW * _extent, Math.min(_first.depth, _extent));
@@ -204,19 +204,15 @@ package starlogo.search
             {
                 return;
             }
-            while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES))
+            _distance = 0;
+            displace();
+            _tests.findOuterContact(_a, _b, _left);
+            var most:Number = _left.depth;
+            while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES) && reach <= most)
             {
-                _distance = 0;
-                displace();
-                _tests.findOuterContact(_a, _b, _left);
-                if (reach > _left.depth)
-                {
-                    goOutAlong(_left);
-                    refine(out);
-                    return;
-                }
                 reach *= FARTHER;
             }
+            tryOuter(out);
         }
 
         // Looks for the shortest push that leads out of all contacts, from the first one on. Takes it if it is not longer than the most.

@@ -114,6 +114,23 @@ package starlogo.terrain
             }
         }
 
+        // All sides of the ground that the box is behind are farther away than the peak is high in it.
+        [Test]
+        public function whatIsOnAPeakIsLeftUpwards():void
+        {
+            var heights:Array = [2, 3, 1, 0, 3, 3, 2, 3, 0, 2, 3, 0, 2, 2, 1, 3];
+            var terrain:Terrain = columns(4, 4, function(column:int, row:int):Number
+                {
+                    return heights[4 * row + column];
+                });
+            terrain.isBlocky = false;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var contact:Contact = EachCollider.make(name, _land).contactOf(agentAt("cube", -0.5, -1, 2.5), terrain.agent);
+                assertTrue(name + ": " + contact.depth + " along " + contact.normal, contact.depth < 0.5 + HAIR);
+            }
+        }
+
         [Test]
         public function waysAreAboutTheShortest():void
         {

@@ -203,27 +203,46 @@ package starlogo.terrain
                 return;
             }
             var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
-            var isBlocky:Boolean = _grid.isBlocky;
-            var corner:int = level > 0 || isBlocky ? 0 : 1;
-            _grid.findRange(level, _column, _row, _column + corner, _row + corner);
-            var least:Number = _grid.least + _z;
-            var greatest:Number = _grid.greatest + _z;
-            if (_low > greatest || !(hasWalls || isBlocky && level == 0) && _high < least)
-            {
-                return;
-            }
             if (level == 0)
             {
-                for (var i:int = 0; i < 4; i++)
-                {
-                    _tops[i] = isBlocky ? greatest : _grid.heights[int((_row + (i >> 1)) * _grid.columns + _column + ((i + 1) >> 1 & 1))] + _z;
-                }
-                _face = 0;
-                _faceCount = hasWalls || isBlocky ? 10 : 2;
+                visitCell(hasWalls || _grid.isBlocky);
+                return;
             }
-            else if (!isBeyond(hasWalls, least, greatest, _grid.stepX))
+            var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
+            var least:Number = _grid.bounds[bounds] + _z;
+            var greatest:Number = _grid.bounds[int(bounds + 1)] + _z;
+            if (hasWalls)
             {
+                least = Math.min(least, _low);
+            }
+            if (_low <= greatest && _high >= least && !isBeyond(hasWalls, least, greatest, _grid.bounds[int(bounds + 2)]))
+            {
+                if (way.z != 0)
+                {
+                    narrow(least - (middle.z + half.z), greatest - (middle.z - half.z), way.z);
+                }
                 addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);
+            }
+        }
+
+        // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
+        private function visitCell(hasWalls:Boolean):void
+        {
+            var heights:Vector.<Number> = _grid.heights;
+            var at:int = _row * _grid.columns + _column;
+            // all corners of a column have one height
+            var next:int = _grid.isBlocky ? 0 : 1;
+            var far:int = next * _grid.columns;
+            _tops[0] = heights[at] + _z;
+            _tops[1] = heights[int(at + next)] + _z;
+            _tops[2] = heights[int(at + next + far)] + _z;
+            _tops[3] = heights[int(at + far)] + _z;
+            var greatest:Number = Math.max(Math.max(_tops[0], _tops[1]), Math.max(_tops[2], _tops[3]));
+            var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));
+            if (_low <= greatest && (hasWalls || _high >= least))
+            {
+                _face = 0;
+                _faceCount = hasWalls ? 10 : 2;
             }
         }
 
@@ -256,7 +275,7 @@ package starlogo.terrain
             var level:Number = 1 / Math.sqrt(1 + 2 * slope * slope);
             var x:Number = _x + _column * _width;
             var y:Number = _y + _row * _width;
-            _gap.low.setTo(x, y, Math.min(hasWalls ? _low : least, greatest) - inset);
+            _gap.low.setTo(x, y, least - inset);
             _gap.high.setTo(x + _width, y + _width, greatest - level * inset);
             _gap.find(structure);
             var come:Number = limit * (_gap.along.x * way.x + _gap.along.y * way.y + _gap.along.z * way.z);
@@ -343,15 +362,22 @@ package starlogo.terrain
         {
             if (motion == 0)
             {
-                var gap:Number = Math.abs(at - begin - (square + 0.5) * _width) - _width / 2 - extent;
-                _to = gap > reach ? -1 : _to;
-                _squared -= gap > 0 ? gap * gap : 0;
+                var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * _width) - _width / 2 - extent);
+                _squared -= off * off;
+                if (off > reach)
+                {
+                    _to = -1;
+                }
                 return;
             }
-            var low:Number = (begin + square * _width - (at + extent)) / motion;
-            var high:Number = (begin + (square + 1) * _width - (at - extent)) / motion;
-            _from = Math.max(_from, Math.min(low, high));
-            _to = Math.min(_to, Math.max(low, high));
+            narrow(begin + square * _width - (at + extent), begin + (square + 1) * _width - (at - extent), motion);
+        }
+
+        // Narrows the part of the way to the part on which a coordinate that changes is between two numbers.
+        private function narrow(low:Number, high:Number, motion:Number):void
+        {
+            _from = Math.max(_from, Math.min(low / motion, high / motion));
+            _to = Math.min(_to, Math.max(low / motion, high / motion));
         }
 
         // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.

@@ -37,17 +37,12 @@ package starlogo.terrain
          */
         public function find(grid:HeightGrid, ray:Ray):Boolean
         {
-            grid.placeX = ray.x;
-            grid.placeY = ray.y;
-            grid.findHeight();
-            if (grid.height >= ray.z)
+            if (grid.heightAt(ray.x, ray.y) >= ray.z)
             {
                 ray.faceBack();
                 return true;
             }
-            _faces.middle.x = ray.x;
-            _faces.middle.y = ray.y;
-            _faces.middle.z = ray.z;
+            _faces.middle.setTo(ray.x, ray.y, ray.z);
             _faces.half.setTo(0, 0, 0);
             _faces.way.x = ray.directionX;
             _faces.way.y = ray.directionY;

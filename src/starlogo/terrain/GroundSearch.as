@@ -176,14 +176,6 @@ package starlogo.terrain
             return _isFound && _goal == TIME && _best == 0;
         }
 
-        protected function heightAt(x:Number, y:Number):Number
-        {
-            _grid.placeX = x + _origin.x;
-            _grid.placeY = y + _origin.y;
-            _grid.findHeight();
-            return _grid.height - _origin.z;
-        }
-
         // Puts the box around a structure of the model.
         protected function placeBox(structure:BoundingStructure):void
         {
@@ -237,11 +229,7 @@ package starlogo.terrain
         {
             if (_goal == TIME && _motion === RelativeMotion.NONE && !_isFound)
             {
-                _grid.placeX = point.x + _origin.x;
-                _grid.placeY = point.y + _origin.y;
-                _grid.placeZ = point.z + _origin.z;
-                _grid.inset = _faces.inset;
-                _isFound = _grid.isOver();
+                _isFound = _grid.isOver(point.x + _origin.x, point.y + _origin.y, point.z + _origin.z, _faces.inset);
             }
         }
 

@@ -63,28 +63,7 @@ package starlogo.terrain
         /** How often the surface has changed. */
         public var revision:int = 0;
 
-        /** The place for <code>findHeight()</code>. */
-        public var placeX:Number = 0;
-
-        /** @copy #placeX */
-        public var placeY:Number = 0;
-
-        /** The place for <code>isOver()</code> has this height, and the ground is moved in by the inset. */
-        public var placeZ:Number = 0;
-
-        /** @copy #placeZ */
-        public var inset:Number = 0;
-
-        /** How far from the place <code>findAround()</code> looks. */
-        public var reachX:Number = 0;
-
-        /** @copy #reachX */
-        public var reachY:Number = 0;
-
-        /** How high the ground is at the place; NaN outside. */
-        public var height:Number = 0;
-
-        /** How far sloping ground at the place falls from a height to the next one along x. */
+        /** How far sloping ground at the place of <code>findFall()</code> falls from a height to the next one along x. */
         public var fallX:Number = 0;
 
         /** How far it falls along y. */
@@ -102,7 +81,7 @@ package starlogo.terrain
         /** @copy #stepX */
         public var stepY:Number = 0;
 
-        // The triangle of the place: the corner of the cell with the least x and y, and the corner beside the diagonal.
+        // The triangle of the last place of heightAt(): the corner of the cell with the least x and y, and the corner beside the diagonal.
         private var _corner:int = 0;
         private var _side:int = 0;
 
@@ -150,58 +129,52 @@ package starlogo.terrain
             }
         }
 
-        /** Finds the height at the place. Where columns meet, it is the highest. */
-        public function findHeight():void
+        /** The height at a place; NaN outside. Where columns meet, it is the highest. */
+        public function heightAt(atX:Number, atY:Number):Number
         {
             // Slopes are between heights. Columns begin half a cell before their heights.
-            var toX:Number = (placeX - x) / cellWidth;
-            var toY:Number = (placeY - y) / cellWidth;
+            var toX:Number = (atX - x) / cellWidth;
+            var toY:Number = (atY - y) / cellWidth;
             var lastColumn:int = columns - 1;
             var lastRow:int = rows - 1;
-            height = NaN;
             if (isBlocky)
             {
                 toX += 0.5;
                 toY += 0.5;
-                if (toX >= 0 && toY >= 0 && toX <= columns && toY <= rows)
+                if (!(toX >= 0 && toY >= 0 && toX <= columns && toY <= rows))
                 {
-                    findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, lastColumn), Math.min(toY, lastRow));
-                    height = greatest;
+                    return NaN;
                 }
+                findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, lastColumn), Math.min(toY, lastRow));
+                return greatest;
             }
-            else if (toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow)
+            if (!(toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow))
             {
-                // The conversion to int rounds down, because the numbers are not negative.
-                var column:int = toX;
-                var row:int = toY;
-                column -= column == lastColumn ? 1 : 0;
-                row -= row == lastRow ? 1 : 0;
-                toX -= column;
-                toY -= row;
-                _corner = row * columns + column;
-                _side = toX >= toY ? _corner + 1 : _corner + columns;
-                var more:Number = toX >= toY ? toX : toY;
-                var less:Number = toX >= toY ? toY : toX;
-                height = (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
+                return NaN;
             }
+            // The conversion to int rounds down, because the numbers are not negative.
+            var column:int = Math.min(toX, lastColumn - 1);
+            var row:int = Math.min(toY, lastRow - 1);
+            toX -= column;
+            toY -= row;
+            _corner = row * columns + column;
+            _side = toX >= toY ? _corner + 1 : _corner + columns;
+            var more:Number = toX >= toY ? toX : toY;
+            var less:Number = toX >= toY ? toY : toX;
+            return (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
         }
 
         /**
-         * Whether the ground is higher than the place. With an inset the ground is narrower: it must be higher at the four places that are the
+         * Whether the ground is higher than a place. With an inset the ground is narrower: it must be higher at the four places that are the
          * inset beside it along x and y.
          */
-        public function isOver():Boolean
+        public function isOver(atX:Number, atY:Number, z:Number, inset:Number):Boolean
         {
-            var atX:Number = placeX;
-            var atY:Number = placeY;
             for (var side:int = inset > 0 ? 0 : 3; side < 4; side++)
             {
                 var toX:Number = (side & 1) == 0 ? -inset : inset;
                 var toY:Number = (side & 2) == 0 ? -inset : inset;
-                placeX = atX + toX;
-                placeY = atY + toY;
-                findHeight();
-                if (!(height - inset >= placeZ))
+                if (!(heightAt(atX + toX, atY + toY) - inset >= z))
                 {
                     return false;
                 }
@@ -209,7 +182,7 @@ package starlogo.terrain
             return true;
         }
 
-        /** Finds the fall of sloping ground at the place. <code>findHeight()</code> comes before. */
+        /** Finds the fall of sloping ground at the last place of <code>heightAt()</code>. */
         public function findFall():void
         {
             var near:Number = heights[_corner];
@@ -289,14 +262,14 @@ package starlogo.terrain
         }
 
         /**
-         * Finds bounds of the heights that the ground has within the reach of the place along x and y, and of how much neighbours differ. A large
+         * Finds bounds of the heights that the ground has within a reach of a place along x and y, and of how much neighbours differ. A large
          * range is extended to whole squares. Without ground there, the greatest is -Infinity.
          */
-        public function findAround():void
+        public function findAround(atX:Number, atY:Number, reachX:Number, reachY:Number):void
         {
             var border:Number = isBlocky ? 0.5 : 0;
-            var toX:Number = (placeX - x) / cellWidth;
-            var toY:Number = (placeY - y) / cellWidth;
+            var toX:Number = (atX - x) / cellWidth;
+            var toY:Number = (atY - y) / cellWidth;
             var first:int = Math.max(0, Math.floor(toX - reachX / cellWidth + border));
             var firstRow:int = Math.max(0, Math.floor(toY - reachY / cellWidth + border));
             var last:int = Math.min(columns - 1, Math.ceil(toX + reachX / cellWidth - border));

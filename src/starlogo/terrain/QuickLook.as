@@ -50,12 +50,8 @@ package starlogo.terrain
          */
         public function lookAt(extents:Extents, form:int, row:int):int
         {
-            var grid:HeightGrid = _grid;
-            grid.placeX = extents.x[row];
-            grid.placeY = extents.y[row];
-            grid.findHeight();
             var isSphere:Boolean = form == BoundingStructure.SPHERE;
-            var above:Number = extents.z[row] - grid.height;
+            var above:Number = extents.z[row] - _grid.heightAt(extents.x[row], extents.y[row]);
             var inner:Number = isSphere ? extents.halfX[row] : 0;
             // Nodes of a tree may extend beyond the tree's extents.
             if (form > BoundingStructure.BOX || !(above <= inner || above > inner))
@@ -67,32 +63,31 @@ package starlogo.terrain
                 return TOUCHING;
             }
             var reach:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ[row] + _slope * (extents.halfX[row] + extents.halfY[row]);
-            if (above > reach * Tolerances.OUTER + _gap || isFar(extents, row, isSphere))
+            if (above > reach * Tolerances.OUTER + _gap || isFar(extents, row, isSphere, above))
             {
                 return APART;
             }
             return isSphere && isBallBelow(extents, row) ? TOUCHING : UNKNOWN;
         }
 
-        // Whether the agent of a row, at the place, is above all heights near it, or higher than the slopes between them allow.
+        // Whether the agent of a row is above all heights near it, or higher than the slopes between them allow.
         // Few heights are read.
-        private function isFar(extents:Extents, row:int, isSphere:Boolean):Boolean
+        private function isFar(extents:Extents, row:int, isSphere:Boolean, above:Number):Boolean
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
-            var height:Number = grid.height;
-            grid.reachX = extents.halfX[row] * Tolerances.OUTER + _gap;
-            grid.reachY = extents.halfY[row] * Tolerances.OUTER + _gap;
+            var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
+            var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
             var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
-            grid.findAround();
+            grid.findAround(extents.x[row], extents.y[row], halfX, halfY);
             if (extents.z[row] - halfZ > grid.greatest)
             {
                 return true;
             }
-            var riseX:Number = grid.stepX * grid.reachX / width;
-            var riseY:Number = grid.stepY * grid.reachY / width;
+            var riseX:Number = grid.stepX * halfX / width;
+            var riseY:Number = grid.stepY * halfY / width;
             var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
-            return !grid.isBlocky && extents.z[row] - height > reach;
+            return !grid.isBlocky && above > reach;
         }
 
         // Whether the ground reaches up to the point of a sphere that is nearest to the plane under its middle.
@@ -102,10 +97,7 @@ package starlogo.terrain
             var width:Number = grid.cellWidth;
             grid.findFall();
             var step:Number = extents.halfX[row] / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
-            grid.placeX -= step * grid.fallX;
-            grid.placeY -= step * grid.fallY;
-            grid.findHeight();
-            return grid.height >= extents.z[row] - step * width;
+            return grid.heightAt(extents.x[row] - step * grid.fallX, extents.y[row] - step * grid.fallY) >= extents.z[row] - step * width;
         }
     }
 }

@@ -265,10 +265,7 @@ package starlogo.terrain
         public function heightAt(x:Number, y:Number):Number
         {
             requireInWorld("a place", x, y, 0);
-            grid.placeX = x;
-            grid.placeY = y;
-            grid.findHeight();
-            return grid.height;
+            return grid.heightAt(x, y);
         }
 
         /**

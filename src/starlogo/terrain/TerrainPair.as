@@ -153,11 +153,7 @@ package starlogo.terrain
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
             var low:Number = middle.z - half.z;
-            _grid.placeX = middle.x + _origin.x;
-            _grid.placeY = middle.y + _origin.y;
-            _grid.reachX = half.x;
-            _grid.reachY = half.y;
-            _grid.findAround();
+            _grid.findAround(middle.x + _origin.x, middle.y + _origin.y, half.x, half.y);
             out.setNormal(0, 0, 1);
             out.depth = Math.max(0, _grid.greatest - _origin.z - low);
             out.x = middle.x;
@@ -187,7 +183,7 @@ package starlogo.terrain
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = heightAt(out.aX, out.aY) >= out.aZ;
+                var isUnder:Boolean = _grid.heightAt(out.aX + _origin.x, out.aY + _origin.y) - _origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
@@ -196,21 +192,24 @@ package starlogo.terrain
             out.place(_origin);
         }
 
-        // Begins with the triangles at the place of the ground that is nearest to the model's middle, seen from above. The model is at most as far as
-        // its farthest point is from that place.
+        // Begins with the triangles at the height that is nearest to the model's middle, seen from above. The model is at most as far as its
+        // farthest point is from there.
         private function beginNearest():void
         {
             placeBox(_structure);
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
-            _grid.placeX = Math.max(_grid.x, Math.min(_grid.x + (_grid.columns - 1) * _grid.cellWidth, middle.x + _origin.x));
-            _grid.placeY = Math.max(_grid.y, Math.min(_grid.y + (_grid.rows - 1) * _grid.cellWidth, middle.y + _origin.y));
-            _grid.findHeight();
-            var x:Number = Math.abs(_grid.placeX - _origin.x - middle.x) + half.x;
-            var y:Number = Math.abs(_grid.placeY - _origin.y - middle.y) + half.y;
-            var z:Number = Math.abs(_grid.height - _origin.z - middle.z) + half.z;
-            _best = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _grid.cellWidth;
-            middle.setTo(_grid.placeX - _origin.x, _grid.placeY - _origin.y, _grid.height - _origin.z);
+            var width:Number = _grid.cellWidth;
+            var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((middle.x + _origin.x - _grid.x) / width)));
+            var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((middle.y + _origin.y - _grid.y) / width)));
+            var atX:Number = _grid.x + column * width - _origin.x;
+            var atY:Number = _grid.y + row * width - _origin.y;
+            var atZ:Number = _grid.heights[int(row * _grid.columns + column)] - _origin.z;
+            var x:Number = Math.abs(atX - middle.x) + half.x;
+            var y:Number = Math.abs(atY - middle.y) + half.y;
+            var z:Number = Math.abs(atZ - middle.z) + half.z;
+            _best = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * width;
+            middle.setTo(atX, atY, atZ);
             half.setTo(0, 0, 0);
             _faces.way = _motion;
             _faces.limit = _faces.reach = 0;
@@ -305,20 +304,18 @@ package starlogo.terrain
             var grid:HeightGrid = _grid;
             var depth:Number = _tried.depth;
             _bound = 0;
-            grid.placeX = _origin.x + _tried.x - depth / 2 * _tried.normalX;
-            grid.placeY = _origin.y + _tried.y - depth / 2 * _tried.normalY;
-            grid.findHeight();
+            var x:Number = _origin.x + _tried.x - depth / 2 * _tried.normalX;
+            var y:Number = _origin.y + _tried.y - depth / 2 * _tried.normalY;
             var z:Number = _origin.z + _tried.z - depth / 2 * _tried.normalZ;
+            var high:Number = grid.heightAt(x, y);
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            var left:Number = Math.min(grid.placeX - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - grid.placeX);
-            var front:Number = Math.min(grid.placeY - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - grid.placeY);
-            if (!(grid.height > z) || Math.min(left, front) + border < depth)
+            var left:Number = Math.min(x - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - x);
+            var front:Number = Math.min(y - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - y);
+            if (!(high > z) || Math.min(left, front) + border < depth)
             {
                 return;
             }
-            var high:Number = grid.height;
-            grid.reachX = grid.reachY = depth;
-            grid.findAround();
+            grid.findAround(x, y, depth, depth);
             _bound = grid.least - z;
             if (!grid.isBlocky)
             {

@@ -147,6 +147,22 @@ package starlogo.terrain
             return distance > near ? 0 : 1;
         }
 
+        // The last height of this ground is a rounding error beyond its last cell.
+        [Test]
+        public function agentsBeyondTheLastHeightHaveADistance():void
+        {
+            var terrain:Terrain = new Terrain(8, 11, 1.654518056244867, -6.618072224979468, -9.099849309346768);
+            var end:Number = terrain.y + 10 * terrain.cellWidth;
+            assertTrue((end - terrain.y) / terrain.cellWidth > 10);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var agent:Agent = agentAt("cube", 0, end + 2, 1);
+                agent.hierarchical = true;
+                var distance:Number = new AgentQueries(EachCollider.make(name, _land)).distance(agent, terrain.agent);
+                assertTrue(name + ": " + distance, distance > 1 && distance < 2);
+            }
+        }
+
         [Test]
         public function motionsEndInTheFirstTouch():void
         {

@@ -219,7 +219,11 @@ package starlogo.terrain
             {
                 if (way.z != 0)
                 {
-                    narrow(least - (middle.z + half.z), greatest - (middle.z - half.z), way.z);
+                    // only the part of the way that is between the heights
+                    var low:Number = (least - (middle.z + half.z)) / way.z;
+                    var high:Number = (greatest - (middle.z - half.z)) / way.z;
+                    _from = Math.max(_from, Math.min(low, high));
+                    _to = Math.min(_to, Math.max(low, high));
                 }
                 addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);
             }
@@ -370,14 +374,10 @@ package starlogo.terrain
                 }
                 return;
             }
-            narrow(begin + square * _width - (at + extent), begin + (square + 1) * _width - (at - extent), motion);
-        }
-
-        // Narrows the part of the way to the part on which a coordinate that changes is between two numbers.
-        private function narrow(low:Number, high:Number, motion:Number):void
-        {
-            _from = Math.max(_from, Math.min(low / motion, high / motion));
-            _to = Math.min(_to, Math.max(low / motion, high / motion));
+            var low:Number = (begin + square * _width - (at + extent)) / motion;
+            var high:Number = (begin + (square + 1) * _width - (at - extent)) / motion;
+            _from = Math.max(_from, Math.min(low, high));
+            _to = Math.min(_to, Math.max(low, high));
         }
 
         // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.

@@ -224,13 +224,28 @@ package starlogo.terrain
             }
         }
 
-        // A standing piece with a point that is under the ground overlaps it. If the ground is narrower, this is also so as seen from its sides.
+        // A standing piece with a point that is under the ground overlaps it. If the ground is narrower, it must be higher than the point at the
+        // four places that are the inset beside it along x and y.
         private function meetInside(point:Vector3D):void
         {
-            if (_goal == TIME && _motion === RelativeMotion.NONE && !_isFound)
+            if (_goal != TIME || _motion !== RelativeMotion.NONE || _isFound)
             {
-                _isFound = _grid.isOver(point.x + _origin.x, point.y + _origin.y, point.z + _origin.z, _faces.inset);
+                return;
             }
+            var inset:Number = _faces.inset;
+            for (var side:int = inset > 0 ? 0 : 3; side < 4; side++)
+            {
+                var toX:Number = (side & 1) == 0 ? -inset : inset;
+                var toY:Number = (side & 2) == 0 ? -inset : inset;
+                _grid.placeX = point.x + _origin.x + toX;
+                _grid.placeY = point.y + _origin.y + toY;
+                _grid.findHeight();
+                if (!(_grid.height - inset >= point.z + _origin.z))
+                {
+                    return;
+                }
+            }
+            _isFound = true;
         }
 
         // Tests the piece against a triangle. Keeps the result if it is better than all before it. The first one may also be only as good as

@@ -63,6 +63,15 @@ package starlogo.terrain
         /** How often the surface has changed. */
         public var revision:int = 0;
 
+        /** A place for <code>findHeight()</code>. It is in fields because V8 makes objects of Numbers that are passed. */
+        public var placeX:Number = 0;
+
+        /** @copy #placeX */
+        public var placeY:Number = 0;
+
+        /** The height there. */
+        public var height:Number = 0;
+
         /** How far sloping ground at the place of <code>findFall()</code> falls from a height to the next one along x. */
         public var fallX:Number = 0;
 
@@ -129,28 +138,38 @@ package starlogo.terrain
             }
         }
 
-        /** The height at a place; NaN outside. Where columns meet, it is the highest. */
-        public function heightAt(atX:Number, atY:Number):Number
+        /** The height at a place; NaN outside. */
+        public function heightAt(x:Number, y:Number):Number
+        {
+            placeX = x;
+            placeY = y;
+            findHeight();
+            return height;
+        }
+
+        /** Finds the height at <code>placeX</code> and <code>placeY</code>; NaN outside. Where columns meet, it is the highest. */
+        public function findHeight():void
         {
             // Slopes are between heights. Columns begin half a cell before their heights.
-            var toX:Number = (atX - x) / cellWidth;
-            var toY:Number = (atY - y) / cellWidth;
+            var toX:Number = (placeX - x) / cellWidth;
+            var toY:Number = (placeY - y) / cellWidth;
             var lastColumn:int = columns - 1;
             var lastRow:int = rows - 1;
+            height = NaN;
             if (isBlocky)
             {
                 toX += 0.5;
                 toY += 0.5;
-                if (!(toX >= 0 && toY >= 0 && toX <= columns && toY <= rows))
+                if (toX >= 0 && toY >= 0 && toX <= columns && toY <= rows)
                 {
-                    return NaN;
+                    findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, lastColumn), Math.min(toY, lastRow));
+                    height = greatest;
                 }
-                findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, lastColumn), Math.min(toY, lastRow));
-                return greatest;
+                return;
             }
             if (!(toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow))
             {
-                return NaN;
+                return;
             }
             // The conversion to int rounds down, because the numbers are not negative.
             var column:int = Math.min(toX, lastColumn - 1);
@@ -161,25 +180,7 @@ package starlogo.terrain
             _side = toX >= toY ? _corner + 1 : _corner + columns;
             var more:Number = toX >= toY ? toX : toY;
             var less:Number = toX >= toY ? toY : toX;
-            return (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
-        }
-
-        /**
-         * Whether the ground is higher than a place. With an inset the ground is narrower: it must be higher at the four places that are the
-         * inset beside it along x and y.
-         */
-        public function isOver(atX:Number, atY:Number, z:Number, inset:Number):Boolean
-        {
-            for (var side:int = inset > 0 ? 0 : 3; side < 4; side++)
-            {
-                var toX:Number = (side & 1) == 0 ? -inset : inset;
-                var toY:Number = (side & 2) == 0 ? -inset : inset;
-                if (!(heightAt(atX + toX, atY + toY) - inset >= z))
-                {
-                    return false;
-                }
-            }
-            return true;
+            height = (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
         }
 
         /** Finds the fall of sloping ground at the last place of <code>heightAt()</code>. */

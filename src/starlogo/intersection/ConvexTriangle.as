@@ -362,7 +362,9 @@ package starlogo.intersection
         private function isApart(isMoving:Boolean):Boolean
         {
             prepare();
-            var way:Number = isMoving ? time * speedAlong(_face) : 0;
+            // not by speedAlong(): V8 would make an object of what it returns
+            var speed:Number = _face.normalX * _motion.x + _face.normalY * _motion.y + _face.normalZ * _motion.z;
+            var way:Number = isMoving ? time * speed : 0;
             var least:Number = -gap - _edge.radius;
             _face.measure(_triangle, _at, _at + 9);
             var low:Number = _face.least;

@@ -26,7 +26,6 @@ const COLD = {
 	'starlogo.hierarchy.Items': 'when a model loads',
 	'starlogo.hierarchy.NodeDivider': 'when a model loads',
 	'starlogo.hierarchy.NodeMaker': 'when a model loads',
-	'starlogo.hierarchy.NodeStructures': 'when a model loads',
 	'starlogo.solid.DisjointSets': 'when a model loads',
 	'starlogo.solid.CavityFinder': 'when a model loads',
 	'starlogo.solid.EdgeMatcher': 'when a model loads',
@@ -46,9 +45,8 @@ const COLD = {
 export const ALLOWED = {
 	'starlogo.agents.Agent.collideAs': { count: 2, why: 'the text of an error' },
 	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
-	'starlogo.collision.Snapshots.read': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
-	'starlogo.collision.Snapshots.Snapshots': { count: 1, why: 'made with a Collision' },
+	'starlogo.search.RowList.requireAgent': { count: 2, why: 'the text of an error' },
 	'starlogo.queries.Collector.ask': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.HandlerCalls.takeTurnsBefore': { count: 2, why: 'what a handler threw' },
 };

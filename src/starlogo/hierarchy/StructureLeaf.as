@@ -78,7 +78,8 @@ package starlogo.hierarchy
             else if (kind == BoundingStructure.SPHERE)
             {
                 var sphere:Sphere = Sphere(structure);
-                setMiddle(Sphere(placed).center);
+                var placedSphere:Sphere = Sphere(placed);
+                setMiddle(placedSphere.center);
                 setAxis(0, 0, 1);
                 setExtents(sphere.radius, 0);
             }

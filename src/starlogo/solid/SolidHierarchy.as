@@ -82,7 +82,12 @@ package starlogo.solid
         {
             for (var end:int = corner + 3; corner < end; corner++)
             {
-                var at:int = 3 * (welded == null ? triangles[corner] : welded[triangles[corner]]);
+                var vertex:int = triangles[corner];
+                if (welded != null)
+                {
+                    vertex = welded[vertex];
+                }
+                var at:int = 3 * vertex;
                 out[to] = vertices[at];
                 out[int(to + 1)] = vertices[int(at + 1)];
                 out[int(to + 2)] = vertices[int(at + 2)];

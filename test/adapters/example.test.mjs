@@ -1,4 +1,4 @@
-/** The example with three.js, as it is in a release, in headless Chromium with software GL; three.js comes from where npm put it. */
+/** The examples with three.js, as they are in a release, in headless Chromium with software GL; three.js comes from where npm put it. */
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import path from "node:path";
@@ -9,7 +9,8 @@ import { root } from "./peers.mjs";
 
 const CDN = /^https:\/\/cdn\.jsdelivr\.net\/npm\/three@0\.(\d+)\.\d+\/(.*)$/;
 
-test("the example's models collide, turn away and are drawn", async () => {
+/** An example's page, until its line says something; whether it draws in many colours, and says no more on the console. */
+async function play(name, until) {
 	const server = await serve(null, { "/module": path.join(root, "bin/module"), "/examples": path.join(root, "examples") });
 	const browser = await launch();
 	try {
@@ -23,9 +24,8 @@ test("the example's models collide, turn away and are drawn", async () => {
 			assert.ok(existsSync(where), `${where}: the example and the tests have the same release`);
 			return route.fulfill({ path: where, headers: { "access-control-allow-origin": "*" } });
 		});
-		await page.goto(`${server.url}examples/three/`);
-		const turns = /^frame (\d+): a (?:bear|seagull) turns away from a \w+$/;
-		await page.waitForFunction((text) => new RegExp(text).exec(document.querySelector("output").textContent)?.[1] >= 25, turns.source);
+		await page.goto(`${server.url}examples/${name}/`);
+		await until(page);
 		const colours = await page.evaluate(async () => {
 			const canvas = document.querySelector("canvas");
 			const bitmap = await new Promise((resolve) => {
@@ -35,11 +35,40 @@ test("the example's models collide, turn away and are drawn", async () => {
 			context.drawImage(bitmap, 0, 0);
 			return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
 		});
-		await page.screenshot({ path: path.join(root, "bin/generated/adapters/example.png") });
+		await page.screenshot({ path: path.join(root, `bin/generated/adapters/${name}.png`) });
 		assert.deepEqual(said, []);
 		assert.ok(colours > 500, `${colours} colours`);
 	} finally {
 		await browser.close();
 		server.close();
 	}
-});
+}
+
+test("the example's models collide, turn away and are drawn", () => play("three", (page) => {
+	const turns = /^frame (\d+): a (?:bear|seagull) turns away from a \w+$/;
+	return page.waitForFunction((text) => new RegExp(text).exec(document.querySelector("output").textContent)?.[1] >= 25, turns.source);
+}));
+
+test("the level's game goes on by itself, and going back to what was saved gives the same game again", () => play("level", async (page) => {
+	await page.waitForFunction(() => Number(/^frame (\d+): [\d.]+ ms /.exec(document.querySelector("output").textContent)?.[1]) >= 20);
+	const { first, again, moved } = await page.evaluate(async () => {
+		const { Game } = await import("./game.js");
+		const { BuiltInModel, GltfModel, GreatLand, Model } = await import("starlogo-collision");
+		const [greatLand, { vertices, triangles }] = [new GreatLand(), BuiltInModel.cylinder()];
+		greatLand.addModel(new Model("person", vertices, triangles));
+		greatLand.addModel(BuiltInModel.sphere());
+		greatLand.addModel(GltfModel.fromBytes("level", await (await fetch("level.glb")).arrayBuffer(), null, Model.AS_GIVEN));
+		const game = new Game(greatLand);
+		const go = (from, to) => {
+			for (let i = from; i < to; i++) game.step({ turn: Math.sin(i / 9), walk: 1, jumps: i % 20 === 0, shoots: i % 7 === 0 });
+			return game.agents.map(({ x, y, z, heading }) => [x, y, z, heading].join(" "));
+		};
+		const before = go(0, 60);
+		const saved = game.save();
+		const first = go(60, 100);
+		game.goBackTo(saved);
+		return { first, again: go(60, 100), moved: first.filter((place, i) => place !== before[i]).length };
+	});
+	assert.deepEqual(again, first);
+	assert.ok(moved > 30, `${moved} moved`);
+}));

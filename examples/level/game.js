@@ -1,0 +1,146 @@
+/** The game: a player and enemies who walk in a level, bullets that sweep, and what is saved. It draws nothing, and z is up. */
+import { Agent, AgentFilter, AgentQueries, Collision, CombinationCollider, Footing, Sphere, Vector3D } from "starlogo-collision";
+
+const GRAVITY = 0.008; // patches a frame, in each frame
+const JUMP = 0.18;
+const BULLET_FRAMES = 90;
+const ENEMY_SPEED = 0.035;
+const STRIDE = { stepHeight: 0.3, snap: 0.3, slopeDegrees: 50 };
+const radians = (degrees) => (degrees * Math.PI) / 180;
+
+/** Whoever walks: it remembers how fast it falls and what it stands on. */
+class Walker extends Agent {
+	speed = 0; // upwards
+	footing = new Footing();
+
+	constructor(breed, x, y, z, color) {
+		super("person", breed);
+		Object.assign(this, { size: 0.6, color });
+		this.moveTo(x, y, z);
+	}
+}
+
+class Bullet extends Agent {
+	frames = Infinity; // how long it has flown; Infinity before it is shot
+	constructor() {
+		super("sphere", "bullets");
+		Object.assign(this, { size: 0.2, color: 0xffc21a, sweeps: true });
+	}
+}
+
+export class Game {
+	shots = 0;
+	hits = 0;
+	#queries;
+	#collision;
+	#bullets = Array.from({ length: 20 }, () => new Bullet());
+	#solid = AgentFilter.ofBreeds("levels");
+	#random = 7;
+
+	/** @param {object} greatLand has the models "level", "person" and "sphere" */
+	constructor(greatLand) {
+		this.#collision = new Collision(Object.assign(new CombinationCollider(greatLand), { exact: true }));
+		this.#queries = new AgentQueries(this.#collision);
+		this.level = Object.assign(new Agent("level", "levels"), { hierarchical: true }); // its triangles decide
+		this.player = new Walker("players", 0, 0, 0.5, 0x2f77c4);
+		this.enemies = Array.from({ length: 40 }, (_, i) => {
+			const [angle, radius] = [2.4 * i, 8 + 1.4 * Math.sqrt(4 * i)];
+			return new Walker("enemies", radius * Math.cos(angle), radius * Math.sin(angle), 6, 0xc8322b);
+		});
+		this.#collision.onCollisionStart("bullets", Collision.ANY_BREED, (bullet, other) => this.#hit(bullet, other));
+	}
+
+	get agents() {
+		return [this.level, this.player, ...this.enemies, ...this.bullets];
+	}
+
+	/** The bullets that fly. */
+	get bullets() {
+		return this.#bullets.filter(({ frames }) => frames < BULLET_FRAMES);
+	}
+
+	/** Goes on by a frame. `wish` has how the player turns and walks, from -1 to 1, and whether it jumps and shoots. */
+	step({ turn, walk, jumps, shoots }) {
+		const { player } = this;
+		this.#queries.update(this.agents);
+		player.heading -= 2.5 * turn;
+		this.#walk(player, 0.08 * walk, jumps);
+		for (const enemy of this.enemies) {
+			const [dx, dy] = [player.x - enemy.x, player.y - enemy.y];
+			if (Math.hypot(dx, dy) < 15 && this.#queries.canSee(enemy, player, this.#solid)) enemy.heading = (Math.atan2(dy, dx) * 180) / Math.PI;
+			else if (enemy.footing.part < 0.3) enemy.heading += 20 + 90 * this.#next();
+			this.#walk(enemy, Math.hypot(dx, dy) < 1.5 ? 0 : ENEMY_SPEED, false);
+		}
+		if (shoots) this.#shoot();
+		for (const bullet of this.bullets) {
+			const angle = radians(bullet.heading);
+			bullet.moveTo(bullet.x + 0.6 * Math.cos(angle), bullet.y + 0.6 * Math.sin(angle), bullet.z - 0.003 * bullet.frames);
+			bullet.frames++;
+		}
+		this.#collision.update(this.agents);
+	}
+
+	/** Where a camera behind the player can be: no wall is between them, and none touches it. */
+	cameraPlace() {
+		const { player } = this;
+		const eye = new Vector3D(player.x, player.y, player.z + 1.6);
+		const angle = radians(player.heading);
+		const [dx, dy, dz] = [-5 * Math.cos(angle), -5 * Math.sin(angle), 1.8];
+		const free = this.#queries.castShape(new Sphere(eye, 0.25), dx, dy, dz, this.#solid)?.time ?? 1;
+		return { eye, camera: new Vector3D(eye.x + free * dx, eye.y + free * dy, eye.z + free * dz), free };
+	}
+
+	/** All that a later frame depends on. Each touch goes on where it was: no bullet hits again what it has hit. */
+	save() {
+		const movers = [this.player, ...this.enemies, ...this.#bullets];
+		const places = movers.map(({ x, y, z, heading, speed, frames, footing }) => ({ x, y, z, heading, speed, frames, stands: footing?.stands, part: footing?.part }));
+		const { shots, hits } = this;
+		return { places, shots, hits, random: this.#random, touches: this.#collision.snapshot() };
+	}
+
+	/** Goes back to what save() gave. */
+	goBackTo({ places, shots, hits, random, touches }) {
+		[this.player, ...this.enemies, ...this.#bullets].forEach((mover, i) => {
+			const { x, y, z, heading, speed, frames, stands, part } = places[i];
+			mover.jumpTo(x, y, z);
+			Object.assign(mover, { heading, speed, frames });
+			if (mover.footing) Object.assign(mover.footing, { stands, part });
+		});
+		Object.assign(this, { shots, hits });
+		this.#random = random;
+		this.#collision.restore(touches, this.agents);
+	}
+
+	#walk(walker, distance, jumps) {
+		const { footing, heading } = walker;
+		walker.speed = footing.stands ? (jumps ? JUMP : 0) : walker.speed - GRAVITY;
+		if (walker.speed > 0) this.#queries.moveUntilTouch(walker, 0, 0, walker.speed);
+		const options = { ...STRIDE, fall: Math.max(0, -walker.speed) };
+		this.#queries.walk(walker, distance * Math.cos(radians(heading)), distance * Math.sin(radians(heading)), options, footing);
+	}
+
+	#shoot() {
+		const bullet = this.#bullets.find(({ frames }) => frames >= BULLET_FRAMES);
+		if (!bullet) return;
+		const { x, y, z, heading } = this.player;
+		bullet.jumpTo(x + 0.6 * Math.cos(radians(heading)), y + 0.6 * Math.sin(radians(heading)), z + 1.2);
+		bullet.heading = heading;
+		bullet.frames = 0;
+		this.shots++;
+	}
+
+	#hit(bullet, other) {
+		bullet.frames = BULLET_FRAMES;
+		if (other.breed !== "enemies") return;
+		this.hits++;
+		other.jumpTo(20 * (this.#next() - 0.5), 20 * (this.#next() - 0.5), 8); // it drops in again
+		other.footing = new Footing();
+		other.speed = 0;
+	}
+
+	/** A random number from 0 to 1. Each game has the same ones. */
+	#next() {
+		this.#random = (this.#random * 16807) % 2147483647;
+		return this.#random / 2147483647;
+	}
+}

@@ -2,9 +2,12 @@ package starlogo.away3d
 {
     import away3d.core.base.Object3D;
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.models.AffineTransform;
+
+    use namespace engine;
 
     /** The transform of an Away3D object in its container, in Away3D's axes. */
     internal final class NodeTransform

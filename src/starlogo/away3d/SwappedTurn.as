@@ -1,7 +1,10 @@
 package starlogo.away3d
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * Converts a rotation between the engine's space and Away3D's. Their y and z axes are swapped.

@@ -333,6 +333,24 @@ package starlogo.bounding
         }
 
         /**
+         * Transforms a point by a placement.
+         *
+         * @param point in the model's space
+         * @param placement the model's placement
+         * @param out receives the point in the world; may be the point itself
+         */
+        protected static function placePoint(point:Vector3D, placement:Placement, out:Vector3D):void
+        {
+            placement.place(point, out);
+        }
+
+        /** Rotates a vector by the rotation of a placement. The result is written to out, which may be the vector itself. */
+        protected static function turnInto(vector:Vector3D, placement:Placement, out:Vector3D):void
+        {
+            placement.turn(vector, out);
+        }
+
+        /**
          * The distance up to which a point outside of the structure still counts as inside.
          *
          * @param size the largest extent from the middle

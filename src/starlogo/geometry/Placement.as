@@ -279,8 +279,9 @@ package starlogo.geometry
          *
          * @param point in the model's space
          * @param out receives the point in the world; may be the point itself
+         * @private
          */
-        public function place(point:Vector3D, out:Vector3D):void
+        engine function place(point:Vector3D, out:Vector3D):void
         {
             var fromX:Number = point.x * size;
             var fromY:Number = point.y * size;
@@ -302,8 +303,9 @@ package starlogo.geometry
          *
          * @param vector in the model's space
          * @param out receives the result; may be the vector itself
+         * @private
          */
-        public function turn(vector:Vector3D, out:Vector3D):void
+        engine function turn(vector:Vector3D, out:Vector3D):void
         {
             var fromX:Number = vector.x;
             var fromY:Number = vector.y;

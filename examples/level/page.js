@@ -75,12 +75,13 @@ renderer.setAnimationLoop(() => {
 	engineMs += 0.05 * (performance.now() - start - engineMs);
 
 	for (const binding of bindings) binding.updateObject();
-	game.bullets.forEach((bullet, i) => balls.setMatrixAt(i, new THREE.Matrix4().setPosition(bullet.x, bullet.z + 0.1, -bullet.y)));
+	game.bullets.forEach(({ x, y, z }, i) => balls.setMatrixAt(i, new THREE.Matrix4().setPosition(toScene({ x, y, z: z + 0.1 }))));
 	balls.count = game.bullets.length;
 	balls.instanceMatrix.needsUpdate = true;
 	toScene(view.camera, camera.position);
 	camera.lookAt(toScene(view.eye));
-	nose.position.set(game.player.x, game.player.z + 1.5, -game.player.y);
+	const { x, y, z } = game.player;
+	toScene({ x, y, z: z + 1.5 }, nose.position);
 	renderer.render(scene, camera);
 	document.querySelector("output").textContent = `frame ${frame}: ${engineMs.toFixed(2)} ms for ${walkers.length} who walk, ${game.bullets.length} bullets and the camera; `
 		+ `${game.shots} shots, ${game.hits} hits`;

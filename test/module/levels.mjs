@@ -4,22 +4,11 @@
  * the first can say where a ball is free.
  */
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { pathToFileURL } from "node:url";
 import { engine } from "./games.mjs";
+import { RAPIER, crashcat } from "./peers.mjs";
+import { makeBvh } from "./rays.mjs";
 
 const { Agent, AgentQueries, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
-
-const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
-const load = (name) => import(pathToFileURL(tools.resolve(name)));
-const three = await load("three");
-const { MeshBVH } = await load("three-mesh-bvh");
-const rapier = await load("@dimforge/rapier3d-compat");
-const RAPIER = rapier.default ?? rapier;
-// its package.json names no entry for require
-const crashcat = await import(new URL("../../js/module/node_modules/crashcat/dist/index.js", import.meta.url));
-await RAPIER.init();
-crashcat.registerAll();
 
 /** The capsule that walks: it is a person's size. */
 export const RADIUS = 0.3;
@@ -95,11 +84,8 @@ function inEngine({ vertices, triangles }) {
 }
 
 /** three-mesh-bvh with its default settings: it knows rays. */
-function inBvh({ vertices, triangles }) {
-	const geometry = new three.BufferGeometry();
-	geometry.setAttribute("position", new three.BufferAttribute(new Float32Array(vertices), 3));
-	geometry.setIndex(new three.BufferAttribute(new Uint32Array(triangles), 1));
-	const bvh = new MeshBVH(geometry);
+function inBvh(mesh) {
+	const { three, bvh } = makeBvh(mesh);
 	const ray = new three.Ray();
 	return {
 		ray: (from, to, reach) => {

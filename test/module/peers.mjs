@@ -18,7 +18,7 @@ const crashcat = await import(new URL("../../js/module/node_modules/crashcat/dis
 await RAPIER.init();
 crashcat.registerAll();
 
-export { KDBush };
+export { KDBush, RAPIER, crashcat };
 
 /** kdbush, built anew in every frame: it is flat, and its points do not move. */
 export function askKdbush(agents) {

@@ -102,7 +102,8 @@ package starlogo.queries
             _whole = Math.sqrt(dx * dx + dy * dy);
             _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
             _pushed = 0;
-            var platform:int = findPlatform(agent);
+            var standing:Standing = _seen.standingOf(agent);
+            var platform:int = findPlatform(standing);
             // on the steepest slope the way is this long
             _reach = _whole / _cosine + _slide / 2 + _carry.length;
             _dx = dx;
@@ -126,14 +127,13 @@ package starlogo.queries
             beginAt(_start, -1);
             var stands:Boolean = go(agent);
             _moves.put(agent, _mover.at, isCarried ? _turn : 0);
-            noteStanding(agent, stands ? _row : -1);
+            noteStanding(standing, stands ? _row : -1);
             return write(stands, out || new Footing());
         }
 
         // Returns the row of the agent below if it has moved since the last walk, or -1. Writes how it carries the agent.
-        private function findPlatform(agent:Agent):int
+        private function findPlatform(standing:Standing):int
         {
-            var standing:Standing = _seen.standingOf(agent);
             _carry.setTo(0, 0, 0);
             if (!_options.carried || !standing.isValid)
             {
@@ -148,9 +148,8 @@ package starlogo.queries
             return _turn != 0 || _carry.length > 0 ? row : -1;
         }
 
-        private function noteStanding(agent:Agent, row:int):void
+        private function noteStanding(standing:Standing, row:int):void
         {
-            var standing:Standing = _seen.standingOf(agent);
             if (row >= RowList.LISTED)
             {
                 standing.read(_seen.table.agents[row], _seen.table.bodyOf(row).placement, _seen.table.now.revisions[row]);

@@ -2,14 +2,16 @@ package evaluation
 {
     import evaluation.literal.LiteralOrientedBoxFit;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.models.Model;
+
+    use namespace engine;
 
     /** Figure 6-2: the time to find the tightest fit of a model. */
     public final class FitTask extends MeasuringTask
     {
         private static const DEG_INCREMENT:Number = 10;
-        private static const KINDS:Array = ["sphere", "capsule", "box"];
 
         private var _model:Model;
         private var _library:BoundingStructuresLibrary = new BoundingStructuresLibrary(DEG_INCREMENT);
@@ -47,7 +49,7 @@ package evaluation
             var tightest:BoundingStructure = _library.tightestFit(_model.name);
             var entry:Object = _results.addTime("fits", _model.name, "engine", _ours, _base, Thesis.FIT_MS[_model.name]);
             entry.vertices = _model.vertices.length / 3;
-            entry.tightest = KINDS[tightest.kind];
+            entry.tightest = BoundingStructure.NAMES[tightest.kind];
             _results.addTime("fits", _model.name, "literal", _literal, _base);
             return true;
         }

@@ -9,6 +9,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { toTriangle, windingOf } from '../fuzz/geometry.mjs';
 import { read, root } from '../structure/sources.mjs';
 
 const AGENTS = 150;
@@ -82,37 +83,7 @@ for (const [name, { found, right, times }] of Object.entries(sums)) {
 const PLACES = 4000;
 const dragon = ColladaModel.fromBytes('dragon', new Uint8Array(readFileSync(path.join(root, 'assets/dragon.dae'))));
 const corners = Array.from(dragon.triangles, (vertex) => [0, 1, 2].map((axis) => dragon.vertices[3 * vertex + axis]));
-
-const minus = (a, b) => a.map((value, axis) => value - b[axis]);
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const length = (a) => Math.sqrt(dot(a, a));
-
-/** The distance of a point from a triangle: from its face, if the point is over it, or from its edges. */
-function distanceFrom(point, triangle) {
-	const normal = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
-	let isOver = length(normal) > 0;
-	let least = Infinity;
-	triangle.forEach((from, i) => {
-		const edge = minus(triangle[(i + 1) % 3], from);
-		const to = minus(point, from);
-		isOver &&= dot(cross(normal, edge), to) >= 0;
-		const share = Math.max(0, Math.min(1, dot(edge, to) / (dot(edge, edge) || 1)));
-		least = Math.min(least, length(to.map((value, axis) => value - share * edge[axis])));
-	});
-	return isOver ? Math.abs(dot(normal, minus(point, triangle[0]))) / length(normal) : least;
-}
-
-/** How often the surface winds around a point: the sum of the triangles' solid angles (Van Oosterom and Strackee, 1983). */
-function windingAround(point) {
-	let sum = 0;
-	for (let i = 0; i < corners.length; i += 3) {
-		const [a, b, c] = corners.slice(i, i + 3).map((corner) => minus(corner, point));
-		const [lengthA, lengthB, lengthC] = [a, b, c].map(length);
-		sum += 2 * Math.atan2(dot(a, cross(b, c)), lengthA * lengthB * lengthC + dot(a, b) * lengthC + dot(b, c) * lengthA + dot(c, a) * lengthB);
-	}
-	return sum / (4 * Math.PI);
-}
+const triangles = Array.from({ length: corners.length / 3 }, (_, i) => corners.slice(3 * i, 3 * i + 3));
 
 const ballSystems = {
 	'TightestFitCollider': new TightestFitCollider(greatLand),
@@ -125,17 +96,13 @@ const random = (from, to) => from + (to - from) * ((seed = (seed * 1103515245 + 
 const [ball, beast] = [new Agent('sphere'), new Agent('dragon')];
 greatLand.addModel(BuiltInModel.sphere());
 beast.hierarchical = true;
+const fit = greatLand.boundingStructures.tightestFit('sphere');
 let touching = 0;
 for (let i = 0; i < PLACES; i++) {
 	ball.size = random(0.05, 0.3);
 	ball.moveTo(random(-0.6, 0.6), random(-0.6, 0.6), random(-0.2, 0.8));
-	const fit = greatLand.boundingStructures.tightestFit('sphere');
 	const middle = [ball.x + ball.size * fit.center.x, ball.y + ball.size * fit.center.y, ball.z + ball.size * fit.center.z];
-	let truth = false;
-	for (let k = 0; k < corners.length && !truth; k += 3) {
-		truth = distanceFrom(middle, corners.slice(k, k + 3)) <= ball.size * fit.radius;
-	}
-	truth ||= Math.abs(windingAround(middle)) > 0.5;
+	const truth = triangles.some((triangle) => toTriangle(middle, triangle) <= ball.size * fit.radius) || Math.abs(windingOf(triangles, middle)) > 0.5;
 	touching += truth ? 1 : 0;
 	for (const [name, system] of Object.entries(ballSystems)) {
 		const answer = system.areColliding(ball, beast);

@@ -53,14 +53,13 @@ export const PATIENCE = 300000;
 /** Starts it. Its pages wait as long as PATIENCE says. @param {string[]} args further ones, for Chromium */
 export async function launch(args = []) {
 	const browser = await BROWSERS[name].launch({ executablePath: BROWSERS[name].path, args: [...ARGUMENTS, ...args], timeout: PATIENCE });
-	for (const make of ['newContext', 'newPage']) {
-		const made = browser[make].bind(browser);
-		browser[make] = async (options) => {
-			const result = await made(options);
-			result.setDefaultTimeout(PATIENCE);
-			return result;
-		};
-	}
+	// its pages are pages of contexts
+	const newContext = browser.newContext.bind(browser);
+	browser.newContext = async (options) => {
+		const context = await newContext(options);
+		context.setDefaultTimeout(PATIENCE);
+		return context;
+	};
 	return browser;
 }
 

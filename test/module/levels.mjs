@@ -11,8 +11,8 @@ import { makeBvh } from "./rays.mjs";
 const { Agent, AgentQueries, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
 
 /** The capsule that walks: it is a person's size. */
-export const RADIUS = 0.3;
-export const HEIGHT = 1.8;
+const RADIUS = 0.3;
+const HEIGHT = 1.8;
 const STEP = 0.3;
 const SLOPE = 50;
 const FALL = 0.2;

@@ -2,7 +2,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { PATIENCE, isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
+import { isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));

@@ -290,7 +290,7 @@ test('agents are dragged in the world, and who touches whom is shown at once; el
 });
 
 test('a finger on an agent moves it, and does not scroll the page', { skip: isChromium ? false : 'fingers that move are Chromium\'s' }, async () => {
-	const { page, said, leave } = await open(site, 'play/lesson-wing', { ...SIZES.phone });
+	const { page, said, leave } = await open(site, 'play/lesson-wing', SIZES.phone);
 	const ball = () => page.evaluate(() => {
 		const { world, stage } = globalThis.playground;
 		const { x, y, z, size } = world.agents.find(({ breed }) => breed === 'paintballs');

@@ -319,7 +319,7 @@ test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbus
 });
 
 test('Measure: the chart is whole on a phone, with the names of all systems', async () => {
-	const { page, said, leave } = await open(site, 'measure', { ...SIZES.phone });
+	const { page, said, leave } = await open(site, 'measure', SIZES.phone);
 	await page.getByRole('radio', { name: 'All systems in turn' }).check();
 	await page.getByLabel('Agents up to').selectOption('100');
 	await page.getByRole('button', { name: 'Measure', exact: true }).click();

@@ -433,7 +433,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 });
 
 test('on a phone fingers scroll the page over the world, and Run is in sight beside the blocks', { skip: isChromium ? false : 'fingers that move are Chromium\'s' }, async () => {
-	const { page, said, leave } = await open(site, 'play/paintball', { ...SIZES.phone });
+	const { page, said, leave } = await open(site, 'play/paintball', SIZES.phone);
 	const touch = await finger(page);
 	const swipe = async (selector) => {
 		// in its middle, or as near to that as there is no block, which the finger would move

@@ -139,8 +139,12 @@ package starlogo.away3d
 
         private function isUnchanged():Boolean
         {
+            if (_agent.revision != _revision)
+            {
+                return false;
+            }
             readTraits(sTraits);
-            return _agent.revision == _revision && VertexData.areSame(sTraits, _traits);
+            return VertexData.areSame(sTraits, _traits);
         }
 
         private function remember():void

@@ -70,11 +70,11 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override protected function begin(a:HierarchyNode, b:HierarchyNode):void
         {
-            _reach = a.radius + b.radius * pose.placement.size;
             _directionX = _directionY = _directionZ = 0;
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
             _scale = scale;
+            _reach = a.radius + b.radius * scale;
             _m00 = relative.r00 * scale;
             _m01 = relative.r01 * scale;
             _m02 = relative.r02 * scale;

@@ -286,10 +286,5 @@ package starlogo.hierarchy
             extents[4] = maxY;
             extents[5] = maxZ;
         }
-
-        private function addPoint(points:Vector.<Number>, vertex:int):void
-        {
-            points.push(_vertices[3 * vertex], _vertices[3 * vertex + 1], _vertices[3 * vertex + 2]);
-        }
     }
 }

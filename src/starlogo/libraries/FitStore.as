@@ -142,7 +142,7 @@ package starlogo.libraries
             var file:CookedFile;
             return new StepSequence().add(geometry).begin(function():Steps
                 {
-                    var name:String = geometry.fingerprint.toString() + settings;
+                    var name:String = nameOf(geometry.fingerprint, settings);
                     var bytes:ByteArray = _storage.read(name);
                     if (bytes != null)
                     {
@@ -184,7 +184,7 @@ package starlogo.libraries
             {
                 return false;
             }
-            var name:String = geometry.toString() + settings;
+            var name:String = nameOf(geometry, settings);
             var others:Array = entriesBut(name);
             var isKept:Boolean = lengthOf(others) + bytes.length <= _capacity && _storage.write(name, bytes);
             while (!isKept && others.length > 0)
@@ -219,6 +219,11 @@ package starlogo.libraries
             var text:ByteArray = new ByteArray();
             text.writeUTFBytes(others.join("") + (bytes == null ? "" : name + " " + bytes.length + "\n"));
             _storage.write(LIST, text);
+        }
+
+        private static function nameOf(geometry:Fingerprint, settings:FitSettings):String
+        {
+            return geometry.toString() + settings;
         }
 
         private static function nameIn(entry:String):String

@@ -23,13 +23,15 @@ package starlogo.solid
         private var _surface:Surface;
         private var _extremes:PartExtremes;
 
-        // Null if the surface is known already. Null if no seam has a gap.
+        // Null if the surface is known already.
         private var _builder:SurfaceBuilder = null;
 
         // For each piece, its part; and the parts that are one because they overlap.
         private var _partOf:Vector.<int>;
         private var _sets:DisjointSets;
         private var _looks:int = 0;
+
+        // Null if no seam has a gap.
         private var _welding:Welding = null;
 
         /**

@@ -47,10 +47,7 @@ package starlogo.solid
         /** The same, but its inside need not be known yet. This takes less than half of the time. */
         internal function get facets():Solid
         {
-            if (placed == null)
-            {
-                finish(new TrianglesBuilder(this));
-            }
+            placeTriangles();
             return placed;
         }
 
@@ -61,13 +58,21 @@ package starlogo.solid
         {
             var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - root.x) > root.halfX - radius
                 || Math.abs(middle.y - root.y) > root.halfY - radius || Math.abs(middle.z - root.z) > root.halfZ - radius;
-            if (!isOutside && prepared == null && facets != null)
+            if (!isOutside && prepared == null)
             {
-                // the tree has small boxes now
+                placeTriangles(); // with them the tree has small boxes
                 _open ||= new OpenSides();
                 isOutside = _open.areAt(middle, root);
             }
             return !isOutside && solid.isInside(middle);
+        }
+
+        private function placeTriangles():void
+        {
+            if (placed == null)
+            {
+                finish(new TrianglesBuilder(this));
+            }
         }
 
         /**

@@ -255,14 +255,11 @@ package starlogo.solid
             }
             search(_distances, _isExact ? beginDistance() : null);
             out.copyPoints(_distances.points);
-            out.distance = _distances.least;
-            out.distance *= _placementA.size;
+            out.distance = _distances.least * _placementA.size;
             var placement:Placement = _placementA;
-            if (!areTouching || !(out.distance > 0))
-            {
-                // the closest points are right
-            }
-            else if (isOneInside(_a, _b, _structureB))
+            // a point of both is known already if the measured distance is 0
+            var needsPoint:Boolean = areTouching && out.distance > 0;
+            if (needsPoint && isOneInside(_a, _b, _structureB))
             {
                 var point:Vector3D = _containment.innerPoint;
                 out.aX = out.bX = point.x;
@@ -270,7 +267,7 @@ package starlogo.solid
                 out.aZ = out.bZ = point.z;
                 placement = _containment.isPointOfSecond ? _placementB : _placementA;
             }
-            else if (_isExact && _b == null)
+            else if (needsPoint && _isExact && _b == null)
             {
                 // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
                 search(_boxes, prepareTriangles(_a, null, _structureB, RelativeMotion.NONE));

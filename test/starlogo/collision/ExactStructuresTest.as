@@ -69,6 +69,7 @@ package starlogo.collision
         public static function forget():void
         {
             sGreatLand = null;
+            sShapes = null;
             sModels = null;
         }
 
@@ -179,19 +180,7 @@ package starlogo.collision
 
         private function structureNow():BoundingStructure
         {
-            var structure:BoundingStructure;
-            switch (_other.collideAs)
-            {
-                case Agent.SPHERE:
-                    structure = sGreatLand.boundingStructures.sphere(_other.shape);
-                    break;
-                case Agent.CAPSULE:
-                    structure = sGreatLand.boundingStructures.capsule(_other.shape);
-                    break;
-                default:
-                    structure = sGreatLand.boundingStructures.box(_other.shape);
-            }
-            return TransformedStructure.of(structure, _other);
+            return TransformedStructure.of(sGreatLand.structureOfKind(_other.shape, _other.structureKind), _other);
         }
 
         // The distance of a structure from the tree's triangles. It is 0 or less if it touches one.
@@ -246,10 +235,10 @@ package starlogo.collision
         }
 
         // Whether a structure that touches no triangle is inside.
+        // Whether the structure that gapOf() has measured last is inside of the tree.
         private function isInTree(structure:BoundingStructure):Boolean
         {
             var model:Model = sModels[_tree.shape];
-            gapOf(structure);
             var at:Vector3D = structure is Box ? Box(structure).center : new Vector3D(_own[0], _own[1], _own[2]);
             var m:Object = _tree.worldPlacement();
             var x:Number = (at.x - m.x) / m.size;

@@ -28,7 +28,6 @@ package starlogo.models.cooked
         private static const CORNERS_PER_STEP:int = 4500;
 
         private var _asked:Fingerprint;
-        private var _file:CookedFile;
         private var _bytes:ByteArray;
         private var _form:int;
         private var _divisor:Number = 1;
@@ -46,8 +45,8 @@ package starlogo.models.cooked
         {
             super(name, new ModelBudget(name, ModelBudget.BYTES));
             _asked = asked;
-            _file = new CookedFile(bytes);
-            add(_file).begin(reading);
+            cooked = new CookedFile(bytes);
+            add(cooked).begin(reading);
         }
 
         /** @inheritDoc */
@@ -67,9 +66,8 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading():Steps
         {
-            refuseIf(_asked != null && _file.isWhole && !_file.isFor(_asked), name, "the cooked file is for another up axis, transform or scaling");
-            cooked = _file;
-            _bytes = _file.section(CookedFile.MODEL, null);
+            refuseIf(_asked != null && cooked.isWhole && !cooked.isFor(_asked), name, "the cooked file is for another up axis, transform or scaling");
+            _bytes = cooked.section(CookedFile.MODEL, null);
             refuseIf(_bytes == null, name, "the cooked file is damaged, or of another version: cook it again");
             scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             _form = readCount(CookedShape.DOUBLE);

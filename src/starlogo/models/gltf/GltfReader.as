@@ -4,7 +4,6 @@ package starlogo.models.gltf
     import starlogo.models.ModelReader;
     import starlogo.models.UpAxis;
     import starlogo.models.VertexFilter;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

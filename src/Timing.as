@@ -7,6 +7,7 @@ package
     import flash.text.TextField;
     import flash.text.TextFieldAutoSize;
     import flash.text.TextFormat;
+    import flash.utils.getDefinitionByName;
     import flash.utils.getTimer;
     import headless.Host;
     import evaluation.GameTask;
@@ -58,7 +59,7 @@ package
             addChild(_caption);
             try
             {
-                _settings = new Settings(loaderInfo.parameters);
+                _settings = new Settings(loaderInfo.parameters, getDefinitionByName);
             }
             catch (error:ArgumentError)
             {

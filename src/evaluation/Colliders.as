@@ -11,10 +11,12 @@ package evaluation
     public final class Colliders
     {
         /**
-         * @param name one of Settings.COLLIDERS
+         * @param name one of Settings.COLLIDERS, or another class's
          * @param greatLand has the models
+         * @param own makes the colliders of other names
+         * @throws ArgumentError if there is no such class, or it is not a CollisionSystem
          */
-        public static function make(name:String, greatLand:GreatLand):CollisionSystem
+        public static function make(name:String, greatLand:GreatLand, own:OwnClasses = null):CollisionSystem
         {
             switch (name)
             {
@@ -27,7 +29,7 @@ package evaluation
                 case "CombinationCollider":
                     return new CombinationCollider(greatLand);
                 default:
-                    throw new ArgumentError("there is no collider \"" + name + "\"");
+                    return (own || new OwnClasses()).collider(name, greatLand);
             }
         }
     }

@@ -53,13 +53,13 @@ package evaluation
         {
             for each (var name:String in _settings.models)
             {
-                tasks.push(new VolumesTask("volumes", _models[name], _results));
+                tasks.push(new VolumesTask("volumes", _models[name], _settings, _results));
             }
             for each (name in _settings.models)
             {
                 if (_novaModels.hasOwnProperty(name))
                 {
-                    tasks.push(new VolumesTask("nova", _novaModels[name], _results));
+                    tasks.push(new VolumesTask("nova", _novaModels[name], _settings, _results));
                 }
             }
         }
@@ -165,12 +165,12 @@ package evaluation
         {
             var scene:Scene = Scenes.scattered(MONITORED_GAME, "mix");
             makeSomeHierarchical(scene, MONITORED_GAME / 10);
-            tasks.push(new MonitorTask(_stage, scene, Colliders.make("CombinationCollider", _greatLand), _settings, _results));
+            tasks.push(new MonitorTask(_stage, scene, Colliders.make("CombinationCollider", _greatLand, _settings.own), _settings, _results));
         }
 
         private function addGame(figure:String, subject:String, variant:String, collider:String, scene:Scene, thesis:*):void
         {
-            tasks.push(new GameTask(figure, subject, variant, scene, Colliders.make(collider, _greatLand),
+            tasks.push(new GameTask(figure, subject, variant, scene, Colliders.make(collider, _greatLand, _settings.own),
                         figure == "scattered" ? null : _literal.pairTest(collider), thesis, _settings, _results));
         }
 

@@ -1,6 +1,7 @@
 package evaluation
 {
     import evaluation.scenes.Scenes;
+    import starlogo.GreatLand;
 
     /** Selects the parts of the evaluation to run, by the parameters of the SWF. Lists are separated by commas. An empty list means all. */
     public final class Settings
@@ -20,8 +21,14 @@ package evaluation
         /** The figures to run. */
         public var figures:Array;
 
-        /** The colliders to run. */
+        /** The colliders to run: names of COLLIDERS, and of a researcher's own classes. */
         public var colliders:Array;
+
+        /** A researcher's own fitters, by the names of their classes. */
+        public var fitters:Array;
+
+        /** Makes what is not the engine's. */
+        public var own:OwnClasses;
 
         /** The models for the figures about single models. */
         public var models:Array;
@@ -49,14 +56,25 @@ package evaluation
 
         /**
          * @param parameters the parameters of the SWF
-         * @throws ArgumentError if one names something unknown
+         * @param find finds a class by its name, or null
+         * @throws ArgumentError if one names something unknown, or a class of another kind
          */
-        public function Settings(parameters:Object)
+        public function Settings(parameters:Object, find:Function = null)
         {
+            own = new OwnClasses(find);
             isFull = parameters["full"] == "true";
             hasNova = parameters["nova"] == "true";
             figures = chosen("figures", parameters["figures"], FIGURES);
-            colliders = chosen("colliders", parameters["colliders"], COLLIDERS);
+            colliders = named(parameters["colliders"], COLLIDERS);
+            for each (var collider:String in colliders)
+            {
+                Colliders.make(collider, new GreatLand(), own);
+            }
+            fitters = named(parameters["fitters"], []);
+            for each (var fitter:String in fitters)
+            {
+                own.fitter(fitter);
+            }
             models = chosen("models", parameters["models"], MODELS);
             crowds = numbers("agents", parameters["agents"], isFull ? [10, 100, 300] : [10, 100]);
             games = numbers("agents", parameters["agents"], isFull ? [100, 300, 1000, 3000, 10000] : [100, 1000, 10000]);
@@ -65,13 +83,14 @@ package evaluation
             longRepetitions = numbers("repetitions", parameters["repetitions"], [5])[0];
         }
 
+        private static function named(list:String, preset:Array):Array
+        {
+            return list ? list.split(",") : preset;
+        }
+
         private static function chosen(option:String, list:String, all:Array):Array
         {
-            if (!list)
-            {
-                return all;
-            }
-            var names:Array = list.split(",");
+            var names:Array = named(list, all);
             for each (var name:String in names)
             {
                 if (all.indexOf(name) < 0)

@@ -14,7 +14,7 @@ package evaluation
     import starlogo.models.Model;
 
     /**
-     * Figure 6-1: the volumes of the structures around a model, and the smallest known ones. The z-aligned boxes are fitted in steps of 1
+     * Figure 6-1: the volumes of the structures around a model, the smallest known ones, and those of a researcher's own fitters. The z-aligned boxes are fitted in steps of 1
      * degree, because these volumes agree with the thesis's column on the thesis's own models (figure "nova"). Those in steps of 10 degrees
      * do not.
      */
@@ -29,14 +29,16 @@ package evaluation
         private var _results:Results;
         private var _session:FitSession;
         private var _fitters:Vector.<Fitter>;
+        private var _names:Array;
         private var _next:int = 0;
 
         /**
          * @param figure "volumes", or "nova" for a model of the StarLogo Nova client
          * @param model the model to fit
+         * @param settings names a researcher's own fitters
          * @param results takes the volumes
          */
-        public function VolumesTask(figure:String, model:Model, results:Results)
+        public function VolumesTask(figure:String, model:Model, settings:Settings, results:Results)
         {
             super("volumes around the " + model.name, 700 + model.vertices.length / 15);
             _figure = figure;
@@ -46,6 +48,11 @@ package evaluation
             _fitters = new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(), new AxisAlignedBoxFitter(),
                     new ZAlignedBoxFitter(Z_DEG_INCREMENT), box, new CapsuleFitter(box), new MinimalSphereFitter(),
                     new MinimalCapsuleFitter()];
+            _names = Thesis.STRUCTURES.concat(MINIMAL, settings.fitters);
+            for each (var name:String in settings.fitters)
+            {
+                _fitters.push(settings.own.fitter(name));
+            }
         }
 
         /** @inheritDoc */
@@ -53,10 +60,8 @@ package evaluation
         {
             _session ||= new FitSession(_model.vertices);
             var structure:BoundingStructure = _fitters[_next].fitOnce(_session);
-            var ofThesis:int = Thesis.STRUCTURES.length;
-            var isOfThesis:Boolean = _next < ofThesis;
-            var entry:Object = _results.addNumber(_figure, _model.name,
-                    isOfThesis ? Thesis.STRUCTURES[_next] : MINIMAL[_next - ofThesis], structure.volume, "patches^3",
+            var isOfThesis:Boolean = _next < Thesis.STRUCTURES.length;
+            var entry:Object = _results.addNumber(_figure, _model.name, _names[_next], structure.volume, "patches^3",
                     isOfThesis ? Thesis.VOLUMES[_model.name][_next] : undefined);
             entry.vertices = _model.vertices.length / 3;
             _next++;

@@ -3,6 +3,9 @@ package evaluation
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.collision.BinCollider;
+    import starlogo.fitting.RitterSphereFitter;
     import support.assertThrows;
 
     public class SettingsTest
@@ -40,6 +43,37 @@ package evaluation
             assertEquals(3, settings.repetitions);
             assertEquals(3, settings.longRepetitions);
             assertEquals("bear", settings.models.join());
+        }
+
+        [Test]
+        public function ownClassesAreMade():void
+        {
+            var types:Object = {"game.Reds": RitterSphereFitter, "game.Discs": EveryPairSystem, "game.Bins": BinCollider};
+            var find:Function = function(name:String):Object
+            {
+                return types[name];
+            };
+            var settings:Settings = new Settings({colliders: "TightestFitCollider,game.Discs,game.Bins", fitters: "game.Reds"}, find);
+            assertEquals("TightestFitCollider,game.Discs,game.Bins", settings.colliders.join());
+            assertTrue(settings.own.fitter("game.Reds") is RitterSphereFitter);
+            assertTrue(Colliders.make("game.Discs", new GreatLand(), settings.own) is EveryPairSystem);
+            assertTrue(Colliders.make("game.Bins", new GreatLand(), settings.own) is BinCollider);
+            assertThrows(ArgumentError, /-Dcolliders: there is no class "game.Blues"; -Dsources=/, function():void
+                {
+                    new Settings({colliders: "game.Blues"}, find);
+                });
+            assertThrows(ArgumentError, /-Dcolliders: game.Reds is not a CollisionSystem/, function():void
+                {
+                    new Settings({colliders: "game.Reds"}, find);
+                });
+            assertThrows(ArgumentError, /-Dfitters: game.Discs is not a Fitter/, function():void
+                {
+                    new Settings({fitters: "game.Discs"}, find);
+                });
+            assertThrows(ArgumentError, /-Dcolliders: there is no class "BinColider"/, function():void
+                {
+                    new Settings({colliders: "BinColider"});
+                });
         }
 
         [Test]

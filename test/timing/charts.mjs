@@ -1,8 +1,8 @@
-import { bySubject, castOf, growth } from './figures.mjs';
+import { COLLIDERS, bySubject, castOf, growth, others } from './figures.mjs';
 
 /**
  * What the page draws, by figure: {kind, height, labels or series, unit}. Colours are names that the page's style knows:
- * engine, jit, literal, thesis, and one for each collider.
+ * engine, jit, literal, thesis, minimal, and one for each of the engine's colliders.
  */
 export function chartsOf(entries) {
 	const of = (figure) => entries.filter((entry) => entry.figure === figure);
@@ -67,8 +67,6 @@ function volumes(entries) {
 	]);
 }
 
-const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
-
 function crowds(entries) {
 	if (entries.length === 0) {
 		return undefined;
@@ -76,7 +74,7 @@ function crowds(entries) {
 	const most = Math.max(...entries.map((entry) => entry.agents ?? 0));
 	const count = entries.some((entry) => entry.agents === 100) ? 100 : most;
 	const subjects = bySubject(entries).filter(([name]) => name.startsWith(`${count} `));
-	const rows = COLLIDERS.flatMap((collider) => subjects.filter(([, found]) => found[collider])
+	const rows = [...COLLIDERS, ...others(entries, COLLIDERS)].flatMap((collider) => subjects.filter(([, found]) => found[collider])
 		.map(([name, found]) => ({ name: [collider.replace('Collider', ''), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
 	return bars(rows.map(({ name }) => name), `ms a frame of ${count} agents`, [
 		{ name: 'this engine', color: 'engine', values: rows.map(({ entry }) => entry.value) },
@@ -104,9 +102,9 @@ function scattered(entries) {
 	const all = growth(entries);
 	const first = all.find(({ cast }) => cast === 'mix') ?? all[0];
 	const casts = [first, ...all.filter(({ cast }) => cast === `${first.cast}, as dense`)];
-	const series = casts.flatMap(({ cast, exponents }, i) => COLLIDERS.map((collider) => ({
+	const series = casts.flatMap(({ cast, exponents }, i) => [...COLLIDERS, ...others(entries, COLLIDERS)].map((collider) => ({
 		name: `${collider.replace('Collider', '')}${i === 0 ? '' : ', as dense'}: n^${exponents[collider]?.toFixed(2) ?? '?'}`,
-		color: collider,
+		color: COLLIDERS.includes(collider) ? collider : 'minimal',
 		isDashed: i > 0,
 		points: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value)
 			.map((entry) => ({ x: entry.agents, y: entry.value })),

@@ -1,5 +1,6 @@
 import { FIGURES } from './figures.mjs';
 import { ratio, time } from './format.mjs';
+import { key } from './statistics.mjs';
 
 const WIDTH = 100;
 
@@ -9,8 +10,7 @@ export function tables(entries) {
 	for (const figure of FIGURES) {
 		const own = entries.filter((entry) => entry.figure === figure.id);
 		if (own.length > 0) {
-			const head = figure.subhead ? [figure.head, figure.subhead] : [figure.head];
-			parts.push([figure.title, '', table(head, figure.rows(own), figure.text ?? 1), '', wrap(figure.note)].join('\n'));
+			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', wrap(figure.note)].join('\n'));
 		}
 	}
 	return parts.join('\n\n\n');
@@ -47,4 +47,31 @@ export function comparison(changed, olderDate) {
 		`${time(before.value)} to ${time(after.value)}`, change > 1 ? `${ratio(change)} slower` : `${ratio(1 / change)} faster`]);
 	return `Since ${olderDate}, beyond the noise, as multiples of the sphere-sphere test:\n\n`
 		+ table([['what', 'before', 'now', 'time', '']], rows, 1);
+}
+
+const GAMES = ['crowds', 'scattered'];
+const MODELS = ['fits', 'access', 'hierarchies'];
+
+/** Names the entries that are too noisy, with a command for each figure that measures them again; or an empty text. */
+export function repeats(entries) {
+	const noisy = entries.filter((entry) => entry.refused);
+	if (noisy.length === 0) {
+		return '';
+	}
+	const commands = FIGURES.map(({ id }) => [id, noisy.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
+		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found)} -Drepetitions=11`);
+	return ['Too noisy:', ...noisy.map((entry) => `    ${key(entry)}`), 'To measure them again, for the same report:', ...commands].join('\n');
+}
+
+// The options that measure no more of a figure than these entries.
+function choice(figure, entries) {
+	const all = (values) => [...new Set(values)].join(',');
+	const variants = entries.map((entry) => entry.variant.replace(/, literal$/, ''));
+	const subjects = entries.map((entry) => entry.subject);
+	const own = variants.filter((name) => name.includes('.'));
+	const sources = own.length > 0 ? ' -Dsources=FOLDER' : '';
+	if (MODELS.includes(figure)) {
+		return ` -Dmodels=${all(subjects)}${sources}${sources && ` -Dfitters=${all(own)}`}`;
+	}
+	return GAMES.includes(figure) ? ` -Dagents=${all(subjects.map((subject) => parseInt(subject)))} -Dcolliders=${all(variants)}${sources}` : '';
 }

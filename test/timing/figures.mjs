@@ -8,7 +8,7 @@ import { percent, quoted, ratio, significant, time } from './format.mjs';
 
 const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule',
 	'minimal sphere', 'minimal capsule'];
-const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
+export const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
 const THESIS_SPHERE_TEST = 0.000319;
 
 /** Entries by subject, in their order: [subject, {variant: entry}]. */
@@ -42,21 +42,31 @@ const times = (value) => (value === undefined ? '' : ratio(value));
 const beside = (entry) => (entry?.beside === undefined ? '' : entry.beside === null ? 'noisy' : time(entry.beside));
 const short = (entry) => (!entry ? '' : entry.refused ? 'noisy' : time(entry.value));
 
+/** The variants that are not the report's own: a researcher's fitters or colliders, in their order. */
+export function others(entries, known) {
+	return [...new Set(entries.map((entry) => entry.variant))].filter((name) => !known.includes(name) && !name.endsWith(', literal'));
+}
+
 /** The least of a model's volumes that the thesis's algorithms give, by number. */
 function volumeRows(entries) {
+	const own = others(entries, STRUCTURES);
 	return bySubject(entries).flatMap(([model, found]) => {
-		const all = STRUCTURES.map((name) => found[name]);
+		const all = STRUCTURES.concat(own).map((name) => found[name]);
 		const least = Math.min(...all.slice(0, 6).map((entry) => entry.value));
 		return [
-			[`${model} (${all[0].vertices})`, ...all.map((entry, i) => significant(entry.value, 3) + (i < 6 && entry.value === least ? '*' : ''))],
-			['  thesis', ...all.map((entry) => (entry.thesis === undefined ? '' : entry.thesis.toFixed(3)))],
+			[`${model} (${all[0].vertices})`, ...all.map((entry, i) => (entry ? significant(entry.value, 3) : '') + (i < 6 && entry.value === least ? '*' : ''))],
+			['  thesis', ...all.map((entry) => entry?.thesis?.toFixed(3) ?? '')],
 		];
 	});
 }
 
 function modelRows(entries, more) {
-	return bySubject(entries).map(([model, found]) => [model, ...more(found), measured(found.engine), multiple(found.engine), beside(found.engine),
-		short(found.literal), times(faster(found.engine, found.literal)), thesisTime(found.engine)]);
+	return bySubject(entries).flatMap(([model, found]) => [
+		[model, ...more(found), measured(found.engine), multiple(found.engine), beside(found.engine),
+			short(found.literal), times(faster(found.engine, found.literal)), thesisTime(found.engine)],
+		...others(Object.values(found), ['engine', 'literal']).map((name) => [`  ${name}`, ...more(found).map(() => ''), measured(found[name]),
+			multiple(found[name]), beside(found[name]), '', '', '']),
+	]);
 }
 
 function testRows(entries) {
@@ -78,13 +88,14 @@ function gameRows(entries) {
 
 function scatteredRows(entries) {
 	return growth(entries).flatMap(({ cast, exponents, exponentsByWork }) => {
+		const names = [...COLLIDERS, ...others(entries, COLLIDERS)];
 		const games = bySubject(entries.filter((entry) => castOf(entry) === cast)).flatMap(([scene, found]) => {
-			const jit = COLLIDERS.map((name) => beside(found[name]));
-			const game = [scene, ...COLLIDERS.map((name) => measured(found[name])), range(Object.values(found).map((entry) => entry.collisions)),
+			const jit = names.map((name) => beside(found[name]));
+			const game = [scene, ...names.map((name) => measured(found[name])), range(Object.values(found).map((entry) => entry.collisions)),
 				Object.values(found).every((entry) => entry.agrees) ? 'yes' : 'NO'];
 			return jit.some(Boolean) ? [game, ['  JIT', ...jit, '', '']] : [game];
 		});
-		const row = (name, values) => [name, ...COLLIDERS.map((collider) => values[collider]?.toFixed(2) ?? ''), '', ''];
+		const row = (name, values) => [name, ...names.map((collider) => values[collider]?.toFixed(2) ?? ''), '', ''];
 		return [...games, row('exponent', exponents), row('  with collisions', exponentsByWork)];
 	});
 }
@@ -101,7 +112,7 @@ function range(counts) {
 export function growth(entries) {
 	const casts = [...new Set(entries.map((entry) => castOf(entry)))];
 	return casts.map((cast) => {
-		const fitted = (size) => Object.fromEntries(COLLIDERS
+		const fitted = (size) => Object.fromEntries([...COLLIDERS, ...others(entries, COLLIDERS)]
 			.map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value)])
 			.map(([name, games]) => [name, exponent(games.map((entry) => [size(entry), entry.value]))])
 			.filter(([, value]) => value !== undefined));
@@ -119,16 +130,19 @@ export function castOf(entry) {
 }
 
 const VOLUMES = {
-	head: ['model (vertices)', 'naive', 'Ritter', 'aligned', 'z-box', 'box', 'capsule', 'min.', 'min.', 'min.'],
-	subhead: ['', 'sphere', 'sphere', 'box', '1°', '10°', '', 'sphere', 'box', 'capsule'],
+	head: (entries) => [['model (vertices)', 'naive', 'Ritter', 'aligned', 'z-box', 'box', 'capsule', 'min.', 'min.', ...others(entries, STRUCTURES).map(shortName)],
+		['', 'sphere', 'sphere', 'box', '1°', '10°', '', 'sphere', 'capsule', ...others(entries, STRUCTURES).map(() => 'own')]],
 	rows: volumeRows,
 };
 
-/** Every figure: its name, what it shows, its columns and how its rows come from the entries. */
+/** A class's name without its package. */
+const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
+
+/** Every figure: its name, what it shows, and how the lines of its head and its rows come from the entries. */
 export const FIGURES = [
 	{
 		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches', ...VOLUMES,
-		note: '* the tightest of the thesis\'s six. The smallest known sphere, box and capsule are on the right. The sphere of the'
+		note: '* the tightest of the thesis\'s six. The smallest known sphere and capsule are on the right. The sphere of the'
 			+ ' BinCollider has 0.524. The models are the project\'s own, of the same kinds and vertex counts as the thesis\'s.'
 			+ ' Ritter\'s sphere of a cube has one of thirty volumes from 2.72 to 6.81, by the vertices on which it starts and by their'
 			+ ' order; the thesis\'s 5.216 is one of them. The built-in sphere has its vertices in other places than the thesis\'s,'
@@ -141,28 +155,28 @@ export const FIGURES = [
 	},
 	{
 		id: 'fits', title: 'Figure 6-2: time to find the tightest fit',
-		head: ['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis'],
+		head: () => [['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis']],
 		rows: (entries) => modelRows(entries, (found) => [String(found.engine.vertices), found.engine.tightest]),
 		note: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).'
 			+ ' Takes, here and below: how many times as long as the engine the thesis\'s algorithm takes in the same run.',
 	},
 	{
 		id: 'access', title: 'Figure 6-3: time to access and transform a tightest fit',
-		head: ['model', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis'],
+		head: () => [['model', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis']],
 		rows: (entries) => modelRows(entries, () => []),
 		note: 'For an agent that has moved and turned. The engine does this once for each agent that has moved, the literal'
 			+ ' collider for both agents of each pair.',
 	},
 	{
 		id: 'tests', title: 'Figure 6-4: time of an intersection test',
-		head: ['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', 'takes', 'thesis', '× sphere'],
+		head: () => [['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', 'takes', 'thesis', '× sphere']],
 		rows: testRows,
 		note: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
 			+ ' same run, the thesis\'s figures as a multiple of its own. Literal tests that are the same as the engine\'s are not repeated.',
 	},
 	{
 		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
-		head: ['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'JIT', 'literal', 'takes', 'thesis'],
+		head: () => [['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'JIT', 'literal', 'takes', 'thesis']],
 		rows: (entries) => bySubject(entries).map(([model, found]) => [model, String(found.engine.vertices), measured(found.engine),
 			measured(found['engine, vertices']), multiple(found['engine, vertices']),
 			beside(found['engine, vertices']), short(found.literal),
@@ -172,7 +186,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
-		head: ['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked'],
+		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked']],
 		text: 2,
 		rows: gameRows,
 		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
@@ -181,14 +195,14 @@ export const FIGURES = [
 	},
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
-		head: ['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked'],
+		head: () => [['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked']],
 		text: 2,
 		rows: gameRows,
 		note: 'The thesis gives no number here; it says that it lies between those of the other two colliders.',
 	},
 	{
 		id: 'experiments', title: 'What the thesis proposes or asks: §3.6.4, §7.4, §7.5, §7.7',
-		head: ['proposal', 'without', 'with', 'gains', 'more hits'],
+		head: () => [['proposal', 'without', 'with', 'gains', 'more hits']],
 		rows: (entries) => bySubject(entries).map(([question, found]) => [question, measured(found.without), measured(found.with),
 			times(faster(found.with, found.without)), `${found.more.value.toFixed(1)} %`]),
 		note: 'Faces alone: the literal test without its nine axes of edges. Factor: the structure with the cheapest tests of up to so many times'
@@ -199,7 +213,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
-		head: ['game', 'bins', 'tightest fit', 'hierarchical', 'combination', 'pairs', 'checked'],
+		head: (entries) => [['game', 'bins', 'tightest fit', 'hierarchical', 'combination', ...others(entries, COLLIDERS).map(shortName), 'pairs', 'checked']],
 		rows: scatteredRows,
 		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
 			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider.'
@@ -209,7 +223,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'monitor', title: 'The monitor in a running game',
-		head: ['game', 'what', '', 'JIT'],
+		head: () => [['game', 'what', '', 'JIT']],
 		text: 2,
 		rows: (entries) => entries.map((entry) => [entry.subject, entry.variant,
 			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`, beside(entry)]),

@@ -65,14 +65,14 @@ function section(figure, entries, charts) {
 	return `<section>
 <h2>${escape(figure.title)}</h2>
 ${picture}
-<div class="scroll">${table(figure, figure.rows(mine))}</div>
+<div class="scroll">${table(figure, figure.head(mine), figure.rows(mine))}</div>
 <p class="note">${escape(figure.note)}</p>
 </section>`;
 }
 
-function table(figure, rows) {
-	const columns = figure.head.map((_, column) => column).filter((column) => column === 0 || rows.some((row) => row[column]));
-	const heads = columns.map((column) => [figure.head[column], figure.subhead?.[column]].filter(Boolean).map(escape).join(' '));
+function table(figure, [head, ...subheads], rows) {
+	const columns = head.map((_, column) => column).filter((column) => column === 0 || rows.some((row) => row[column]));
+	const heads = columns.map((column) => [head, ...subheads].map((line) => line[column]).filter(Boolean).map(escape).join(' '));
 	const type = (column) => (column < (figure.text ?? 1) ? ' class="text"' : '');
 	const cell = (text, column) => (column === 0 ? `<th scope="row">${escape(text.trim())}</th>` : `<td${type(column)}>${mark(text)}</td>`);
 	return `<table><thead><tr>${columns.map((column, i) => `<th scope="col"${type(column)}>${heads[i]}</th>`).join('')}</tr></thead>

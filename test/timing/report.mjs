@@ -4,20 +4,22 @@
  *
  *   node test/timing/report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder]
  *
- * The folder has the results.json of the run; docs/timing-report.md describes report.json. With an older report, what
+ * The folder has the results.json of the run; docs/timing-report.md describes report.json. If the folder has a report of the same commit,
+ * player and machine, this run's entries take their places in it. With an older report, what
  * became faster or slower since then is printed. With another folder, that of a run in another player, its times stand beside; with
  * that of a run of the ES module the report says how many times as fast that is.
  */
+import { existsSync } from 'node:fs';
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { addBeside, timesAsFast } from './beside.mjs';
-import { comparison, tables } from './console.mjs';
+import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
 import { machine, versions } from './machine.mjs';
 import { moduleText, page } from './page.mjs';
-import { changes } from './statistics.mjs';
+import { changes, merged } from './statistics.mjs';
 
 const { positionals: [folder], values } = parseArgs({
 	allowPositionals: true,
@@ -33,16 +35,22 @@ const beside = values.beside ? await resultsOf(values.beside) : undefined;
 const module = values.module ? await resultsOf(values.module) : undefined;
 // first: the older report may be the one that is about to be replaced
 const older = values.compare ? JSON.parse(await readFile(values.compare, 'utf8')) : undefined;
+const file = (name) => path.join(folder, name);
+const measured = {
+	machine: machine(),
+	versions: { ...versions(results.player), ...(beside && { beside: beside.player }) },
+};
+const taken = beside ? addBeside(results.entries, beside.entries) : results.entries;
+const earlier = existsSync(file('report.json')) ? JSON.parse(await readFile(file('report.json'), 'utf8')) : undefined;
+const entries = earlier && areOfOne(earlier, measured) ? merged(earlier.entries, taken) : taken;
 const report = {
 	schema: 1,
 	created: new Date().toISOString(),
-	machine: machine(),
-	versions: { ...versions(results.player), ...(beside && { beside: beside.player }) },
+	...measured,
 	...(module && { module: { player: module.player, ...timesAsFast(results.entries, module.entries) } }),
-	exponents: growth(results.entries.filter((entry) => entry.figure === 'scattered')),
-	entries: beside ? addBeside(results.entries, beside.entries) : results.entries,
+	exponents: growth(entries.filter((entry) => entry.figure === 'scattered')),
+	entries,
 };
-const file = (name) => path.join(folder, name);
 await writeFile(file('report.json'), JSON.stringify(report, null, 1) + '\n');
 await writeFile(file('report.csv'), csv(report.entries));
 await writeFile(file('report.html'), await page(report));
@@ -57,4 +65,15 @@ console.log('Times are medians ± half the range of the repetitions, without the
 if (older) {
 	console.log('\n' + comparison(changes(older.entries, report.entries), older.created.slice(0, 16).replace('T', ' ')));
 }
+if (entries.length > taken.length) {
+	console.log(`${entries.length - taken.length} of ${entries.length} entries are of earlier runs of the same commit.`);
+}
+if (repeats(report.entries)) {
+	console.log('\n' + repeats(report.entries));
+}
 console.log(`\nThe report: ${file('report.html')}`);
+
+/** Whether two runs may share a report: what they measured is the same, and the commit says all of it. */
+function areOfOne(one, other) {
+	return !other.versions.commit.endsWith('-dirty') && JSON.stringify([one.machine, one.versions]) === JSON.stringify([other.machine, other.versions]);
+}

@@ -2,12 +2,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { addBeside, timesAsFast } from './beside.mjs';
 import { chartsOf } from './charts.mjs';
-import { comparison, tables } from './console.mjs';
+import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { FIGURES, growth } from './figures.mjs';
 import { inWords, percent, quoted, ratio, significant, time } from './format.mjs';
 import { moduleText, page } from './page.mjs';
-import { changes, exponent } from './statistics.mjs';
+import { changes, exponent, merged } from './statistics.mjs';
 
 const timed = (figure, subject, variant, value, more = {}) => ({
 	figure, subject, variant, value, unit: 'ms', low: value * 0.98, high: value * 1.04, samples: 5,
@@ -137,4 +137,47 @@ test('the page is self-contained and has every figure there are entries of', asy
 		assert.equal(html.includes(figure.title), entries.some((entry) => entry.figure === figure.id), figure.id);
 	}
 	assert.match(html, /&lt;fast&gt;/);
+});
+
+const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule', 'minimal sphere', 'minimal capsule'];
+
+test('the volumes stand under the heads of their structures', () => {
+	const volumes = STRUCTURES.map((variant, i) => ({ figure: 'volumes', subject: 'bear', variant, value: 10 + i, vertices: 547 }));
+	const [, , first, second, , row] = tables(volumes).split('\n');
+	assert.deepEqual([first.trim().split(/ {2,}/).at(-1), second.trim().split(/ {2,}/).at(-1)], ['min.', 'capsule']);
+	assert.match(row, / 17\.0$/);
+});
+
+test("a researcher's own fitters and colliders stand beside the engine's", async () => {
+	const own = [...entries,
+		...STRUCTURES.map((variant, i) => ({ figure: 'volumes', subject: 'bear', variant, value: 10 + i, vertices: 547, ...(i < 6 && { thesis: 2 }) })),
+		{ figure: 'volumes', subject: 'bear', variant: 'game.UprightFitter', value: 9.5, vertices: 547 },
+		timed('fits', 'bear', 'game.UprightFitter', 0.3),
+		timed('crowds', '100 bears', 'game.Discs', 3.25, { agents: 100, collisions: 4950, agrees: true }),
+		...[100, 1000].map((agents) => timed('scattered', `${agents} mix`, 'game.Discs', agents * 0.01, { agents, collisions: 0, agrees: true }))];
+	const text = tables(own);
+	assert.match(text, /^model .* UprightFitter$/m);
+	assert.match(text, /^bear \(547\) .* 9\.50$/m);
+	assert.match(text, /^ {2}game\.UprightFitter +300 µs/m);
+	assert.match(text, /^ +game\.Discs +3\.25 ms/m);
+	assert.match(text, /^exponent +1\.00 +1\.00$/m);
+	const html = await page({ created: '2026-01-02T03:04:05Z', machine: {}, versions: {}, exponents: [], entries: own });
+	assert.match(html, /<th scope="col">UprightFitter own<\/th>/);
+	assert.match(html, /"Discs: n\^1\.00"|game\.Discs: n\^1\.00/);
+});
+
+test('a later run takes the places of its entries alone', () => {
+	const later = [timed('fits', 'bear', 'engine', 5), timed('fits', 'cube', 'engine', 1)];
+	const both = merged(entries, later);
+	assert.equal(both.length, entries.length + 1);
+	assert.equal(both[0].value, 5);
+	assert.equal(both[1], entries[1]);
+	assert.equal(both.at(-1).subject, 'cube');
+});
+
+test('what is noisy is named, with a command that repeats it', () => {
+	assert.match(repeats(entries), /crowds \/ 100 bears \/ BinCollider\n.*\n {4}\.\/antw timing -Dfigures=crowds -Dagents=100 -Dcolliders=BinCollider -Drepetitions=11$/);
+	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' })]), /-Dfigures=fits -Dmodels=bear /);
+	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })]), /-Dmodels=cube -Dsources=FOLDER -Dfitters=game\.UprightFitter -Drep/);
+	assert.equal(repeats(entries.filter((entry) => !entry.refused)), '');
 });

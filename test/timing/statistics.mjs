@@ -42,3 +42,15 @@ function areApart(a, b) {
 	const [less, more] = a.multiple < b.multiple ? [a, b] : [b, a];
 	return less.multipleHigh * (1 + DRIFT) < more.multipleLow * (1 - DRIFT);
 }
+
+/**
+ * A report's entries with those of a later run in their places.
+ *
+ * @param {object[]} older entries of the report
+ * @param {object[]} newer entries of the run
+ */
+export function merged(older, newer) {
+	const later = new Map(newer.map((entry) => [key(entry), entry]));
+	const kept = new Set(older.map(key));
+	return [...older.map((entry) => later.get(key(entry)) ?? entry), ...newer.filter((entry) => !kept.has(key(entry)))];
+}

@@ -53,15 +53,20 @@ package evaluation
 
         private function typeOf(option:String, name:String):Class
         {
+            var type:Class = null;
             try
             {
-                return Class(_find(name));
+                type = _find == null ? null : _find(name) as Class;
             }
-            catch (error:Error)
+            catch (error:ReferenceError)
             {
                 // said below
             }
-            throw new ArgumentError("-D" + option + ": there is no class \"" + name + "\"; -Dsources= names the folder in which it is");
+            if (type == null)
+            {
+                throw new ArgumentError("-D" + option + ": there is no class \"" + name + "\"; -Dsources= names the folder in which it is");
+            }
+            return type;
         }
 
         private static function makeWith(type:Class, greatLand:GreatLand):Object

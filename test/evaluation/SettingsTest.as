@@ -5,7 +5,7 @@ package evaluation
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.collision.BinCollider;
-    import starlogo.fitting.RitterSphereFitter;
+    import starlogo.fitting.NaiveSphereFitter;
     import support.assertThrows;
 
     public class SettingsTest
@@ -48,14 +48,14 @@ package evaluation
         [Test]
         public function ownClassesAreMade():void
         {
-            var types:Object = {"game.Reds": RitterSphereFitter, "game.Discs": EveryPairSystem, "game.Bins": BinCollider};
+            var types:Object = {"game.Reds": NaiveSphereFitter, "game.Discs": EveryPairSystem, "game.Bins": BinCollider};
             var find:Function = function(name:String):Object
             {
                 return types[name];
             };
             var settings:Settings = new Settings({colliders: "TightestFitCollider,game.Discs,game.Bins", fitters: "game.Reds"}, find);
             assertEquals("TightestFitCollider,game.Discs,game.Bins", settings.colliders.join());
-            assertTrue(settings.own.fitter("game.Reds") is RitterSphereFitter);
+            assertTrue(settings.own.fitter("game.Reds") is NaiveSphereFitter);
             assertTrue(Colliders.make("game.Discs", new GreatLand(), settings.own) is EveryPairSystem);
             assertTrue(Colliders.make("game.Bins", new GreatLand(), settings.own) is BinCollider);
             assertThrows(ArgumentError, /-Dcolliders: there is no class "game.Blues"; -Dsources=/, function():void

@@ -86,6 +86,11 @@ package starlogo.collision
         private var _searched:Collider = null;
         private var _isRefused:Boolean = false;
         private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
+
+        // Whether the game has _lastAgents, so that it may have changed it; the number that its agents have as a list in the table of _searched,
+        // or -1.
+        private var _isLent:Boolean = false;
+        private var _listNumber:int = -1;
         private var _asked:AskedList = new AskedList();
 
         /**
@@ -141,6 +146,7 @@ package starlogo.collision
          */
         public function get lastAgents():Vector.<Agent>
         {
+            _isLent = true;
             return _lastAgents;
         }
 
@@ -237,6 +243,8 @@ package starlogo.collision
             }
             // a handler may call this, and the frame goes on with its list
             _lastAgents = new Vector.<Agent>();
+            _isLent = false;
+            _listNumber = -1;
         }
 
         /**
@@ -273,8 +281,7 @@ package starlogo.collision
                 _isRefused = true;
                 findPairs(system, collider, listed, asked == null ? null : _asked.takePart);
                 _isRefused = false;
-                keepList(listed);
-                _searched = system.collider;
+                keepList(listed, system.collider);
                 if (collider != null)
                 {
                     // contacts that handlers ask for are contacts of the frame, also after a handler has changed the ground or the edges
@@ -346,8 +353,7 @@ package starlogo.collision
             }
             var collider:Collider = _system.collider;
             _calls.tracker = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
-            _searched = collider;
-            keepList(agents);
+            keepList(agents, collider);
             _isRefused = _touchesAreStale = false;
         }
 
@@ -371,14 +377,21 @@ package starlogo.collision
             }
         }
 
-        private function keepList(agents:Vector.<Agent>):void
+        // Copies the list that a collider has searched, unless the last update has copied the same list.
+        private function keepList(agents:Vector.<Agent>, searched:Collider):void
         {
-            if (agents === _lastAgents)
+            var number:int = searched == null ? -1 : searched.search.table.listNumber;
+            if (_isLent || number < 0 || number != _listNumber || searched !== _searched)
             {
-                // the game's own list, from now on
-                _lastAgents = new Vector.<Agent>();
+                if (agents === _lastAgents)
+                {
+                    // the game's own list, from now on
+                    _lastAgents = new Vector.<Agent>();
+                }
+                AskedList.copyInto(_lastAgents, agents);
             }
-            AskedList.copyInto(_lastAgents, agents);
+            _listNumber = number;
+            _searched = searched;
         }
 
         private function requireSearch(what:String):void

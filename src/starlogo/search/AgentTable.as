@@ -10,29 +10,21 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. The base class
-     * says which agent has which row. It has columns because with thousands of agents reading memory takes most of the time. Each row has a body for tests.
+     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. The base classes
+     * say which agent has which row, and where it is. It has columns because with thousands of agents reading memory takes most of the time. Each row has a body for tests.
      *
      * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
      * lists the changes that make a part of a row void.</p>
      *
      * @private
      */
-    public final class AgentTable extends RowList
+    public final class AgentTable extends PlacedRows
     {
-        // In place of a revision: the value has to be computed again.
-        private static const STALE:int = -1;
-
         // By row: the shape of the agent's model, which is null while the model is loading; the shape's form; and the body, which is as old as its
         // revision.
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
         engine var forms:Vector.<int> = new Vector.<int>();
         private var _bodies:Vector.<Body> = new Vector.<Body>();
-
-        // The places in the last search, and in the one before. A list is read into the older ones, and the two are exchanged after the whole list
-        // has turned out to be valid.
-        engine var now:RowPlaces = new RowPlaces();
-        internal var last:RowPlaces = new RowPlaces();
 
         /** By row: the extents of the shape. */
         engine var extents:Extents = new Extents();
@@ -42,8 +34,7 @@ package starlogo.search
         private var _offsetY:Vector.<Number> = new Vector.<Number>();
         private var _offsetZ:Vector.<Number> = new Vector.<Number>();
 
-        // By row: the agent's revisions at which its extents and its shape were read.
-        private var _extentsRevisions:Vector.<int> = new Vector.<int>();
+        // By row: the agent's shapeRevision at which its shape was read.
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: the structure of the body if it is a box that is tested alone, and else null; and the revision at which it was placed. This
@@ -54,9 +45,7 @@ package starlogo.search
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        // The rows whose extents have to be computed again, and the new shapes of rows whose shape has changed.
-        private var _changed:Vector.<int> = new Vector.<int>();
-        private var _changedCount:int = 0;
+        // The new shapes of changed rows whose shape has changed.
         private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         private var _modelShapes:ModelShapes;
@@ -82,27 +71,23 @@ package starlogo.search
         public function read(list:Vector.<Agent>):void
         {
             forgetReplaced();
-            var end:int = list.length;
-            _changedCount = isAccepted && end == count ? last.read(list, rows, agents, _extentsRevisions, _changed) : RowPlaces.OTHERS;
-            var isOther:Boolean = _changedCount == RowPlaces.OTHERS;
+            var isOther:Boolean = !isAccepted || list.length != count || !readChanged(list, rows);
             if (isOther)
             {
                 propose(list);
-                _changedCount = last.read(list, proposed, agents, _extentsRevisions, _changed);
+                readChanged(list, proposed);
             }
             findShapes();
             if (isOther)
             {
-                accept(end);
+                accept(list.length);
             }
             takeShapes();
-            var before:RowPlaces = last;
-            last = now;
-            now = before;
-            moveAllExtents();
-            for (var i:int = 0; i < _changedCount; i++)
+            exchangePlaces();
+            moveExtentsOfMoved();
+            for (var i:int = 0; i < changedCount; i++)
             {
-                fit(_changed[i]);
+                fit(changed[i]);
             }
         }
 
@@ -115,15 +100,16 @@ package starlogo.search
         {
             forgetReplaced();
             var agent:Agent = agents[row];
-            _changedCount = 0;
-            if (agent.placement.extentsRevision != _extentsRevisions[row])
+            changedCount = 0;
+            if (agent.placement.extentsRevision != extentsRevisions[row])
             {
-                _changed[0] = row;
-                _changedCount = 1;
+                changed[0] = row;
+                changedCount = 1;
                 findShapes();
                 takeShapes();
             }
             now.put(row, agent);
+            last.put(row, agent);
             moveExtents(row);
         }
 
@@ -152,7 +138,7 @@ package starlogo.search
         {
             forgetReplaced();
             var row:int = rowOf(agent);
-            if (row >= 0 && agent.revision == now.revisions[row] && agent.placement.extentsRevision == _extentsRevisions[row])
+            if (row >= 0 && agent.revision == now.revisions[row] && agent.placement.extentsRevision == extentsRevisions[row])
             {
                 return bodyOf(row);
             }
@@ -178,18 +164,9 @@ package starlogo.search
             placedRevisions[row] = now.revisions[row];
         }
 
-        /** Lets no agent have a motion from its position in the last search. */
-        public function forgetMotions():void
+        private function moveExtentsOfMoved():void
         {
-            for (var row:int = 0; row < now.revisions.length; row++)
-            {
-                now.revisions[row] = RowPlaces.NOT_SEEN;
-            }
-        }
-
-        private function moveAllExtents():void
-        {
-            var listedRows:Vector.<int> = rows;
+            var movedRows:Vector.<int> = moved;
             var xs:Vector.<Number> = now.x;
             var ys:Vector.<Number> = now.y;
             var zs:Vector.<Number> = now.z;
@@ -200,10 +177,10 @@ package starlogo.search
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
             var reachSquared:Number = _bins == null ? Infinity : _bins.levels.reachSquared;
-            var end:int = count;
+            var end:int = movedCount;
             for (var i:int = 0; i < end; i++)
             {
-                var row:int = listedRows[i];
+                var row:int = movedRows[i];
                 var atX:Number = xs[row] + fromX[row];
                 var atY:Number = ys[row] + fromY[row];
                 var atZ:Number = zs[row] + fromZ[row];
@@ -222,7 +199,7 @@ package starlogo.search
             if (_bins != null && shapes[row] != null && _bins.levels.fit(extents, row))
             {
                 // the row needs a finer level when its agent comes back, so every search computes its extents until then
-                _extentsRevisions[row] = STALE;
+                extentsRevisions[row] = STALE;
             }
         }
 
@@ -230,17 +207,10 @@ package starlogo.search
         override protected function grow(length:int):void
         {
             super.grow(length);
-            var row:int = shapes.length;
             shapes.length = boxes.length = _bodies.length = length;
-            forms.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
+            forms.length = _shapeRevisions.length = placedRevisions.length = length;
             _offsetX.length = _offsetY.length = _offsetZ.length = length;
             extents.grow(length);
-            now.grow(length);
-            last.grow(length);
-            for (; row < length; row++)
-            {
-                _extentsRevisions[row] = STALE;
-            }
         }
 
         /** @inheritDoc */
@@ -248,7 +218,6 @@ package starlogo.search
         {
             super.free(row);
             shapes[row] = null;
-            _extentsRevisions[row] = STALE;
         }
 
         private function forgetReplaced():void
@@ -261,7 +230,7 @@ package starlogo.search
             {
                 if (shapes[row] != null && shapes[row].isVoid)
                 {
-                    _extentsRevisions[row] = STALE;
+                    extentsRevisions[row] = STALE;
                 }
             }
         }
@@ -277,13 +246,13 @@ package starlogo.search
         // Finds the shapes of agents that have changed. All shapes are found before any row changes, because an error must change no row.
         private function findShapes():void
         {
-            if (_changedCount > _changedShapes.length)
+            if (changedCount > _changedShapes.length)
             {
-                _changedShapes.length = _changedCount;
+                _changedShapes.length = changedCount;
             }
-            for (var i:int = 0; i < _changedCount; i++)
+            for (var i:int = 0; i < changedCount; i++)
             {
-                var row:int = _changed[i];
+                var row:int = changed[i];
                 if (needsShape(row))
                 {
                     _changedShapes[i] = _modelShapes.shapeOf(agents[row]);
@@ -295,9 +264,9 @@ package starlogo.search
         private function takeShapes():void
         {
             loadingCount = 0;
-            for (var i:int = 0; i < _changedCount; i++)
+            for (var i:int = 0; i < changedCount; i++)
             {
-                var row:int = _changed[i];
+                var row:int = changed[i];
                 if (needsShape(row))
                 {
                     setShape(row, _changedShapes[i]);
@@ -334,7 +303,7 @@ package starlogo.search
             if (shape == null)
             {
                 // it is read again in the next search
-                _extentsRevisions[row] = STALE;
+                extentsRevisions[row] = STALE;
                 return;
             }
             forms[row] = shape.form;
@@ -361,7 +330,7 @@ package starlogo.search
             {
                 boxes[row] = Box(body.structure());
             }
-            _extentsRevisions[row] = agent.placement.extentsRevision;
+            extentsRevisions[row] = agent.placement.extentsRevision;
             setStale(row);
         }
 

@@ -57,6 +57,12 @@ package starlogo.search
         private var _lists:int = 0;
         private var _lastLists:Vector.<int> = new <int>[0, 0];
 
+        /** The number of the list whose agents are listed: another number for each list that was accepted; -1 after a list was refused. */
+        public function get listNumber():int
+        {
+            return isAccepted ? _lists : -1;
+        }
+
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
         {

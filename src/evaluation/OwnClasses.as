@@ -56,7 +56,7 @@ package evaluation
             var type:Class = null;
             try
             {
-                type = _find == null ? null : _find(name) as Class;
+                type = _find == null ? null : _find(name);
             }
             catch (error:ReferenceError)
             {

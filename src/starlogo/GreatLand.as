@@ -72,8 +72,7 @@ package starlogo
         }
 
         /**
-         * Whether the smallest sphere, box and capsule of a model are kept too, in addition to the tightest fit (§3.8). If they are, the
-         * TightestFitCollider can test spheres before boxes (§7.5).
+         * Whether clients may read the smallest sphere, box and capsule of a model, in addition to the tightest fit (§3.8).
          */
         public function get loadAllBoundingStructures():Boolean
         {
@@ -119,7 +118,7 @@ package starlogo
 
         /**
          * Adds a model, and computes the results that the flags ask for. It replaces a model of the same name. If it throws, nothing has
-         * changed. Cost: the fits, up to a few hundred milliseconds for thousands of vertices.
+         * changed. Cost: the fits, tens of milliseconds for thousands of vertices.
          *
          * @param model its name is the shape's name for agents
          * @throws ArgumentError if it is null, or as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary

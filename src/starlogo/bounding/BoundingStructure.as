@@ -169,7 +169,7 @@ package starlogo.bounding
         }
 
         /**
-         * Enlarges the structure on all sides, by the gap across which it touches others at its place.
+         * Enlarges the structure by a margin on all sides.
          *
          * @param by a length, not negative
          * @private

@@ -2,7 +2,7 @@ package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
 
-    /** Finds the smallest box with axes along x, y and z (thesis §3.4.2), in one pass over the vertices. */
+    /** Finds the smallest box with axes along x, y and z (thesis §3.4.2), in three passes over the vertices. */
     public final class AxisAlignedBoxFitter extends Fitter
     {
         /** Creates a fitter of axis-aligned boxes. */

@@ -9,7 +9,7 @@ package starlogo.fitting
      *
      * <p>It is Ritter's algorithm with a fixed axis. The sphere starts between the lowest and the highest vertex. For each vertex outside,
      * it grows just enough to enclose the vertex and the sphere so far, and its centre moves only up or down. It takes two passes over the
-     * hull's vertices.</p>
+     * hull's vertices, and one over all vertices.</p>
      */
     public final class CentredRitterSphereFitter extends Fitter
     {

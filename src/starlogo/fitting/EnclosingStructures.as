@@ -8,7 +8,7 @@ package starlogo.fitting
 
     /**
      * The last step of every fit: finds the tightest structure around all vertices. The structure's place or direction is given. The
-     * computation has double precision, and takes one or two passes over the vertices.
+     * computation has double precision, and takes up to three passes over the vertices.
      *
      * @private
      */

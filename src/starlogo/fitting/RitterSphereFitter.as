@@ -7,7 +7,7 @@ package starlogo.fitting
      * to 20 % above the smallest, and depends on the order of the vertices.
      *
      * <p>The sphere starts on two vertices that are far apart. For each vertex outside, it grows just enough to enclose the vertex and the
-     * sphere so far. It takes three passes over the hull's vertices.</p>
+     * sphere so far. It takes a few passes over the hull's vertices, and one over all.</p>
      */
     public final class RitterSphereFitter extends Fitter
     {

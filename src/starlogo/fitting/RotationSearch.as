@@ -221,7 +221,7 @@ package starlogo.fitting
         }
 
         // Finds the corner that is farthest in a direction of a plane. Plane 0 is the plane of x and y, and plane 1 that of y and z. The
-        // search spends nearly all its time here. The hull's support() would read a third coordinate of every neighbour.
+        // search spends nearly all its time here.
         private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
             var turned:Vector.<Number> = _turned;

@@ -3,7 +3,7 @@ package starlogo.geometry
     import flash.utils.ByteArray;
 
     /**
-     * A hash table of points, which keeps each position once. If very many points collide in the table, some may be kept several times,
+     * A hash table of points, which keeps each position once. If very many points have neighbouring slots, some may be kept several times,
      * because that takes less time than a full search.
      *
      * @private

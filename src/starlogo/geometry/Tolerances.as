@@ -223,7 +223,7 @@ package starlogo.geometry
         public static const OUTER:Number = 1 + 1e-12;
 
         /**
-         * Questions find an agent by a box that is larger than the agent by this fraction of the agent's size. Smaller than 1e-14: agents
+         * Questions find an agent, and a structure's node meets others, by a box that is larger by this fraction of the size. Smaller than 1e-14: agents
          * that touch because of rounding may not be found. Larger: more agents are tested.
          */
         public static const EXTENTS:Number = 1e-13;

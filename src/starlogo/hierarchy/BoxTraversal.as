@@ -67,7 +67,6 @@ package starlogo.hierarchy
             {
                 visits++;
 
-                // the vector from the middle of a's box to the middle of b's box
                 var bX:Number = b.x;
                 var bY:Number = b.y;
                 var bZ:Number = b.z;
@@ -75,7 +74,6 @@ package starlogo.hierarchy
                 var y:Number = m10 * bX + m11 * bY + m12 * bZ + moveY - a.y;
                 var z:Number = m20 * bX + m21 * bY + m22 * bZ + moveZ - a.z;
 
-                // the squared distance of b's middle from a
                 var halfX:Number = a.halfX + touching;
                 var halfY:Number = a.halfY + touching;
                 var halfZ:Number = a.halfZ + touching;
@@ -92,7 +90,6 @@ package starlogo.hierarchy
                     }
                     else
                     {
-                        // the faces of a, then those of b
                         bX = b.halfX;
                         bY = b.halfY;
                         bZ = b.halfZ;

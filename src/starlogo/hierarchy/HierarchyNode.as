@@ -37,8 +37,8 @@ package starlogo.hierarchy
         engine var level:int = 0;
 
         /**
-         * @private The largest depth limit at which a visit ends here: the node's level. For a leaf of the thesis it is LARGEST_DEPTH. For
-         *     a node without children it is int.MAX_VALUE.
+         * @private The largest depth limit for which a visit does not go below this node: the node's level; LARGEST_DEPTH for a leaf of the
+         *     thesis; int.MAX_VALUE without children.
          */
         engine var cutoffLevel:int = int.MAX_VALUE;
 
@@ -97,7 +97,7 @@ package starlogo.hierarchy
             return isLeaf ? null : high;
         }
 
-        /** Whether the node has no children. */
+        /** Whether the node has no children that clients see. */
         public function get isLeaf():Boolean
         {
             return cutoffLevel >= LARGEST_DEPTH;

@@ -11,7 +11,7 @@ package starlogo.hierarchy
      */
     public class LeafTest
     {
-        /** Before the test: the least time or distance so far. After it: that of the leaves, if it is less. Not for standing models. */
+        /** Before the test: the best time or distance so far. After it: the leaves' own, if it is better. Unused for models that stand still. */
         public var least:Number = 0;
 
         /** For distances: the closest points of the leaves tested, and their distance, in the first model's space. */

@@ -50,7 +50,7 @@ package starlogo.hierarchy
         private var _isDividing:Boolean = false;
         private var _isBySpread:Boolean;
 
-        // The sum of the items' coordinates so far, and the next item.
+        // While a mean is computed: the axis, whether it is unfinished, the sum of the items' coordinates so far, and the next item.
         private var _axis:int;
         private var _isAveraging:Boolean;
         private var _sum:Number;

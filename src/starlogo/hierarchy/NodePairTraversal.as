@@ -5,7 +5,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Finds two nodes of two trees: branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast proximity queries
+     * Finds the best pair of nodes of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast proximity queries
      * with swept sphere volumes", 1999). A node's box encloses its children's boxes. So a pair is skipped if nothing below it can be better
      * than the best pair so far. The nodes that decide are leaves or at their depth limit.
      *
@@ -37,7 +37,7 @@ package starlogo.hierarchy
         /** The pose of the second tree's nodes in the first model's space. */
         protected var pose:RelativePose;
 
-        /** The least time or distance that the current pair may have. Before <code>estimate()</code>, that of the pair above. */
+        /** A lower bound of the current pair's time or distance. Before <code>estimate()</code>, the parent pair's lower bound. */
         protected var bound:Number;
 
         // The pairs still to visit, and their bounds.

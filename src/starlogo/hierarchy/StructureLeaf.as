@@ -15,8 +15,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * A structure as a tree of one node. The node is the box around the structure, along the axes of a box or capsule. A box decides as any
-     * node does. For a sphere or capsule, this test decides, by the kernel of the structure and a node's box.
+     * A structure as a tree of one node, the box around it along its own axes. If the structure is a box, its node decides like any other. If
+     * it is a sphere or capsule, this test compares it with a node's box, by the kernel of the two.
      *
      * @private
      */

@@ -38,7 +38,7 @@ package starlogo.intersection
         // which it is on the far side.
         private static const STRIP:Vector.<int> = new <int>[6, 7, 2, 3, 1, 7, 5, 6, 4, 2, 0, 1, 4, 5];
 
-        /** How much wider than given the shape is, on all sides. Input of <code>begin()</code> and <code>beginTriangle()</code>. */
+        /** The margin that is added to the shape on all sides. Input of <code>begin()</code> and <code>beginTriangle()</code>. */
         public var margin:Number = 0;
 
         /** Whether the triangles are the outside of a solid, and counter-clockwise. Then contacts point out of the solid. */

@@ -7,8 +7,8 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
 
     /**
-     * Finds a direction along which a structure and an axis-aligned box are apart, and how far. No point of the one is nearer to the other. It is
-     * exact for spheres, and nearly for others. The results are fields, because V8 makes objects for Numbers that are passed.
+     * Finds a direction along which a structure and an axis-aligned box are apart, and how far. The gap is a lower bound of their distance:
+     * exact for spheres, nearly exact for capsules and boxes. The results are fields, because V8 makes objects for Numbers that are passed.
      *
      * @private
      */

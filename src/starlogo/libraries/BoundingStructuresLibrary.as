@@ -23,8 +23,8 @@ package starlogo.libraries
     public final class BoundingStructuresLibrary
     {
         /**
-         * Whether the smallest sphere, box and capsule are kept too, in addition to the tightest fit (thesis §3.8). A GreatLand sets it as
-         * loadAllBoundingStructures.
+         * Whether clients may read the smallest sphere, box and capsule, in addition to the tightest fit (thesis §3.8). A GreatLand sets it
+         * as loadAllBoundingStructures.
          */
         public var keepAll:Boolean = false;
 

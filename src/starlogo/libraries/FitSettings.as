@@ -8,7 +8,7 @@ package starlogo.libraries
 
     /**
      * The settings that decide the results that libraries compute for a model. They are copied when this object is made. Fits that were
-     * computed with other settings are not used. The setting keepAll is not part of this object, because it only chooses among the results.
+     * computed with other settings are not used. The setting keepAll is not part of it, because it only says which results a client may read.
      */
     public final class FitSettings
     {

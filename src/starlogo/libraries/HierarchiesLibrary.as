@@ -10,7 +10,7 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * The hierarchy of bounding structures of each model, found by the name of its shape (thesis §4.3, §4.4). The hierarchy is built when a
+     * The hierarchy of boxes of each model, found by the name of its shape (thesis §4.3, §4.4). The hierarchy is built when a
      * model is added. A setting that you change counts for models that are added afterwards.
      *
      * <p>The thesis builds hierarchies from vertices, and their boxes have holes. For example, a wall has four vertices. Below the first

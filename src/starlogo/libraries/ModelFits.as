@@ -19,8 +19,8 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * The results that were computed for a model: the smallest structures, the division of the triangles in the hierarchy, and the surface.
-     * A cooked file contains it (docs/cooked.md) and a FitStore keeps it as one. A checksum protects both.
+     * The results that were computed for a model: the smallest structures, the division of the items in the hierarchy, and the surface. A
+     * cooked file contains them (docs/cooked.md). A FitStore keeps them in a cooked file without a model. A checksum protects both.
      */
     public final class ModelFits
     {

@@ -32,7 +32,7 @@ package starlogo.models
         /** The most bytes of a file. */
         public static const BYTES:int = 67108864;
 
-        /** The most looks at corners while polygons are cut, for each byte of a file, and beside that. */
+        /** The most corners that are examined while polygons are cut: LOOKS, and LOOKS_PER_BYTE more for each byte. */
         private static const LOOKS_PER_BYTE:Number = 40;
         private static const LOOKS:Number = 100000;
 
@@ -87,7 +87,7 @@ package starlogo.models
             require(kind, _taken[kind], place);
         }
 
-        /** Checks a number of which none is taken. @throws ModelError if it is more than a file may have */
+        /** Checks a count without taking it. @throws ModelError if it is more than a file may have */
         public function require(kind:int, count:Number, place:Object = ""):void
         {
             if (count > _most[kind])

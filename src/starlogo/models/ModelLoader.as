@@ -43,7 +43,7 @@ package starlogo.models
      * <p>If a manifest lists a cooked file for a model, the loader fetches that file instead of the source: see <code>manifest</code>.</p>
      *
      * <p>The loader chooses the reader by the file's content: OBJ, glTF (JSON or binary, its data inside or beside it), STL (text or
-     * binary) or COLLADA. The file's name decides only if the content does not tell. Agents may have a shape as soon as its ModelEvent was
+     * binary), COLLADA or cooked. The file's name decides only if the content does not tell. Agents may have a shape as soon as its ModelEvent was
      * sent. Before that, the collision systems do not know the shape.</p>
      *
      * @example

@@ -4,15 +4,15 @@ package starlogo.solid
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds which pieces of a surface bound cavities, in steps. A piece does if it is inside of a solid piece, if it is turned the other
-     * way, and if no piece that bounds a cavity is around it within that one. Only surfaces with pieces of both orientations are searched.
+     * Finds which pieces of a surface bound cavities, in steps. A piece bounds a cavity if it lies inside of a solid piece, has the opposite
+     * orientation, and no other cavity of that solid piece contains it. Only surfaces with pieces of both orientations are searched.
      */
     internal final class CavityFinder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 25;
 
-        // After so many looks at pieces for each triangle of the model, one point decides about each piece. Only very many pieces within each
-        // other need as many.
+        // After so many looks at pieces for each triangle, one point decides about each piece. Only models with very many nested pieces reach
+        // this limit.
         private static const LOOKS_PER_TRIANGLE:int = 20;
 
         // How far inside of its piece a point is tested, as a fraction of the piece's extent. Smaller: rounding decides where pieces touch.
@@ -153,7 +153,7 @@ package starlogo.solid
             _looks += _solid.woundCount;
         }
 
-        // Those of the pieces that wind around the last point. If all of them have the piece's own orientation, none is needed.
+        // Returns the pieces that wind around the last point; none if all of them have the orientation of this piece.
         private function stillAround(piece:int, before:Vector.<int>):Vector.<int>
         {
             var around:Vector.<int> = new Vector.<int>();

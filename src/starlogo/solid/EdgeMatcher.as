@@ -3,9 +3,9 @@ package starlogo.solid
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds which two triangles continue each other over each edge, in steps. Where two triangles meet, these are the two. Where more
-     * meet, for example where two boxes stand edge to edge, triangles that are connected otherwise continue each other, and triangles that
-     * run along the edge in opposite directions.
+     * Pairs the triangles that continue each other over an edge, in steps. If two triangles share an edge, they are a pair. If more share it
+     * (a non-manifold edge, for example where two boxes stand edge to edge), triangles that are connected elsewhere are paired first, then
+     * triangles that run along the edge in opposite directions.
      *
      * <p>An edge has three times its triangle's index as its number, plus 0, 1 or 2. The cost is linear, apart from sorting the edges at
      * which more than two triangles meet.</p>
@@ -17,7 +17,7 @@ package starlogo.solid
         private static const CROWDS_PER_STEP:int = 100;
         private static const MOST_LOOKS:int = 8;
 
-        // How much alike two edges may be that are matched: opposite edges of different triangles, opposite edges, or any.
+        // Which edges a pass may match: opposite edges of different triangles, opposite edges, or any.
         private static const DIFFERENT:int = 0;
         private static const COPIES:int = 1;
         private static const ANY:int = 2;

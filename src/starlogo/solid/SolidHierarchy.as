@@ -44,7 +44,7 @@ package starlogo.solid
             return prepared;
         }
 
-        /** The same, but its inside need not be known yet. This takes less than half of the time. */
+        /** The triangles, perhaps without their inside. Preparing them takes less than half as long as <code>solid</code>. */
         internal function get facets():Solid
         {
             placeTriangles();
@@ -52,7 +52,8 @@ package starlogo.solid
         }
 
         /**
-         * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no piece of the surface is closed.
+         * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no piece of the surface is
+         * closed.
          */
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {

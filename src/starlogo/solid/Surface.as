@@ -26,20 +26,21 @@ package starlogo.solid
         public var partCount:int = 0;
 
         /**
-         * For each triangle, the number of its part. At first, a part is what is connected by vertices. The SolidBuilder joins parts that
-         * overlap.
+         * For each triangle, the number of its part. At first, triangles that share vertices are one part. The SolidBuilder joins parts
+         * that overlap.
          */
         public var parts:Vector.<int>;
 
         /**
          * For each triangle, one more than the number of its piece, or 0 for a triangle without area. Pieces are connected over edges. The
-         * number is negative for triangles that have to be turned, so that all of the piece have the same orientation.
+         * number is negative for triangles that have to be reversed, so that all of the piece have the same orientation.
          */
         public var sides:Vector.<int>;
 
         /**
-         * For each piece, SOLID, ONE_SIDED or OPEN. For a piece that bounds a cavity in another one, it is the number of that one. Inside of
-         * the surface is what is inside of a solid piece and not in a cavity of it. So pieces may overlap, however they are turned.
+         * For each piece, SOLID, ONE_SIDED or OPEN. For a piece that bounds a cavity in another one, it is the number of that one. A
+         * point is inside of the surface if it is inside of a solid piece and not in a cavity of that piece. So pieces may overlap, whatever
+         * their orientation.
          */
         public var shells:Vector.<int> = new Vector.<int>();
 

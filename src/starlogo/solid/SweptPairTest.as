@@ -44,7 +44,7 @@ package starlogo.solid
             // where leaves end.
             for (var k:int = b.end - b.first - 1; k >= 0; k--)
             {
-                // the extents of the triangle's motion until then
+                // the extents of the triangle during its motion until <code>latest</code>
                 var span:int = 6 * k;
                 var minX:Number = spans[span] - touching;
                 var minY:Number = spans[int(span + 1)] - touching;

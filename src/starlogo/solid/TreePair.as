@@ -58,7 +58,7 @@ package starlogo.solid
         private var _sweptBoxes:SweptBoxTraversal = new SweptBoxTraversal();
         private var _distances:BoxDistances = new BoxDistances();
 
-        // What decides about leaves: one of these, or null. The last one is that of the first touch of moving models.
+        // The tests that decide about leaves. _decider is the one of the last sweep, or null if boxes decided.
         private var _leaf:StructureLeaf;
         private var _trianglePairs:ExactPairTest;
         private var _sweptPairs:SweptPairTest;
@@ -169,7 +169,7 @@ package starlogo.solid
                 pose = _leaf.pose;
                 second = _leaf.node;
             }
-            // Most models that are close but do not collide have roots that do not overlap. These are not inside of each other.
+            // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return traversal.find(pose, a.root, depthA, second, depthB, decider)
                 || ((traversal.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
         }

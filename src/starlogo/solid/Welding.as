@@ -24,7 +24,8 @@ package starlogo.solid
         private var _tolerance:Number;
         private var _cellsPerUnit:Number;
 
-        // For each hash, one more than the number of the last place with that hash, or 0. For each place, the same of the place before it.
+        // For each hash, one more than the number of the last place with that hash, or 0. For each place, one more than the number of the
+        // place before it with the same hash, or 0.
         private var _last:Vector.<int>;
         private var _before:Vector.<int>;
 

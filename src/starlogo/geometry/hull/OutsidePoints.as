@@ -11,7 +11,7 @@ package starlogo.geometry.hull
         private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
         private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
-        // Twice each level's distance is the distance of the next. No distance in the grid reaches the last level's.
+        // Level n holds faces whose farthest point is 2^(n-1) to 2^n steps away. Every distance in the grid is below 2^26.
         private static const LEVELS:int = 27;
 
         private var _points:Vector.<Number>;
@@ -19,8 +19,8 @@ package starlogo.geometry.hull
         // For each point, the next point on its face's list, or -1.
         private var _next:Vector.<int>;
 
-        // The faces that have received a list, in a list for each level of their farthest points' distances. Each begins with a face that
-        // is not of the hull.
+        // The faces that have received a list, in a list for each level of their farthest points' distances. Each list begins with
+        // a dummy face.
         private var _pending:Vector.<HullFace> = new Vector.<HullFace>(LEVELS, true);
 
         // The current redistribution: the lists, the next list, the next point on the list before it or -1, and the point that is left out.

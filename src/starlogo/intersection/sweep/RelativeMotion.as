@@ -3,8 +3,8 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * The motion of one structure while another stands still: along a straight line from time 0 to time 1, without rotation or growth. If
-     * both move, it is the first structure's motion minus the second's. It has plain fields, which the pair tests read and write, because
+     * A sweep of one structure against another that stands still: the straight motion from time 0 to time 1, without rotation or growth, and
+     * the time of impact that a test writes. If both move, it is the first structure's motion minus the second's. It has plain fields, which the pair tests read and write, because
      * V8 would allocate objects for Numbers that are passed or returned.
      *
      * @private
@@ -52,7 +52,7 @@ package starlogo.intersection.sweep
             this.time = time;
         }
 
-        /** Makes this the motion that has brought the structure to its stored place, where it is at time 1. */
+        /** Sets a motion that ends at the structure's stored place, at time 1. */
         public function endAfter(x:Number, y:Number, z:Number):void
         {
             this.x = x;
@@ -63,7 +63,7 @@ package starlogo.intersection.sweep
             startZ = -z;
         }
 
-        /** Makes this a displacement to where another motion is at its time. This motion's x, y and z must be 0. */
+        /** Sets the start to the place that another motion has reached at its time. This motion's x, y and z must be 0. */
         public function stopAt(motion:RelativeMotion):void
         {
             var at:Number = motion.time;

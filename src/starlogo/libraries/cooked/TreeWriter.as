@@ -26,7 +26,7 @@ package starlogo.libraries.cooked
          * root down, low before high. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of
          * the thesis's tree or below one; 6 times the number of items on its low side.
          *
-         * @param hierarchy of boxes, spheres or capsules
+         * @param hierarchy the tree
          * @param out takes the bytes, at its position; little-endian
          */
         public static function write(hierarchy:Hierarchy, out:ByteArray):void

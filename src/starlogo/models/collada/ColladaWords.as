@@ -12,7 +12,7 @@ package starlogo.models.collada
         /** The words, when no step is left. */
         public var words:Array = [];
 
-        // the text, the start of its next piece, and a pattern for the ends of words
+        // the text, the start of its next piece, and the finder of word ends
         private var _text:String;
         private var _start:int = 0;
         private var _ends:NextOfTwo;

@@ -10,6 +10,7 @@ const IVY_FILES = ['build/ivy.xml', 'js/module/ivy.xml'];
 const INSIDE = {
 	'flex-sdk': { folder: '', where: ['docs/asdoc'], licence: 'MPL-1.1', what: 'the templates of ASDoc: style sheets, scripts and pictures' },
 	'@blockly/keyboard-navigation': { folder: 'js/playground/', where: ['playground'], what: 'reaches blocks by keys' },
+	'@dimforge/rapier3d-compat': { folder: 'js/playground/', where: ['playground'], what: 'is measured beside the engine' },
 	blockly: { folder: 'js/playground/', where: ['playground'], what: 'shows blocks' },
 	kdbush: { folder: 'js/playground/', where: ['playground'], what: 'is measured beside the engine' },
 	three: { folder: 'js/playground/', where: ['playground'], what: 'draws' },

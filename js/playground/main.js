@@ -1,6 +1,6 @@
 /**
- * Loads the page's words in one language, and shows the view in the address: #play, #inspect, #compare, #measure or #teach. Each view loads
- * only the files that it needs.
+ * Loads the page's words in one language, and shows the view in the address: #play, #inspect, #compare, #measure, #level or #teach. Each view
+ * loads only the files that it needs.
  */
 import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
@@ -26,6 +26,7 @@ const VIEWS = {
 	inspect: () => learn("lab").then(() => import("./inspect/view.js")),
 	compare: () => learn("lab").then(() => import("./compare/view.js")),
 	measure: () => learn("lab").then(() => import("./measure/view.js")),
+	level: () => learn("lab").then(() => import("./level/view.js")),
 	teach: () => Promise.all([learn("class"), learn("game")]).then(() => import("./teach/view.js")),
 };
 

@@ -5,6 +5,7 @@
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
 
 const TYPES = { ".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif", ".cur": "image/x-icon" };
@@ -14,13 +15,16 @@ const hashOf = (text) => `'sha256-${createHash("sha256").update(text).digest("ba
 
 /** The module in place of shared/served.js. */
 function servedInside(out) {
-	const models = Object.fromEntries(readdirSync(path.join(out, "models")).map((file) => [path.parse(file).name, readFileSync(path.join(out, "models", file), "utf8")]));
+	const models = Object.fromEntries(readdirSync(path.join(out, "models")).filter((file) => file.endsWith(".json")).map((file) => [path.parse(file).name, readFileSync(path.join(out, "models", file), "utf8")]));
 	return `
 		export const ICON = ${JSON.stringify(addressOf(path.join(out, "icon.svg")))};
 		export const MEDIA = "";
 		export const DOCS = null;
 		const MODELS = ${JSON.stringify(models)};
 		export const readModel = async (name) => MODELS[name];
+		const LEVEL = "${gzipSync(readFileSync(path.join(out, "models/level.glb")), { level: 9 }).toString("base64")}";
+		export const readLevel = () => new Response(new Blob([Uint8Array.from(atob(LEVEL), (letter) => letter.charCodeAt(0))]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+		export const loadRapier = null;
 	`;
 }
 

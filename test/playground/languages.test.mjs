@@ -34,7 +34,7 @@ function flat(words, name = '') {
 }
 
 /** Names of keys, systems and the like, and words that languages share. */
-const SHARED = /^(numbers|traits\.[xyz]|inspect\.(ups|time)|blocks\.(traits\.[xyz]|mouse\.[xy]|comparisons|arithmetic|keys\.[wasd]|logic_|math_number|math_arithmetic|variables_get|starlogo_agent|starlogo_pick)|play\.keysOf|blockly\.|compare\.(system|ms)$|questions\.other|play\.(another|speeds|after|panel\.tests)|gallery\.name|page\.api|handing\.name|colours\.orange)/;
+const SHARED = /^(numbers|traits\.[xyz]|inspect\.(ups|time)|blocks\.(traits\.[xyz]|mouse\.[xy]|comparisons|arithmetic|keys\.[wasd]|logic_|math_number|math_arithmetic|variables_get|starlogo_agent|starlogo_pick)|play\.keysOf|blockly\.|compare\.(system|ms)$|questions\.other|play\.(another|speeds|after|panel\.tests)|gallery\.name|page\.api|views\.level|handing\.name|colours\.orange)/;
 const isOfSigns = (text) => !/\p{L}/u.test(text.replaceAll(/%\d/g, ''));
 
 for (const [code, words] of Object.entries(others)) {
@@ -216,7 +216,7 @@ test('no word of the page is anywhere but in its language', { skip: isChromium ?
 	await page.goto(`${site.url}#compare`);
 	await ready(page, 'compare');
 	assert.deepEqual(await page.evaluate(unmarked), [], 'Compare');
-	for (const view of ['measure', 'teach', 'teach/helmet']) {
+	for (const view of ['measure', 'level', 'teach', 'teach/helmet', 'teach/class']) {
 		await page.goto(`${site.url}#${view}`);
 		await ready(page, view.split('/')[0]);
 		assert.deepEqual(await page.evaluate(unmarked), [], view);

@@ -281,7 +281,7 @@ test('Measure: times of each system, live, in a chart that is kept, downloaded, 
 	assert.deepEqual(said.splice(0), []);
 });
 
-test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbush beside the engine, and a world to look at', async () => {
+test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbush and Rapier beside the engine, and a world to look at', async () => {
 	const { page, said, leave } = await open(site, 'measure', LAPTOP);
 	const number = async (name) => Number((await page.textContent(`.live .part-${name} dd`)).replaceAll(',', ''));
 	await page.getByLabel('Agents', { exact: true }).fill('7');
@@ -305,6 +305,22 @@ test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbus
 	});
 	assert.deepEqual(colours, [true, true, true]);
 	assert.equal(await page.evaluate(() => globalThis.playground.live.crowd.stage.scene.children.find(({ isInstancedMesh }) => isInstancedMesh).count), 20000);
+	// Rapier, with the tightest fits of the same agents, finds the same pairs; it says those of the frame before
+	assert.equal(await page.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => /rapier/.test(name)).length), 0, 'it is not loaded before');
+	await page.getByLabel('Agents', { exact: true }).fill('3');
+	await page.getByLabel('Rapier beside it').check();
+	await page.waitForFunction(() => globalThis.playground.live.rapier);
+	assert.deepEqual(await page.evaluate(() => {
+		const { rapier, game, collision } = globalThis.playground.live;
+		rapier.pairs();
+		return rapier.pairs() - collision.collisionSystem.findCollisions(game.agents).length / 2;
+	}), 0);
+	await page.getByRole('button', { name: 'Run', exact: true }).click();
+	await page.waitForFunction(() => globalThis.playground.live.parts.count >= 24);
+	await page.getByRole('button', { name: 'Stop', exact: true }).click();
+	assert.ok(await number('rapier') > 0 && await number('inRapier') > 0);
+	await page.getByLabel('Rapier beside it').uncheck();
+	assert.equal(await page.textContent('.live .part-inRapier dd'), '–');
 	// without drawing and without kdbush
 	await page.getByLabel('Draw the world').uncheck();
 	await page.getByLabel('kdbush beside it').uncheck();
@@ -355,8 +371,10 @@ test('for teachers: each lesson has a page that is printed on one sheet, the sol
 			const given = document.querySelector('.shown-blocks');
 			const { right, bottom } = given.getBoundingClientRect();
 			const boxes = [...given.querySelectorAll('.blocklyBlockCanvas .blocklyPath')].map((each) => each.getBoundingClientRect());
-			const scripts = [...given.querySelectorAll('.blocklyBlockCanvas > *')].map((each) => each.getBoundingClientRect());
-			const overlaps = scripts.flatMap((a, i) => scripts.slice(i + 1).filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom));
+			const scripts = [...given.querySelectorAll('.blocklyBlockCanvas > *')];
+			// those that are given, and those of the solution
+			const overlaps = [...document.querySelectorAll('.shown-blocks')].map((host) => [...host.querySelectorAll('.blocklyBlockCanvas > *')].map((each) => each.getBoundingClientRect()))
+				.flatMap((all) => all.flatMap((a, i) => all.slice(i + 1).filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)));
 			return { blocks: boxes.length, isCut: boxes.some((box) => box.right > right + 1 || box.bottom > bottom + 1), overlap: scripts.length > 1 ? overlaps.length : -1 };
 		});
 		assert.ok(blocks > 3 && !isCut, `${sheet}: ${blocks} blocks`);

@@ -10,7 +10,7 @@ import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 import { SIZES, begin, dragBall, drop, hold, open, press, ready, rest, root } from './browser.mjs';
 
-const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
+const VIEWS = ['play', 'inspect', 'compare', 'measure', 'level', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
 const ADDRESSES = { play: 'play/paintball' };
 /** What else a view shows, by what is there then. */
@@ -215,13 +215,16 @@ test('Inspect: models by their names and by dropped files, with their volumes', 
 	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('Cube: 24 vertices'));
 	const rows = await page.locator('tbody tr').allTextContents();
 	assert.equal(rows.length, 10);
-	assert.match(rows.find((row) => row.startsWith('Oriented box')), /^Oriented box(tightest)?1\.001\.00/);
+	assert.match(rows.find((row) => row.startsWith('Oriented box')), /^Oriented box( tightest)?1\.001\.00/);
 	assert.match(rows.find((row) => row.startsWith('Naive sphere')), /^Naive sphere2\.722\.72/);
 	await drop(page, ['bear.obj', readFileSync(path.join(root, 'assets/bear.obj'))]);
 	await measured(page, /^bear\.obj: 547 vertices/);
+	const place = () => page.locator('.inspect .screen').boundingBox();
+	const before = await place();
 	await drop(page, ['broken.obj', Buffer.from('v 1 2 x\n')]);
 	await page.waitForSelector('.status.problem');
 	assert.match(await status(page), /^broken\.obj cannot be shown\. model "broken\.obj", line 1/);
+	assert.deepEqual(await place(), before, 'an error moves nothing');
 	await drop(page, ['broken.dae', Buffer.from('<COLLADA><')]);
 	await page.waitForFunction(() => /broken\.dae/.test(document.querySelector('.status.problem')?.textContent));
 	assert.match(await status(page), /not well-formed XML/);
@@ -615,10 +618,60 @@ test('without WebGL the page says so, and the rest works', async () => {
 test('the page is under a strict policy, and has the licences of what it brings', () => {
 	const html = readFileSync(path.join(root, 'bin/playground/index.html'), 'utf8');
 	const policy = /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(html)[1];
-	assert.match(policy, /^default-src 'none'; script-src 'self'; style-src 'self';/);
-	assert.doesNotMatch(policy, /unsafe|https?:|\*/);
+	assert.match(policy, /^default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self';/);
+	// Rapier is WebAssembly; nothing else is made of text
+	assert.doesNotMatch(policy.replace('\'wasm-unsafe-eval\'', ''), /unsafe|https?:|\*/);
 	assert.ok(existsSync(path.join(root, 'bin/playground/LICENSES.txt')));
 	assert.ok(statSync(path.join(root, 'bin/playground/main.js')).size < 20000, 'the first script is small');
+});
+
+test('Level: the game in the level of examples/level runs, is steered, saved and rewound, with its source beside it', async () => {
+	const { page, said } = await shared('level');
+	const state = () => page.evaluate(() => {
+		const { game: { player: { x, y, z, heading }, level, shots, enemies }, isLed, past } = globalThis.playground;
+		return { x, y, z, heading, shots, enemies: enemies.length, isLed, level: level.shape, past: past.length };
+	});
+	const until = (what, told) => page.waitForFunction(what, told);
+	const hold = async (key, ...what) => {
+		await page.keyboard.down(key);
+		await until(...what);
+		await page.keyboard.up(key);
+	};
+	const away = ({ x, y }) => Math.hypot(globalThis.playground.game.player.x - x, globalThis.playground.game.player.y - y) > 0.5;
+	assert.match(await page.textContent('.side .note'), /^The level is one mesh of 83,060 triangles/);
+	// it goes by itself, and shoots
+	await press(page, 'Run');
+	await until(() => globalThis.playground.game.shots > 0 && Number.parseFloat(document.querySelector('.figures dd').textContent) > 0);
+	assert.equal((await state()).isLed, false);
+	// until a key is pressed
+	await hold('ArrowLeft', () => globalThis.playground.isLed);
+	const before = await state();
+	await hold('ArrowUp', away, before);
+	await page.keyboard.press('f');
+	await until((shots) => globalThis.playground.game.shots > shots, before.shots);
+	await hold('Space', () => globalThis.playground.game.player.speed > 0);
+	await press(page, 'Save');
+	const { x, y } = await page.evaluate(() => globalThis.playground.saved.places[0]);
+	await page.locator('.world').focus();
+	await hold('ArrowUp', away, { x, y });
+	await press(page, 'Stop');
+	await press(page, 'Load');
+	const loaded = await state();
+	assert.deepEqual([loaded.x, loaded.y], [x, y]);
+	// the pad has the keys: a finger goes back in time
+	const kept = loaded.past;
+	const back = await page.locator('.pad .back').boundingBox();
+	await page.mouse.move(back.x + back.width / 2, back.y + back.height / 2);
+	await page.mouse.down();
+	await until((most) => globalThis.playground.past.length < most, kept);
+	await page.mouse.up();
+	await press(page, 'Stop');
+	// the source is the example's, and leads to all of it
+	assert.ok(await page.locator('.code pre').isVisible());
+	assert.equal(await page.textContent('.code pre'), readFileSync(path.join(root, 'examples/level/game.js'), 'utf8'));
+	const link = await page.request.get(await page.locator('.code a').evaluate(({ href }) => href));
+	assert.match(await link.text(), /id="a-game-in-a-level"[^]*GLTFLoader/);
+	assert.deepEqual(said.splice(0), []);
 });
 
 test('Compare: the scene is in the address: it survives a reload, and a link brings it', async () => {

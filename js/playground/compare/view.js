@@ -1,6 +1,7 @@
 /** Compare: shows which collisions each system finds, for two agents, and for a game of many. */
 import { Agent, CollisionBlocks, GreatLand } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
+import { listing } from "../shared/copying.js";
 import { button, choice, field, h, short } from "../shared/dom.js";
 import { Lab } from "../shared/lab.js";
 import { loadModel } from "../shared/models.js";
@@ -60,23 +61,12 @@ class CompareView {
 		this.meeting = h("p.note", { role: "status" });
 		this.code = h("code");
 		this.shared = h("span", { role: "status" });
-		const copied = h("span", { role: "status" });
-		const copy = button(texts.copying.copy, async () => {
-			try {
-				await navigator.clipboard.writeText(this.code.textContent);
-				copied.textContent = texts.copying.copied;
-			} catch {
-				getSelection().selectAllChildren(this.code);
-				copied.textContent = texts.copying.notCopied;
-			}
-		});
-		const listing = h("details.code", {}, h("summary", {}, words.code), h("div.tools", {}, copy, copied), h("pre", { tabindex: "0", "aria-label": words.code }, this.code));
 		main.replaceChildren(
 			h("div.tools", {}, this.#modes(), button(texts.play.share, () => this.#share()), this.shared),
 			h("section.pair", { "aria-label": words.pair },
 				h("div.seen", {}, h("div.screen", {}, this.pairHost), this.verdicts),
 				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)),
-					listing)),
+					listing(words.code, this.code))),
 			h("section.scattered", { hidden: true, "aria-label": words.game },
 				h("div.side", {}, h("div.tools", {}, h("h2", {}, words.game), field(words.reference, this.references)), this.gameNote, this.table,
 					h("div.tools", {}, button(words.next, () => this.#step()), button(words.another, () => {

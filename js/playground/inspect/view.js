@@ -48,7 +48,7 @@ class InspectView {
 					}),
 					fileButton(words.choose, ".obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), h("small.hint", {}, words.drop)),
 				this.upHint,
-				this.status, h("div.screen", {}, this.worldHost)),
+				h("div.saying", {}, this.status), h("div.screen", {}, this.worldHost)),
 			h("section.facts", { "aria-label": words.structures }, this.#modes(), this.structures));
 		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
 		orbitByKeys(this.stage, this.worldHost);
@@ -212,7 +212,7 @@ class InspectView {
 		} });
 		const isTightest = row.volume === least;
 		return h(isTightest ? "tr.tightest" : "tr", {},
-			h("th", { scope: "row" }, h("label.tick", {}, pick, words.fitters[row.name], isTightest ? h("span.badge", {}, words.tightest) : null)),
+			h("th", { scope: "row" }, h("label.tick", {}, pick, h("span", {}, words.fitters[row.name], ...(isTightest ? [" ", h("span.badge", {}, words.tightest)] : [])))),
 			h("td", {}, short(row.volume)), h("td", {}, short(row.volume / volume)), h("td", {}, short(row.ms)));
 	}
 

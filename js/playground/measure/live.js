@@ -1,10 +1,11 @@
-/** A game of up to 20,000 agents that runs: its world, the parts of its frames, and kdbush beside the engine. */
+/** A game of up to 20,000 agents that runs: its world, the parts of its frames, and kdbush and Rapier beside the engine. */
 import KDBush from "kdbush";
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
 import { VERDICTS } from "../shared/colours.js";
 import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
+import { loadRapier } from "../shared/served.js";
 import { Crowd, DRAWN } from "./crowd.js";
 import { Parts } from "./parts.js";
 
@@ -13,12 +14,12 @@ const COUNTS = [100, 200, 500, 1000, 2000, 5000, 10000, 20000];
 const FIRST = 1000;
 /** The number of agents on a ground of the usual width. The ground grows with their number. */
 const USUAL = 150;
-/** kdbush is asked in each frame of so many, so that the game goes on. */
+/** The others are asked in each frame of so many, one after the other, so that the game goes on. */
 const SELDOM = 6;
 /** The figures are shown after so many frames. */
 const SHOWN_AFTER = 12;
 const PARTS = ["move", "engine", "draw"];
-const PEER = "kdbush";
+const OTHERS = ["kdbush", "rapier"];
 
 const parts = (colour) => [(colour >> 16) / 255, ((colour >> 8) & 255) / 255, (colour & 255) / 255];
 const COLOURS = [parts(VERDICTS.hit), parts(VERDICTS.none)];
@@ -34,14 +35,19 @@ export class Live {
 	#touched = new Uint32Array(0);
 	#first = 0;
 	#pairs = 0;
-	#near = 0;
+	/** The pairs that the others have found. */
+	#found = {};
+	/** Rapier, once it is loaded, and its world. */
+	#library = null;
+	rapier = null;
 
 	constructor(greatLand) {
 		this.greatLand = greatLand;
 		this.runButton = button(words.run, () => (this.#request ? this.stop() : this.run()), { class: "primary" });
 		this.host = h("div.world");
+		this.said = h("small.hint", { role: "status" });
 		this.canvas = h("canvas.parts", { role: "img", "aria-label": words.graph });
-		this.parts = new Parts(this.canvas, PARTS, PEER);
+		this.parts = new Parts(this.canvas, PARTS, OTHERS);
 		this.figures = Object.fromEntries(Object.keys(words.figures).map((name) => [name, h("dd", {}, "–")]));
 		const count = slider(words.count, { min: 0, max: COUNTS.length - 1, step: 1, value: COUNTS.indexOf(FIRST), format: (i) => COUNTS[i].toLocaleString(texts.code) }, (i) => {
 			this.#count = COUNTS[i];
@@ -59,10 +65,11 @@ export class Live {
 					this.host.parentElement.hidden = !isOn;
 				}), tick(words.beside, true, (isOn) => {
 					this.#isBeside = isOn;
+					this.#found.near = NaN;
 					this.parts.clear();
-				})),
+				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
 			h("div.scene", {}, h("div.screen", {}, this.host),
-				h("div.times", {}, h("dl.figures", {}, ...Object.entries(words.figures).map(([name, text]) => h("div", { class: `part-${name}` }, this.figures[name], h("dt", {}, text)))),
+				h("div.times", {}, h("dl.figures", {}, ...Object.entries(words.figures).map(([name, text]) => h("div", { class: `part-${name}`, hidden: !loadRapier && /rapier/i.test(name) }, this.figures[name], h("dt", {}, text)))),
 					this.canvas, h("p.note", {}, words.note))));
 	}
 
@@ -88,11 +95,37 @@ export class Live {
 		this.collision = blocks.collision;
 		this.parts.clear();
 		this.crowd?.prepare(count);
-		this.#near = NaN;
+		this.#found = {};
+		this.#furnishRapier();
 		this.#step();
 		// the browser has not compiled anything yet
 		this.parts.clear();
 		if (!this.#request) this.#show();
+	}
+
+	/** Puts Rapier beside the engine, or takes it away. It loads with the first time. */
+	async #putRapier(isOn) {
+		this.isRapierWanted = isOn;
+		if (isOn && !this.#library) {
+			this.said.textContent = texts.loading;
+			try {
+				const library = await loadRapier();
+				await library.ready();
+				this.#library = library;
+				this.said.textContent = "";
+			} catch (error) {
+				this.said.textContent = texts.failed(error.message);
+			}
+		}
+		this.parts.clear();
+		this.#furnishRapier();
+		if (!this.#request) this.#show();
+	}
+
+	#furnishRapier() {
+		this.rapier?.close();
+		this.#found.inRapier = NaN;
+		this.rapier = this.isRapierWanted && this.#library ? new this.#library.RapierWorld(this.greatLand, this.game.agents) : null;
 	}
 
 	run() {
@@ -128,8 +161,12 @@ export class Live {
 		if (this.#isDrawn) this.crowd?.draw(agents, DRAWN / (2 * this.halfWidth), COLOURS, (agent) => this.#touched[agent.id - this.#first] === this.#frame);
 		frame.draw = part();
 		if (this.#isBeside && this.#frame % SELDOM === 0) {
-			this.#near = nearIn(agents);
-			frame[PEER] = part();
+			this.#found.near = nearIn(agents);
+			frame.kdbush = part();
+		}
+		if (this.rapier && this.#frame % SELDOM === SELDOM / 2) {
+			this.#found.inRapier = this.rapier.pairs();
+			frame.rapier = part();
 		}
 		graph.add(frame);
 	}
@@ -137,13 +174,16 @@ export class Live {
 	#show() {
 		const { middles } = this.parts;
 		this.parts.draw((ms) => short(ms));
-		const values = { ...Object.fromEntries(Object.entries(middles).map(([name, ms]) => [name, short(ms)])), pairs: this.#pairs.toLocaleString(texts.code), near: this.#isBeside && this.#near >= 0 ? this.#near.toLocaleString(texts.code) : "–" };
+		const { near, inRapier } = this.#found;
+		const counts = Object.entries({ pairs: this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
+		const values = Object.fromEntries([...Object.entries(middles).map(([name, ms]) => [name, short(ms)]), ...counts]);
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
 	}
 
 	close() {
 		cancelAnimationFrame(this.#request);
 		this.#request = 0;
+		this.rapier?.close();
 		this.crowd?.close();
 	}
 }

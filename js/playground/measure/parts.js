@@ -1,10 +1,9 @@
-/** The graph of the parts of the last frames: moving, the engine and drawing one above the other, and another library as a line. */
+/** The graph of the parts of the last frames: moving, the engine and drawing one above the other, and other libraries as lines. */
 
 /** The frames in the graph. */
 const FRAMES = 180;
 /** The least height of the graph, in milliseconds: two frames of 60 a second. */
 const LEAST = 1000 / 30;
-const HEIGHT = 180;
 const LEFT = 40;
 
 export class Parts {
@@ -13,10 +12,10 @@ export class Parts {
 	/**
 	 * @param {HTMLCanvasElement} canvas
 	 * @param {string[]} names the names of the parts, which begin at the bottom
-	 * @param {string} line the name of the line
+	 * @param {string[]} lines the names of the lines
 	 */
-	constructor(canvas, names, line) {
-		Object.assign(this, { canvas, names, line });
+	constructor(canvas, names, lines) {
+		Object.assign(this, { canvas, names, lines });
 	}
 
 	clear() {
@@ -36,7 +35,7 @@ export class Parts {
 
 	/** The middle value of each name in the last frames. */
 	get middles() {
-		return Object.fromEntries([...this.names, this.line].map((name) => {
+		return Object.fromEntries([...this.names, ...this.lines].map((name) => {
 			const values = this.#frames.map((frame) => frame[name]).filter(Number.isFinite).sort((a, b) => a - b);
 			return [name, values.length > 0 ? values[values.length >> 1] : NaN];
 		}));
@@ -44,21 +43,21 @@ export class Parts {
 
 	/** Draws the graph in the colours of the page. */
 	draw(format) {
-		const { canvas, names, line } = this;
+		const { canvas, names, lines } = this;
 		const ratio = Math.min(2, devicePixelRatio);
-		const width = canvas.clientWidth;
+		const { clientWidth: width, clientHeight: height } = canvas;
 		if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
-		if (canvas.height !== Math.round(HEIGHT * ratio)) canvas.height = Math.round(HEIGHT * ratio);
+		if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
 		const context = canvas.getContext("2d");
 		const style = getComputedStyle(canvas);
 		const colourOf = (name) => style.getPropertyValue(`--part-${name}`);
 		// a few long frames do not make all others small
-		const heights = this.#frames.map((frame) => Math.max(frame[line] || 0, names.reduce((sum, name) => sum + frame[name], 0))).sort((a, b) => a - b);
+		const heights = this.#frames.map((frame) => Math.max(...lines.map((name) => frame[name] || 0), names.reduce((sum, name) => sum + frame[name], 0))).sort((a, b) => a - b);
 		const most = Math.max(LEAST, 1.1 * (heights[Math.floor(0.95 * heights.length)] ?? 0));
 		const step = (width - LEFT) / FRAMES;
-		const y = (ms) => HEIGHT - (ms / most) * (HEIGHT - 10);
+		const y = (ms) => height - (ms / most) * (height - 10);
 		context.setTransform(ratio, 0, 0, ratio, 0, 0);
-		context.clearRect(0, 0, width, HEIGHT);
+		context.clearRect(0, 0, width, height);
 		this.#frames.forEach((frame, i) => {
 			let from = 0;
 			for (const name of names) {
@@ -67,13 +66,15 @@ export class Parts {
 				from += frame[name];
 			}
 		});
-		context.strokeStyle = colourOf(line);
 		context.lineWidth = 2;
-		context.beginPath();
-		this.#frames.forEach((frame, i) => {
-			if (Number.isFinite(frame[line])) context.lineTo(LEFT + (i + 0.5) * step, y(frame[line]));
-		});
-		context.stroke();
+		for (const line of lines) {
+			context.strokeStyle = colourOf(line);
+			context.beginPath();
+			this.#frames.forEach((frame, i) => {
+				if (Number.isFinite(frame[line])) context.lineTo(LEFT + (i + 0.5) * step, y(frame[line]));
+			});
+			context.stroke();
+		}
 		context.fillStyle = context.strokeStyle = style.color;
 		context.lineWidth = 1;
 		context.font = "12px system-ui, sans-serif";

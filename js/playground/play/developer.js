@@ -1,4 +1,5 @@
 /** Shows a program as a JavaScript module, to copy or download, with links to documentation and examples. */
+import { copying } from "../shared/copying.js";
 import { button, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
@@ -17,20 +18,11 @@ const words = texts.play.javascript;
  */
 export function showJavascript(program, title, file, models) {
 	const text = javascriptOf(program, title, models);
-	const said = h("small", { role: "status" });
 	const code = h("code", {}, text);
-	const copy = async () => {
-		try {
-			await navigator.clipboard.writeText(text);
-			said.textContent = texts.copying.copied;
-		} catch {
-			getSelection().selectAllChildren(code);
-			said.textContent = texts.copying.notCopied;
-		}
-	};
+	const [copy, said] = copying(code, { class: "primary" });
 	const dialog = h("dialog.ask.javascript", { "aria-label": words.title, onclose: () => dialog.remove() },
 		h("h2", {}, words.title), h("p", {}, words.note),
-		h("div.tools", {}, button(texts.copying.copy, copy, { class: "primary" }), button(words.download, () => hand(text, `${file}.mjs`, "text/javascript")),
+		h("div.tools", {}, copy, button(words.download, () => hand(text, `${file}.mjs`, "text/javascript")),
 			...(DOCS ? [h("a", { href: `${DOCS}index.html`, target: "_blank" }, words.documentation), h("a", { href: `${DOCS}examples.html`, target: "_blank" }, words.examples)] : []), said,
 			button(texts.gallery.close, () => dialog.close(), { class: "close" })),
 		h("pre", { tabindex: "0", "aria-label": words.title }, code));

@@ -178,14 +178,17 @@ export function showBlocks(host, program, highest, smallest = 0) {
 	Blockly.renderManagement.triggerQueuedRenders();
 	const heights = blocks.map((block) => block.getHeightWidth().height + MARGIN);
 	const half = heights.reduce((sum, height) => sum + height, 0) / 2;
+	const columns = [[], []];
 	const ends = [0, 0];
-	const widths = [0, 0];
 	blocks.forEach((block, i) => {
 		const column = ends[0] > 0 && ends[0] + heights[i] / 2 > half ? 1 : 0;
-		block.moveTo(new Blockly.utils.Coordinate(column === 0 ? 0 : widths[0] + 2 * MARGIN, ends[column]));
-		const { height, width } = block.getHeightWidth();
-		ends[column] += height + 2 * MARGIN;
-		widths[column] = Math.max(widths[column], width);
+		columns[column].push({ block, top: ends[column] });
+		ends[column] += heights[i] + MARGIN;
+	});
+	const widths = columns.map((column) => Math.max(0, ...column.map(({ block }) => block.getHeightWidth().width)));
+	// not before all of the first column are known: the second one is beside the widest
+	columns.forEach((column, i) => {
+		for (const { block, top } of column) block.moveTo(new Blockly.utils.Coordinate(i === 0 ? 0 : widths[0] + 2 * MARGIN, top));
 	});
 	const widest = Math.min(SCALE, host.clientWidth / (widths[0] + widths[1] + 3 * MARGIN));
 	const scale = Math.min(widest, Math.max(smallest, highest / Math.max(...ends)));

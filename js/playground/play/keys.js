@@ -26,6 +26,8 @@ export class Keys {
 		const pad = button(h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), () => {}, { class: `key ${key}`, "aria-label": words.keyName(does) });
 		pad.append(h("span", {}, does));
 		const release = () => this.world.release(key);
+		// the game keeps the keyboard; without it, all keys would be released
+		pad.addEventListener("mousedown", (event) => event.preventDefault());
 		pad.addEventListener("pointerdown", (event) => {
 			pad.setPointerCapture(event.pointerId);
 			this.world.press(key);

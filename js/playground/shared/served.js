@@ -14,3 +14,13 @@ export async function readModel(name) {
 	if (!response.ok) throw new Error(`${name}.json: ${response.status}`);
 	return response.text();
 }
+
+/** The bytes of the level's GLB file. */
+export async function readLevel() {
+	const response = await fetch("models/level.glb");
+	if (!response.ok) throw new Error(`level.glb: ${response.status}`);
+	return response.arrayBuffer();
+}
+
+/** Loads Rapier, 2 MB. It is null where the page does not have it. */
+export const loadRapier = () => import("../measure/rapier.js");

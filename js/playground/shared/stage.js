@@ -35,12 +35,13 @@ export class Stage {
 
 	/**
 	 * @param {HTMLElement} host contains the stage
-	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number, isLand?: boolean}} view its label, the
-	 * direction of the camera, the width of the ground and of its cells, and whether there is a land with a sky; the camera is so far away
-	 * that everything fits
+	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number, isLand?: boolean, fov?: number}} view its label,
+	 * the direction of the camera, the width of the ground and of its cells, and whether there is a land with a sky; the camera is so far away
+	 * that everything fits. With fov, the angle of the camera in degrees, the view moves it by lookFrom
 	 */
-	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1, isLand = false }) {
+	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1, isLand = false, fov = 0 }) {
 		this.host = host;
+		this.fov = fov;
 		this.ground = ground;
 		this.cell = cell;
 		try {
@@ -60,6 +61,7 @@ export class Stage {
 		host.append(this.canvas);
 		sayIfLost(this);
 		this.controls = new OrbitControls(this.camera, this.canvas);
+		this.controls.enabled = !fov;
 		this.controls.target.set(...target);
 		this.controls.maxPolarAngle = Math.PI * 0.55;
 		this.controls.addEventListener("change", () => this.redraw());
@@ -155,7 +157,7 @@ export class Stage {
 		// asking the host in every frame would cause a layout of the page in every frame
 		[this.#width, this.#height] = [width, height];
 		this.camera.aspect = width / height;
-		this.camera.fov = this.land || width < height ? 55 : 40;
+		this.camera.fov = this.fov || (this.land || width < height ? 55 : 40);
 		this.camera.updateProjectionMatrix();
 	}
 
@@ -233,6 +235,13 @@ export class Stage {
 		}
 		this.camera.lookAt(target);
 		this.redraw();
+	}
+
+	/** Draws now from a place, with a target in the middle. */
+	lookFrom(place, target) {
+		this.camera.position.copy(place);
+		this.camera.lookAt(target.x, target.y, target.z);
+		this.draw();
 	}
 
 	/** Copies the camera of another stage. */

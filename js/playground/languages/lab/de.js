@@ -1,4 +1,4 @@
-/** The words of Inspect, Compare and Measure in German. They load with these views. */
+/** The words of Inspect, Compare, Measure and the level in German. They load with these views. */
 const count = (number, one, many) => `${number.toLocaleString("de")} ${number === 1 ? one : many}`;
 
 export const texts = {
@@ -104,10 +104,10 @@ export const texts = {
 	measure: {
 		mode: "Was gemessen wird", modes: { live: "Ein laufendes Spiel", series: "Alle Systeme nacheinander" },
 		live: {
-			run: "Start", stop: "Stopp", count: "Agenten", system: "Kollisionssystem", drawn: "Welt zeichnen", beside: "Daneben kdbush",
-			world: "Alle Agenten von oben; wer berührt, ist rot", graph: "Die Teile der letzten Bilder in Millisekunden, übereinander; kdbush als Linie",
-			figures: { move: "ms zum Bewegen", engine: "ms der Engine", draw: "ms zum Zeichnen", kdbush: "ms von kdbush", pairs: "Paare berühren sich", near: "Paare sind für kdbush nah" },
-			note: "Die mittleren Werte der letzten 180 Bilder. Die gepunktete Linie ist ein Bild von 60 in der Sekunde. kdbush ist ein schneller Index von Punkten, für jedes Bild neu gebaut: Es findet die Paare, die auf dem Boden nah genug sind. Die Engine entscheidet auch, welche sich berühren, und ruft für jedes eine Funktion auf.",
+			run: "Start", stop: "Stopp", count: "Agenten", system: "Kollisionssystem", drawn: "Welt zeichnen", beside: "Daneben kdbush", besideRapier: "Daneben Rapier (2 MB)",
+			world: "Alle Agenten von oben; wer berührt, ist rot", graph: "Die Teile der letzten Bilder in Millisekunden, übereinander; kdbush und Rapier als Linien",
+			figures: { move: "ms zum Bewegen", engine: "ms der Engine", draw: "ms zum Zeichnen", kdbush: "ms von kdbush", pairs: "Paare berühren sich", near: "Paare sind für kdbush nah", rapier: "ms von Rapier", inRapier: "Paare für Rapier" },
+			note: "Die mittleren Werte der letzten 180 Bilder. Die gepunktete Linie ist ein Bild von 60 in der Sekunde. kdbush ist ein schneller Index von Punkten, für jedes Bild neu gebaut: Es findet die Paare, die auf dem Boden nah genug sind. Die Engine entscheidet auch, welche sich berühren, und ruft für jedes eine Funktion auf. Rapier ist eine Physik-Engine in WebAssembly. Sie hat die engsten Hüllen derselben Agenten und schiebt nichts. Ihre Zeit ist die eines Bildes: Die Agenten bekommen ihre Orte, sie macht einen Schritt, und ihre Paare werden gelesen.",
 		},
 		title: "Wie lange die Kollisionen eines Bildes dauern",
 		how: "Agenten aus sechs Modellen laufen über einen Boden, der mit ihrer Zahl wächst, damit sich überall gleich viele berühren. Jede Zeit ist die mittlere aus mehreren, jede aus so vielen Bildern, wie die Uhr des Browsers unterscheiden kann. Ein System, das länger als 150 ms braucht, wird nicht nach mehr Agenten gefragt.",
@@ -118,5 +118,14 @@ export const texts = {
 		beside: "Daneben", nothing: "nichts", entry: (machine, date) => `${machine}, ${date}`,
 		open: "Von einem anderen Rechner öffnen …", openHint: "eine Datei, die dort heruntergeladen wurde; ihre Linien sind gestrichelt", opened: (machine) => `„${machine}“ steht daneben, gestrichelt.`, broken: (file) => `${file} hat diese Seite nicht gemessen.`,
 		chart: "Agenten gegen Millisekunden jedes Systems", agents: "Agenten", ms: "ms je Bild", frame: "ein Bild von 60 je Sekunde", table: "Millisekunden jedes Systems",
+	},
+	level: {
+		title: "Ein Spiel in einem Level", run: "Start", stop: "Stopp", again: "Von vorn", save: "Speichern", load: "Laden",
+		world: "Das Spiel. Solange es den Fokus hat, gehen und drehen die Pfeiltasten, die Leertaste springt, F schießt, und R geht zurück", picture: "Das Level, von hinter der Figur gesehen",
+		how: (triangles) => `Das Level ist ein Netz aus ${triangles.toLocaleString("de")} Dreiecken. Sie entscheiden, wer es berührt. Du bist die blaue Kapsel. Die roten folgen dir, wenn sie dich sehen. Die Kamera bleibt außerhalb der Wände. Kugeln treffen auf ihrem ganzen Weg. Bis du eine Taste drückst, läuft die Figur von selbst.`,
+		figures: { ms: "ms je Bild", walkers: "die gehen", bullets: "Kugeln", shots: "Schüsse", hits: "Treffer" },
+		timed: "Die Zeit ist die mittlere der letzten 120 Bilder, ohne das Zeichnen: alle, die gehen, was jede rote Kapsel sieht, die Kugeln, die Kamera.",
+		keys: { up: "vorwärts", down: "rückwärts", left: "links", right: "rechts", space: "springen", shoot: "schießen", back: "zurück" },
+		code: "Der Quelltext dieses Spiels", whole: "Wie es gezeichnet wird, und das ganze Beispiel (englisch)",
 	},
 };

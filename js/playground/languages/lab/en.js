@@ -1,4 +1,4 @@
-/** The words of Inspect, Compare and Measure in English. They load with these views. */
+/** The words of Inspect, Compare, Measure and the level in English. They load with these views. */
 const lower = (noun) => noun.toLowerCase();
 const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
 
@@ -105,10 +105,10 @@ export const texts = {
 	measure: {
 		mode: "What is measured", modes: { live: "A game that runs", series: "All systems in turn" },
 		live: {
-			run: "Run", stop: "Stop", count: "Agents", system: "Collision system", drawn: "Draw the world", beside: "kdbush beside it",
-			world: "All agents from above; those that touch are red", graph: "The parts of the last frames, in milliseconds, one above the other; kdbush as a line",
-			figures: { move: "ms to move them", engine: "ms of the engine", draw: "ms to draw", kdbush: "ms of kdbush", pairs: "pairs touch", near: "pairs are near for kdbush" },
-			note: "The middle values of the last 180 frames. The dotted line is a frame of 60 a second. kdbush is a fast index of points, built anew for each frame: it finds the pairs that are near enough on the ground. The engine also decides which of them touch, and calls a handler for each.",
+			run: "Run", stop: "Stop", count: "Agents", system: "Collision system", drawn: "Draw the world", beside: "kdbush beside it", besideRapier: "Rapier beside it (2 MB)",
+			world: "All agents from above; those that touch are red", graph: "The parts of the last frames, in milliseconds, one above the other; kdbush and Rapier as lines",
+			figures: { move: "ms to move them", engine: "ms of the engine", draw: "ms to draw", kdbush: "ms of kdbush", pairs: "pairs touch", near: "pairs are near for kdbush", rapier: "ms of Rapier", inRapier: "pairs touch for Rapier" },
+			note: "The middle values of the last 180 frames. The dotted line is a frame of 60 a second. kdbush is a fast index of points, built anew for each frame: it finds the pairs that are near enough on the ground. The engine also decides which of them touch, and calls a handler for each. Rapier is a physics engine in WebAssembly. It has the tightest fits of the same agents, and pushes nothing. Its time is that of a frame: the agents get their places, it makes a step, and its pairs are read.",
 		},
 		title: "How long a frame's collisions take",
 		how: "Agents of six models walk over a ground. The ground grows with their number, so the share of them that touch stays the same. Each time is the median of several measurements, and each measurement has enough frames for the browser’s clock. A system that takes longer than 150 ms is not measured with more agents.",
@@ -119,5 +119,14 @@ export const texts = {
 		beside: "Beside it", nothing: "nothing", entry: (machine, date) => `${machine}, ${date}`,
 		open: "Open another machine's…", openHint: "a file that you downloaded there. Its lines are dashed", opened: (machine) => `“${machine}” is shown with dashed lines.`, broken: (file) => `${file} is no measurement of this page.`,
 		chart: "Agents against milliseconds of each system", agents: "Agents", ms: "ms a frame", frame: "a frame of 60 a second", table: "Milliseconds of each system",
+	},
+	level: {
+		title: "A game in a level", run: "Run", stop: "Stop", again: "From the start", save: "Save", load: "Load",
+		world: "The game. While it has the focus, the arrow keys walk and turn, the space bar jumps, F shoots, and R goes back", picture: "The level from behind the player",
+		how: (triangles) => `The level is one mesh of ${triangles.toLocaleString("en")} triangles, and they decide who touches it. You are the blue capsule. Red ones follow you when they see you. The camera stays out of walls. Bullets hit on their whole way. Until you press a key, the player goes round by itself.`,
+		figures: { ms: "ms of a frame", walkers: "who walk", bullets: "bullets", shots: "shots", hits: "hits" },
+		timed: "The time is the middle one of the last 120 frames, without drawing: all who walk, what each red one sees, the bullets, the camera.",
+		keys: { up: "forward", down: "backward", left: "left", right: "right", space: "jump", shoot: "shoot", back: "go back" },
+		code: "The source of this game", whole: "How it is drawn, and all of the example",
 	},
 };

@@ -3,7 +3,7 @@ import { button, field, h } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { toCode, toFile } from "../shared/handed.js";
 import { texts } from "../shared/language.js";
-import { fileName } from "./storage.js";
+import { fileName, meaning } from "./storage.js";
 
 const words = texts.handing;
 const KEY = "starlogo-playground.pupil";
@@ -25,10 +25,12 @@ function keepName(name) {
 	}
 }
 
-/** All of the pupil's work. */
+/** All of the pupil's work. The programs that did lessons go along, so that the teacher's page can play them again. */
 function workOf({ shelf, lessons, view }, pupil) {
 	const programs = shelf.all.map(({ name, lesson, program }) => ({ name, ...(lesson && { lesson }), program }));
-	return { pupil, ...lessons.results, programs, models: view.own.in(programs) };
+	const isListed = (name, solution) => programs.some(({ lesson, program }) => lesson === name && program.system === solution.system && meaning(program) === meaning(solution));
+	const solutions = Object.fromEntries(Object.entries(shelf.solutions).filter(([name, solution]) => !isListed(name, solution)));
+	return { pupil, ...lessons.results, programs, solutions, models: view.own.in([programs, solutions]) };
 }
 
 function openDialog(title, ...content) {
@@ -82,6 +84,16 @@ export function handIn(programs) {
 	if (name.value === "") name.focus();
 }
 
+/** Makes the browser forget everything of its user, for the next one. */
+async function forgetAll({ shelf, lessons, view }) {
+	keepName("");
+	shelf.forget();
+	lessons.forget();
+	await view.own.forgetAll();
+	location.hash = "play/all";
+	location.reload();
+}
+
 /** Opens a dialog that makes the browser forget this pupil. */
 export function nextPupil(programs) {
 	const { done, programs: listed } = workOf(programs, "");
@@ -90,7 +102,6 @@ export function nextPupil(programs) {
 			dialog.close();
 			handIn(programs);
 		}, { class: "primary" }), button(words.forget, () => {
-			keepName("");
-			programs.forgetAll();
+			forgetAll(programs);
 		}), button(texts.play.ask.leave, () => dialog.close())));
 }

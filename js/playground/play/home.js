@@ -1,6 +1,7 @@
 /** The first screen: lessons, games and the user's own programs. Each has a picture of its beginning. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
+import { handIn, nextPupil } from "./giving.js";
 
 const words = texts.gallery;
 
@@ -20,7 +21,7 @@ export class Home {
 		h("div.head", {}, h("div", {}, this.heading, h("p.intro", {}, texts.play.intro)), isOpen ? button(words.close, () => this.#close()) : null),
 		note ? h("p.status.problem", { role: "alert" }, note) : null,
 		...programs.groups.map((group) => this.#group(group)),
-		h("div.tools", {}, button(words.handIn, () => programs.handIn()), button(words.nextPupil, () => programs.nextPupil())));
+		h("div.tools", {}, button(words.handIn, () => handIn(programs)), button(words.nextPupil, () => nextPupil(programs))));
 		main.append(this.element);
 		main.classList.add("choosing");
 		scrollTo(0, 0);

@@ -1,4 +1,5 @@
 /** The user's own models. The browser keeps them between visits, if it can. */
+import { Cabinet } from "../shared/cabinet.js";
 import { contentOf, toBytes, toText } from "../shared/files.js";
 import { parseModel } from "../shared/models.js";
 import { texts } from "../shared/language.js";
@@ -6,31 +7,7 @@ import { texts } from "../shared/language.js";
 const words = texts.play;
 export const MODEL_FILE = /\.(obj|dae|glb|gltf|stl)$/i;
 
-const [DATABASE, STORE] = ["starlogo-playground", "models"];
-
-/** The result of a request. */
-const answer = (request) => new Promise((resolve, reject) => {
-	request.onsuccess = () => resolve(request.result);
-	request.onerror = () => reject(request.error);
-});
-
-/** Does something with the stored models, and waits until the change is stored. */
-async function within(action) {
-	const opening = indexedDB.open(DATABASE, 1);
-	opening.onupgradeneeded = () => opening.result.createObjectStore(STORE, { keyPath: "name" });
-	const database = await answer(opening);
-	try {
-		const transaction = database.transaction(STORE, "readwrite");
-		const ended = new Promise((resolve, reject) => {
-			transaction.oncomplete = resolve;
-			transaction.onabort = () => reject(transaction.error);
-		});
-		const [result] = await Promise.all([answer(action(transaction.objectStore(STORE))), ended]);
-		return result;
-	} finally {
-		database.close();
-	}
-}
+const cabinet = new Cabinet("starlogo-playground", "models", "name");
 
 export class Models {
 	/** The models of this page: names and files' contents. */
@@ -43,7 +20,7 @@ export class Models {
 
 	/** The files of all models that the browser keeps, as text. */
 	static async kept() {
-		const all = await within((store) => store.getAll()).catch(() => []);
+		const all = await cabinet.all();
 		return Object.fromEntries(all.map(({ name, bytes }) => [name, toText(bytes)]));
 	}
 
@@ -53,7 +30,7 @@ export class Models {
 
 	/** Loads the models of earlier visits. */
 	async takeKept() {
-		for (const { name, bytes } of await within((store) => store.getAll()).catch(() => [])) {
+		for (const { name, bytes } of await cabinet.all()) {
 			try {
 				await this.#take(name, bytes);
 			} catch {
@@ -143,7 +120,7 @@ export class Models {
 	async #keep(name, bytes) {
 		this.#known.set(name, bytes);
 		try {
-			await within((store) => store.put({ name, bytes }));
+			await cabinet.within((store) => store.put({ name, bytes }));
 			this.view.say(words.newShape(name));
 		} catch {
 			this.view.say(words.newShapeForNow(name), true);
@@ -152,7 +129,7 @@ export class Models {
 
 	/** Makes the browser forget all models. */
 	forgetAll() {
-		return within((store) => store.clear()).catch(() => {});
+		return cabinet.within((store) => store.clear()).catch(() => {});
 	}
 
 	/** Makes the browser forget a model. This can be undone. */
@@ -160,7 +137,7 @@ export class Models {
 		const bytes = this.#known.get(name);
 		this.#known.delete(name);
 		// a browser without storage has nothing to forget
-		await within((store) => store.delete(name)).catch(() => {});
+		await cabinet.within((store) => store.delete(name)).catch(() => {});
 		this.view.offer(texts.gallery.removedModel(name), words.undo, () => this.#keep(name, bytes));
 	}
 }

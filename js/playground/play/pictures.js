@@ -34,16 +34,21 @@ async function withOwn(brought, own) {
 	return lands.get(own);
 }
 
+/** The page's models, with the own models of a program: all by their names, and the engine's land of them. */
+export async function landFor(own = {}) {
+	loading ??= load();
+	return withOwn(await loading, own);
+}
+
 /** A stage that is not seen, for pictures. */
 export class Studio {
 	/** @param {HTMLElement} parent contains the stage while it draws */
 	static async open(parent) {
-		loading ??= load();
-		return new Studio(parent, await loading);
+		await landFor();
+		return new Studio(parent);
 	}
 
-	constructor(parent, brought) {
-		this.brought = brought;
+	constructor(parent) {
 		this.host = h("div.studio", { "aria-hidden": "true" });
 		parent.append(this.host);
 		this.stage = new Stage(this.host, { ...STAGE, label: "" });
@@ -60,7 +65,7 @@ export class Studio {
 	 */
 	async pictureOf(program, own = {}, width = PICTURE[0], height = PICTURE[1]) {
 		try {
-			const { models, greatLand } = await withOwn(this.brought, own);
+			const { models, greatLand } = await landFor(own);
 			const world = new World(greatLand);
 			world.begin(program);
 			world.step();

@@ -1,14 +1,14 @@
 /** Manages which program is open, and what happens to it. The user's own programs are never lost when another one is opened. */
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
-import { hand } from "../shared/hand.js";
 import { fixed, learn, texts } from "../shared/language.js";
+import { download, handIn, print, share, showJavascript } from "./giving.js";
 import { MODEL_FILE } from "./kept.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { menu, menuButton } from "./menu.js";
 import { create, program as programOf, size, start } from "./notation.js";
 import { isProgram, isWork, modelsOf } from "../shared/packing.js";
-import { Shelf, fileName, fromLink, meaning, toLink } from "./storage.js";
+import { Shelf, fromLink, meaning, toLink } from "./storage.js";
 
 const words = texts.play;
 /** On the first screen, the ids of models have this prefix. */
@@ -55,9 +55,9 @@ export class Programs {
 		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#rename() });
 		this.kept = h("span.keeping");
 		this.keepButton = button(words.keep, () => this.#keep(), { title: words.keepNote });
-		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => this.#download()),
+		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => download(this)),
 			fileButton(words.open, ".json,.obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
-			button(words.share, () => this.share()), button(words.javascript.title, () => this.#showJavascript()), button(words.print, () => this.#print()), button(texts.gallery.handIn, () => this.handIn()));
+			button(words.share, () => share(this)), button(words.javascript.title, () => showJavascript(this)), button(words.print, () => print(this)), button(texts.gallery.handIn, () => handIn(this)));
 		this.menuButton = menuButton(words.menu, this.menu);
 		this.element = h("div.naming", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept, this.menuButton, this.menu);
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
@@ -103,6 +103,7 @@ export class Programs {
 	/** Opens a program that a pupil has handed in. */
 	async #openHanded(argument) {
 		const { handed } = await import("../shared/handed.js");
+		await handed.open();
 		const found = handed.at(argument);
 		if (!found) return this.#openNone(words.handedElsewhere);
 		const { name, lesson, program, models, pupil } = found;
@@ -262,6 +263,13 @@ export class Programs {
 		if (record !== null && record <= seconds) return words.best(fixed(record, 1));
 		this.shelf.putRecord(this.#name, seconds);
 		return record === null ? "" : words.newBest;
+	}
+
+	/** Called when a game has done its lesson. Keeps what did it, for the teacher. */
+	async solved(game) {
+		const { system = CollisionBlocks.TIGHTEST_FITS } = this.program;
+		const own = meaning(await brought(LESSON + this.#lesson));
+		this.shelf.putSolution(this.#lesson, game === own ? { system } : { ...JSON.parse(game), system });
 	}
 
 	/** The seconds of the best victory in the open game, or null. */
@@ -430,61 +438,12 @@ export class Programs {
 	}
 
 	/** The open program with its name and its lesson, for a file or a link. */
-	get #whole() {
+	get whole() {
 		return { name: this.#title, ...(this.#lesson && { lesson: this.#lesson }), ...this.program };
 	}
 
-	#download() {
-		const models = this.view.own.in(this.program);
-		hand(JSON.stringify({ ...this.#whole, ...(Object.keys(models).length > 0 && { models }) }, null, 1), `${fileName(this.#title)}.json`, "application/json");
-	}
-
-	/** Opens the dialog that hands in all of the user's work. */
-	async handIn() {
-		await learn("class");
-		const { handIn } = await import("./handin.js");
-		handIn(this);
-	}
-
-	/** Opens the dialog that makes the browser forget this pupil. */
-	async nextPupil() {
-		await learn("class");
-		const { nextPupil } = await import("./handin.js");
-		nextPupil(this);
-	}
-
-	/** Opens a page that prints the program. */
-	async #print() {
-		location.hash = `teach/${this.#name === "link" ? await toLink(this.#whole) : this.#name}`;
-	}
-
-	/** Makes the browser forget everything of its user, for the next one. */
-	async forgetAll() {
-		this.shelf.forget();
-		this.lessons.forget();
-		await this.view.own.forgetAll();
-		location.hash = `play/${HOME}`;
-		location.reload();
-	}
-
-	async #showJavascript() {
-		const { showJavascript } = await import("./developer.js");
-		showJavascript(this.program, this.#title, fileName(this.#title), this.view.models);
-	}
-
-	async share() {
-		const address = new URL(location.href);
-		address.hash = `play/${await toLink(this.#whole)}`;
-		const models = Object.keys(this.view.own.in(this.program));
-		const but = location.protocol === "file:" ? ` ${words.sharedFile}` : models.length > 0 ? ` ${words.sharedWithout(models.join(", "))}` : "";
-		try {
-			await navigator.clipboard.writeText(address.href);
-			this.view.say(words.shared + but);
-		} catch {
-			const link = h("input.address", { type: "text", readonly: true, value: address.href, "aria-label": words.link });
-			this.view.say(words.sharedHere);
-			this.view.status.append(" ", link, but);
-			link.select();
-		}
+	/** The address's argument for the open program: its name or id, or the program itself if it came in a link. */
+	async address() {
+		return this.#name === "link" ? toLink(this.whole) : this.#name;
 	}
 }

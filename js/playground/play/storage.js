@@ -42,10 +42,11 @@ export class Shelf {
 		this.#write(this.all.filter((each) => each.id !== id));
 	}
 
-	/** Removes all programs, the memory of the last one and the best times. */
+	/** Removes all programs, the memory of the last one, the best times and the solutions. */
 	forget() {
 		this.#write([]);
 		this.#keep(`${KEY}.records`, {});
+		this.#keep(`${KEY}.solutions`, {});
 		this.last = null;
 	}
 
@@ -56,6 +57,15 @@ export class Shelf {
 
 	putRecord(id, seconds) {
 		this.#keep(`${KEY}.records`, { ...read(`${KEY}.records`), [id]: seconds });
+	}
+
+	/** The programs that did lessons, by the lessons' names. If the lesson's own program did it, only its collision system is kept. */
+	get solutions() {
+		return read(`${KEY}.solutions`) ?? {};
+	}
+
+	putSolution(lesson, program) {
+		this.#keep(`${KEY}.solutions`, { ...this.solutions, [lesson]: program });
 	}
 
 	/** The id of the program that was open last. */

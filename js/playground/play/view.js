@@ -130,7 +130,7 @@ class PlayView {
 		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
 		this.#turnTo("game");
 		this.controls = h("div.controls.game", { role: "group", "aria-label": words.run },
-			this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), this.status);
+			this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), h("div.saying", {}, this.status));
 		// in full screen, the button Run is included
 		this.theatre.addEventListener("fullscreenchange", () => {
 			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
@@ -387,7 +387,9 @@ class PlayView {
 	#take() {
 		this.panel.count();
 		this.sound.hear(this.world);
-		if (!this.isBroken && this.programs.lessons.look(this.world)) this.#celebrate(texts.lessons.done);
+		if (this.isBroken || !this.programs.lessons.look(this.world)) return;
+		this.programs.solved(this.#begun);
+		this.#celebrate(texts.lessons.done);
 	}
 
 	#end() {

@@ -1,43 +1,30 @@
-/**
- * The work of a class: what pupils have handed in, as the teacher has opened it. It is in the memory of this page alone; the browser's tab
- * remembers it when the page is loaded again, if there is room.
- */
+/** The work of a class: what pupils have handed in, as the teacher has opened it. This browser keeps it until she removes it. */
+import { Cabinet } from "./cabinet.js";
 import { WORK as KIND, isProgram, isWork, modelsOf, packed, unpacked } from "./packing.js";
 
-const KEY = "starlogo-playground.class";
+const cabinet = new Cabinet("starlogo-playground.class", "works", "id");
 /** The beginning of the address's argument for a program that was handed in. */
 const PREFIX = "handed-";
 const CODE = /\bSL1\.[\w-]+/g;
 
-/** What pupils have handed in, each {pupil, done, won, programs: [{name, lesson, program}], models}. */
+/** What pupils have handed in, each {id, pupil, done, won, programs: [{name, lesson, program}], solutions: {lesson: program}, models}. */
 let works = null;
-
-function all() {
-	if (works) return works;
-	try {
-		works = (JSON.parse(sessionStorage.getItem(KEY)) ?? []).map(workOf);
-	} catch {
-		works = [];
-	}
-	return works;
-}
-
-function keep() {
-	try {
-		sessionStorage.setItem(KEY, JSON.stringify(works));
-	} catch {
-		// remembered until the page is closed
-	}
-}
+let isKept = true;
 
 /** A text from outside, no longer than a name; or another one, if it is none. */
 const nameOf = (value, other = "") => (typeof value === "string" && value.trim() !== "" ? value.trim().slice(0, 60) : other);
 const namesOf = (value) => (Array.isArray(value) ? value.filter((each) => typeof each === "string").slice(0, 100) : []);
 
+/** The programs that did a pupil's lessons, by the lessons' names: whole, or a collision system alone if the lesson's own program is meant. */
+const solutionsOf = (value) => Object.fromEntries(Object.entries(value && typeof value === "object" ? value : {}).filter(([, each]) => isProgram(each) || typeof each?.system === "string"));
+
 /** The parts of a pupil's work, whatever else a file has. */
-function workOf({ pupil, done, won, programs, models }) {
+function workOf({ pupil, done, won, programs, solutions, models }) {
 	const listed = (Array.isArray(programs) ? programs : []).filter(({ program } = {}) => isProgram(program));
-	return { kind: KIND, pupil: nameOf(pupil, "?"), done: namesOf(done), won: namesOf(won), programs: listed.map(({ name, lesson, program }) => ({ name: nameOf(name, "?"), lesson: nameOf(lesson), program })), models: modelsOf(models) };
+	return {
+		kind: KIND, pupil: nameOf(pupil, "?"), done: namesOf(done), won: namesOf(won),
+		programs: listed.map(({ name, lesson, program }) => ({ name: nameOf(name, "?"), lesson: nameOf(lesson), program })), solutions: solutionsOf(solutions), models: modelsOf(models),
+	};
 }
 
 /** A pupil's work as the content of a file. */
@@ -46,29 +33,52 @@ export const toFile = (work) => JSON.stringify({ ...work, kind: KIND }, null, 1)
 /** A pupil's work as a code, a text to send. */
 export const toCode = async (work) => `SL1.${await packed({ ...work, kind: KIND })}`;
 
+const textOf = ({ id, ...work }) => JSON.stringify(work);
+const sort = () => works.sort((a, b) => a.pupil.localeCompare(b.pupil));
+
 /** Puts a work beside the others, unless it is there already. Returns whether it is new. */
-function add(value) {
+async function add(value) {
 	const work = workOf(value);
-	const text = JSON.stringify(work);
-	if (all().some((each) => JSON.stringify(each) === text)) return false;
+	if (works.some((each) => textOf(each) === textOf(work))) return false;
+	work.id = crypto.getRandomValues(new Uint32Array(2)).join("-");
 	works.push(work);
-	works.sort((a, b) => a.pupil.localeCompare(b.pupil));
-	keep();
+	sort();
+	await change((store) => store.put(work));
 	return true;
 }
 
+/** Changes what the browser keeps. If it refuses, the works are there until the page is closed. */
+async function change(action) {
+	try {
+		await cabinet.within(action);
+	} catch {
+		isKept = false;
+	}
+}
+
 export const handed = {
+	/** Waits for what the browser keeps. Comes before everything else. */
+	async open() {
+		works ??= (await cabinet.all()).map((kept) => ({ ...workOf(kept), id: kept.id }));
+		sort();
+	},
+
 	get all() {
-		return all();
+		return works;
+	},
+
+	/** Whether the browser keeps the works. */
+	get isKept() {
+		return isKept;
 	},
 
 	/**
 	 * Takes the content of a pupil's file. A single program counts as the work of a pupil who has the file's name.
 	 *
-	 * @returns {boolean} whether it is new
+	 * @returns {Promise<boolean>} whether it is new
 	 * @throws {Error} if it is neither
 	 */
-	take(text, fileName) {
+	async take(text, fileName) {
 		const value = JSON.parse(text);
 		if (isWork(value)) return add(value);
 		if (!isProgram(value)) throw new Error("no work");
@@ -83,7 +93,10 @@ export const handed = {
 		for (const each of [text, text.replaceAll(/\s*\n\s*(?!SL1\.)/g, "")]) {
 			try {
 				const values = await Promise.all((each.match(CODE) ?? []).map((code) => unpacked(code.slice(4))));
-				if (values.length > 0 && values.every(isWork)) return values.filter(add).length;
+				if (values.length === 0 || !values.every(isWork)) continue;
+				let count = 0;
+				for (const value of values) if (await add(value)) count++;
+				return count;
 			} catch {
 				// perhaps in one line
 			}
@@ -92,17 +105,23 @@ export const handed = {
 	},
 
 	/** The address's argument for a program. */
-	addressOf: (work, number) => `${PREFIX}${all().indexOf(work)}-${number}`,
+	addressOf: (work, number) => `${PREFIX}${works.indexOf(work)}-${number}`,
 
 	/** The program at such an address, with its pupil and models; null if there is none. */
 	at(argument) {
 		const [, work, number] = /^handed-(\d+)-(\d+)$/.exec(argument) ?? [];
-		const entry = all()[work]?.programs[number];
+		const entry = works[work]?.programs[number];
 		return entry ? { ...entry, pupil: works[work].pupil, models: works[work].models } : null;
 	},
 
 	remove(work) {
-		works = all().filter((each) => each !== work);
-		keep();
+		works = works.filter((each) => each !== work);
+		return change((store) => store.delete(work.id));
+	},
+
+	/** Forgets the whole class. */
+	forget() {
+		works = [];
+		return change((store) => store.clear());
 	},
 };

@@ -7,16 +7,21 @@ const words = texts.handing;
 const LESSONS = texts.lessons.list;
 
 export class ClassPage {
+	/** The lessons that each work was seen to do; a work whose programs were not played yet has none. */
+	#solved = new Map();
+	#turn = 0;
+
 	/** @param {HTMLElement} main shows the page */
 	constructor(main) {
 		this.main = main;
 		this.status = h("p.status", { role: "status" });
 		this.code = h("textarea", { rows: 2, "aria-label": words.code, placeholder: words.codeHere });
 		this.list = h("div.class");
+		this.forgetButton = button(words.forgetClass, () => this.#ask());
 		main.replaceChildren(h("section.sheet.wide", { "aria-label": words.classTitle },
 			h("div.tools.no-print", {}, h("a", { href: "#teach" }, texts.teach.all), button(texts.teach.print, () => print())),
 			h("h2", {}, words.classTitle), h("p.no-print", {}, words.classNote),
-			h("div.tools.no-print", {}, fileButton(words.openFiles, ".json", (_, files) => this.take(files)), this.code, button(words.takeCode, () => this.#takeCode())),
+			h("div.tools.no-print", {}, fileButton(words.openFiles, ".json", (_, files) => this.take(files)), this.code, button(words.takeCode, () => this.#takeCode()), this.forgetButton),
 			this.status, this.list));
 		this.#show();
 	}
@@ -27,12 +32,12 @@ export class ClassPage {
 		let count = 0;
 		for (const file of files) {
 			try {
-				if (handed.take(await file.text(), file.name)) count++;
+				if (await handed.take(await file.text(), file.name)) count++;
 			} catch {
 				broken.push(file.name);
 			}
 		}
-		this.status.textContent = [words.taken(count, files.length - broken.length - count), broken.length > 0 ? words.broken(broken.join(", ")) : ""].join(" ");
+		this.status.textContent = [words.taken(count, files.length - broken.length - count), broken.length > 0 ? words.broken(broken.join(", ")) : "", handed.isKept ? "" : words.notKept].join(" ");
 		this.status.classList.toggle("problem", broken.length > 0);
 		this.#show();
 	}
@@ -45,33 +50,74 @@ export class ClassPage {
 		this.#show();
 	}
 
+	/** Asks whether all works are to be removed. */
+	#ask() {
+		this.status.classList.remove("problem");
+		this.status.replaceChildren(`${words.askForget(handed.all.length)} `, button(words.forget, async () => {
+			await handed.forget();
+			this.status.textContent = "";
+			this.#show();
+		}));
+	}
+
 	#show() {
 		delete this.main.dataset.drawn;
+		delete this.main.dataset.checked;
 		const { all } = handed;
+		this.forgetButton.hidden = all.length === 0;
 		if (all.length === 0) {
 			this.list.replaceChildren(h("p.note", {}, words.nothing));
 			return;
 		}
 		const names = Object.keys(LESSONS);
-		const mark = (work, name) => {
-			if (work.done.includes(name)) return h("td.done", { title: LESSONS[name].title }, h("span", { role: "img", "aria-label": texts.lessons.done }, "✓"));
-			const isTried = work.programs.some(({ lesson }) => lesson === name);
-			return h("td", { title: LESSONS[name].title }, isTried ? h("span", { role: "img", "aria-label": words.tried }, "…") : "");
-		};
+		this.marks = all.map((work) => names.map((name) => ({ work, name, cell: h("td", { title: LESSONS[name].title }) })));
+		this.sums = names.map(() => h("td"));
 		this.list.replaceChildren(
 			h("div.table", { tabindex: "0", role: "region", "aria-label": words.table }, h("table", {},
 				h("thead", {}, h("tr", {}, h("th", { scope: "col" }, words.pupil), ...names.map((name, i) => h("th", { scope: "col", title: LESSONS[name].title }, String(i + 1))), h("th", { scope: "col" }, words.games), h("th", { scope: "col" }, words.programs))),
-				h("tbody", {}, ...all.map((work) => h("tr", {}, h("th", { scope: "row" }, work.pupil), ...names.map((name) => mark(work, name)), h("td", {}, String(work.won.length)), h("td", {}, String(work.programs.length))))),
-				h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, words.all(all.length)), ...names.map((name) => h("td", {}, String(all.filter(({ done }) => done.includes(name)).length))), h("td"), h("td"))))),
+				h("tbody", {}, ...all.map((work, i) => h("tr", {}, h("th", { scope: "row" }, work.pupil), ...this.marks[i].map(({ cell }) => cell), h("td", {}, String(work.won.length)), h("td", {}, String(work.programs.length))))),
+				h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, words.all(all.length)), ...this.sums, h("td"), h("td"))))),
 			h("p.note", {}, words.signs),
 			...all.map((work) => this.#pupil(work)));
+		this.#mark();
 		this.#draw();
+		this.#check();
+	}
+
+	/** Writes the signs into the table: what was seen to be solved, what a pupil's file says, what is begun. */
+	#mark() {
+		const sign = (text, title) => h("span", { role: "img", "aria-label": title, title }, text);
+		for (const { work, name, cell } of this.marks.flat()) {
+			const isSeen = this.#solved.get(work)?.has(name);
+			const isBegun = work.programs.some(({ lesson }) => lesson === name);
+			cell.className = isSeen ? "done" : "";
+			cell.replaceChildren(isSeen ? sign("✓", texts.lessons.done) : work.done.includes(name) ? sign("✓?", words.said) : isBegun ? sign("…", words.tried) : "");
+		}
+		this.sums.forEach((cell, i) => {
+			cell.textContent = this.marks.filter((row) => row[i].cell.className === "done").length;
+		});
+	}
+
+	/** Plays the programs of all works, one after the other, to see which lessons they do. */
+	async #check() {
+		const turn = ++this.#turn;
+		const isWanted = () => this.#turn === turn && this.list.isConnected;
+		const { solvedBy } = await import("./check.js");
+		for (const work of handed.all) {
+			if (!this.#solved.has(work)) {
+				const solved = await solvedBy(work, isWanted);
+				if (!isWanted()) return;
+				this.#solved.set(work, solved);
+				this.#mark();
+			}
+		}
+		if (isWanted()) this.main.dataset.checked = "class";
 	}
 
 	#pupil(work) {
 		return h("section.pupil", { "aria-label": work.pupil },
-			h("div.head", {}, h("h3", {}, work.pupil), button("✕", () => {
-				handed.remove(work);
+			h("div.head", {}, h("h3", {}, work.pupil), button("✕", async () => {
+				await handed.remove(work);
 				this.#show();
 			}, { class: "no-print", "aria-label": words.remove(work.pupil), title: words.remove(work.pupil) })),
 			work.programs.length === 0 ? h("p.note", {}, words.noPrograms) : h("ul.cards", {}, ...work.programs.map(({ name, lesson }, i) => h("li", {}, h("a.open", { href: `#play/${handed.addressOf(work, i)}` },

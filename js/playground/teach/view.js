@@ -35,7 +35,8 @@ class TeachView {
 
 	/** Shows the page of a class, or a program to print. */
 	async #showPage(name) {
-		const [{ ClassPage }, { showProgram }] = await Promise.all([import("./class.js"), import("./program.js")]);
+		const [{ ClassPage }, { showProgram }, { handed }] = await Promise.all([import("./class.js"), import("./program.js"), import("../shared/handed.js")]);
+		await handed.open();
 		if (this.asked !== name || !this.main.isConnected) return;
 		if (name === "class") this.class = new ClassPage(this.main);
 		else if (!await showProgram(this.main, name)) this.#showAll(words.noPage);

@@ -32,10 +32,11 @@ export const texts = {
 		copied: (letters) => `Der Code ist in der Zwischenablage (${letters} Zeichen). Füge ihn in eine Nachricht an deine Lehrkraft ein.`, notCopied: "Kopiere diesen Code von Hand und schick ihn deiner Lehrkraft.",
 		nextNote: (lessons, programs) => `Ist jetzt jemand anders hier? Dann vergisst dieser Browser alles von vorher: ${count(lessons, "geschaffte Lektion", "geschaffte Lektionen")}, ${count(programs, "Programm", "Programme")}, alle Modelle und den Namen. Das lässt sich nicht rückgängig machen.`,
 		handFirst: "Erst abgeben", forget: "Alles vergessen",
-		classTitle: "Die Arbeiten einer Klasse", classNote: "In „Spielen“ drücken alle auf „Abgeben …“. Öffnen Sie hier die Dateien, alle auf einmal, oder fügen Sie die Codes ein. Sie bleiben in diesem Tab und gehen nirgendwohin.",
+		classTitle: "Die Arbeiten einer Klasse", classNote: "In „Spielen“ drücken alle auf „Abgeben …“. Öffnen Sie hier die Dateien, alle auf einmal, oder fügen Sie die Codes ein. Dieser Browser behält sie, bis Sie sie entfernen. Sie gehen nirgendwohin.",
 		openFiles: "Dateien öffnen …", codeHere: "Oder Codes hier einfügen", takeCode: "Codes übernehmen", nothing: "Noch ist nichts geöffnet. Dateien lassen sich auch hier ablegen.",
 		taken: (added, again) => `${count(added, "Arbeit ist", "Arbeiten sind")} neu.${again > 0 ? ` ${count(again, "war", "waren")} schon da.` : ""}`, broken: (files) => `Keine Arbeit von dieser Seite: ${files}.`, brokenCode: "In diesem Text ist kein ganzer Code. Kopieren Sie alles ab SL1.",
-		table: "Wer was gelöst hat", pupil: "Wer", games: "Gewonnene Spiele", programs: "Programme", all: (pupils) => `Alle ${pupils}`, tried: "begonnen", signs: "✓ gelöst, … begonnen. Ein Klick auf ein Bild spielt das Programm.",
+		table: "Wer was gelöst hat", pupil: "Wer", games: "Gewonnene Spiele", programs: "Programme", all: (pupils) => `Alle ${pupils}`, tried: "begonnen", signs: "✓ gelöst: Diese Seite hat es gespielt. ✓? gelöst, sagt die Datei, aber keines der Programme tut es. … begonnen. Ein Klick auf ein Bild spielt das Programm.",
+		forgetClass: "Alle entfernen …", askForget: (count) => `Das entfernt die Arbeiten von allen ${count} aus diesem Browser. Es lässt sich nicht rückgängig machen.`, said: "gelöst, sagt die Datei", notKept: "Dieser Browser behält sie nicht: Sie sind da, solange die Seite offen ist.",
 		remove: (pupil) => `Die Arbeit von ${pupil} entfernen`, noPrograms: "Keine Programme.",
 	},
 };

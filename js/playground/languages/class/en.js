@@ -33,10 +33,11 @@ export const texts = {
 		copied: (letters) => `The code is on the clipboard (${letters} letters). Paste it into a message to your teacher.`, notCopied: "Copy this code by hand, and send it to your teacher.",
 		nextNote: (lessons, programs) => `Is somebody else here now? This browser forgets everything of the last pupil: ${count(lessons, "lesson", "lessons")} done, ${count(programs, "program", "programs")}, all models and the name. This cannot be undone.`,
 		handFirst: "Hand in first", forget: "Forget everything",
-		classTitle: "The work of a class", classNote: "Pupils press “Hand in…” in Play. Open their files here, all at once, or paste their codes. They stay in this tab, and go nowhere else.",
+		classTitle: "The work of a class", classNote: "Pupils press “Hand in…” in Play. Open their files here, all at once, or paste their codes. This browser keeps them until you remove them. They go nowhere else.",
 		openFiles: "Open files…", codeHere: "Or paste codes here", takeCode: "Take the codes", nothing: "Nothing is open yet. You can also drop the files here.",
 		taken: (added, again) => `${count(added, "work is", "works are")} new.${again > 0 ? ` ${count(again, "was", "were")} here already.` : ""}`, broken: (files) => `No work of this page: ${files}.`, brokenCode: "No whole code is in this text. Copy all of it, from SL1 on.",
-		table: "Who has solved what", pupil: "Pupil", games: "Games won", programs: "Programs", all: (pupils) => `All ${pupils}`, tried: "begun", signs: "✓ solved, … begun. A click on a picture plays the program.",
+		table: "Who has solved what", pupil: "Pupil", games: "Games won", programs: "Programs", all: (pupils) => `All ${pupils}`, tried: "begun", signs: "✓ solved: this page has played it. ✓? solved as the file says, but none of its programs does it. … begun. A click on a picture plays the program.",
+		forgetClass: "Remove all…", askForget: (count) => `This removes the works of all ${count} pupils from this browser. It cannot be undone.`, said: "solved, as the file says", notKept: "This browser does not keep them: they are here as long as the page is open.",
 		remove: (pupil) => `Remove the work of ${pupil}`, noPrograms: "No programs.",
 	},
 };

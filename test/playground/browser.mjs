@@ -159,6 +159,18 @@ export const rest = (page, ms = 0) => page.evaluate((time) => new Promise((resol
 	setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))), time);
 }), ms);
 
+/** Has a page remember the tones that it makes from now on, in globalThis.tones: WebAudio's oscillators. */
+export const listen = (page) => page.evaluate(() => {
+	globalThis.tones = [];
+	globalThis.AudioContext = class extends globalThis.AudioContext {
+		createOscillator() {
+			const made = super.createOscillator();
+			globalThis.tones.push(made);
+			return made;
+		}
+	};
+});
+
 /** Waits for the title of the program that is open in Play. */
 export const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);
 

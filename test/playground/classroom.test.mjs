@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PATIENCE, isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, finger, focused, open, own, press, ready, rest, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, finger, focused, listen, open, own, press, ready, rest, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -365,16 +365,7 @@ test('the line between blocks and world moves, and stays; the lesson folds; a to
 	await ready(page, 'play');
 	assert.equal(await width(), kept);
 	// sound
-	await page.evaluate(() => {
-		globalThis.tones = [];
-		globalThis.AudioContext = class extends globalThis.AudioContext {
-			createOscillator() {
-				const made = super.createOscillator();
-				globalThis.tones.push(made);
-				return made;
-			}
-		};
-	});
+	await listen(page);
 	await press(page, 'Turn the sound off');
 	await page.getByLabel('Collision system').selectOption('exact');
 	await done(page);

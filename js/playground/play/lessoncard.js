@@ -112,8 +112,9 @@ export class LessonCard {
 		this.againButton = button(words.again, () => this.onOpen(name, true), { class: "again" });
 		this.isOwn = isOwn;
 		// all of what it may say takes its place from the beginning, so that nothing below it moves
-		const kept = (each) => h("p.kept-free", { "aria-hidden": "true" }, each);
-		const said = h("div.said", {}, h("p.text", {}, text), h("p.hint", {}, hint), this.sign, ...[`${words.done} ${why}`, ...Object.values(texts.mistakes[name])].map(kept));
+		const kept = (...each) => h("p.kept-free", { "aria-hidden": "true" }, ...each);
+		const isLeft = LESSON_NAMES.every((each) => each === name || this.isDone(each));
+		const said = h("div.said", {}, h("p.text", {}, text), h("p.hint", {}, hint), this.sign, kept(`${words.done} ${why}${isLeft ? ` ${words.all}` : ""}`, this.#onwards()), ...Object.values(texts.mistakes[name]).map((each) => kept(`${words.notYet} ${each}`)));
 		this.card = h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
 			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, this.againButton, this.foldButton,
 				button("✕", () => this.onOpen(null), { class: "leave", "aria-label": words.leave, title: words.leave })),
@@ -163,8 +164,13 @@ export class LessonCard {
 	#sayDone() {
 		const isAll = LESSON_NAMES.every((name) => this.isDone(name));
 		this.#say(h("strong.done", {}, words.done), `${words.list[this.#name].why}${isAll ? ` ${words.all}` : ""}`);
-		if (this.isLast) this.sign.append(h("span.onward", {}, ...["change", "own"].map((name) => button(words.onward[name], this.onward[name]))));
+		this.sign.append(this.#onwards());
 		this.next.classList.add("primary");
+	}
+
+	/** What follows the last lesson. */
+	#onwards() {
+		return this.isLast ? h("span.onward", {}, ...["change", "own"].map((name) => button(words.onward[name], this.onward[name]))) : "";
 	}
 
 	/** Called when a game begins again. */

@@ -163,8 +163,15 @@ test('a code hands in, too; a file that is dropped on the wrong page is named fo
 		transfer.items.add(new File([text], 'Ben.json'));
 		return transfer;
 	}, file);
+	// a browser that refuses to keep says so
+	await page.evaluate(() => {
+		IDBFactory.prototype.open = () => {
+			throw new Error('refused');
+		};
+	});
 	await page.dispatchEvent('.sheet', 'drop', { dataTransfer: data });
 	await page.waitForFunction(() => [...document.querySelectorAll('.class tbody th')].map(({ textContent }) => textContent).join() === 'Ada,Ben');
+	assert.match(await page.textContent('.status'), /^1 work is new\.\s+This browser does not keep them/);
 	assert.deepEqual(said, []);
 	await leave();
 });

@@ -672,7 +672,16 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 		await press(page, name.startsWith('turtles') ? 'turtles 10' : 'seagulls 6');
 		assert.match(await page.textContent('.inspector'), new RegExp(`^${name}a`));
 	}
+	const paint = () => page.evaluate(() => {
+		const all = [];
+		globalThis.playground.stage.actors.traverse(({ isInstancedMesh, geometry, count }) => isInstancedMesh && all.push([...geometry.attributes.paint.array.subarray(0, 4 * count)].join()));
+		return all;
+	});
+	await press(page, 'Step');
+	const colours = await paint();
+	assert.ok(colours.length > 4 && await page.evaluate(() => globalThis.playground.world.state.touching > 0));
 	await page.getByLabel('What the engine sees').check();
+	assert.deepEqual(await paint(), colours, 'agents that touch keep their colours');
 	const solids = () => page.evaluate(() => globalThis.playground.stage.marks.boxes.mesh.count);
 	const few = await solids();
 	assert.ok(few > 5 && few <= 22, `${few} boxes`);

@@ -37,15 +37,19 @@ export class ClassPage {
 				broken.push(file.name);
 			}
 		}
-		this.status.textContent = [words.taken(count, files.length - broken.length - count), broken.length > 0 ? words.broken(broken.join(", ")) : "", handed.isKept ? "" : words.notKept].join(" ");
-		this.status.classList.toggle("problem", broken.length > 0);
+		this.#say(broken.length > 0, words.taken(count, files.length - broken.length - count), broken.length > 0 ? words.broken(broken.join(", ")) : "");
 		this.#show();
+	}
+
+	/** Says sentences, and whether the browser keeps the works. */
+	#say(isProblem, ...sentences) {
+		this.status.textContent = [...sentences, handed.isKept ? "" : words.notKept].join(" ").trim();
+		this.status.classList.toggle("problem", isProblem);
 	}
 
 	async #takeCode() {
 		const count = await handed.takeCodes(this.code.value);
-		this.status.textContent = count === null ? words.brokenCode : words.taken(count, count === 0 ? 1 : 0);
-		this.status.classList.toggle("problem", count === null);
+		this.#say(count === null, count === null ? words.brokenCode : words.taken(count, count === 0 ? 1 : 0));
 		if (count !== null) this.code.value = "";
 		this.#show();
 	}

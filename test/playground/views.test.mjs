@@ -106,6 +106,7 @@ for (const view of VIEWS) {
 			const nav = document.querySelector('#views').getBoundingClientRect();
 			return left >= nav.left - 1 && right <= nav.right + 1;
 		}), 'the name of the view is in sight');
+		if (isChromium) assert.equal(new Set(await page.locator('#views a').evaluateAll((all) => all.map((each) => each.getBoundingClientRect().top))).size, 1, 'the views are in one line');
 		for (const scheme of schemesOf(view)) await faultless(page, scheme);
 		for (const [name, address] of Object.entries(MORE[view] ?? {})) {
 			await page.evaluate((hash) => {

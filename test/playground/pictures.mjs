@@ -4,15 +4,16 @@
  *
  *   node test/playground/pictures.mjs OUT [PATTERN]     PATTERN: of their names, as "play-lesson" or "390x844-dark-de"
  */
-import { mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import path from 'node:path';
-import { begin, ready, rest, root } from './browser.mjs';
+import { begin, ready, rest } from './browser.mjs';
 
 const SIZES = [[1366, 625], [1366, 768], [390, 844], [1920, 1080]];
-const PROGRAM = { blocks: { blocks: [{ type: 'starlogo_start', inputs: { DO: { block: { type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } } } } }] } };
-const paintball = JSON.parse(JSON.stringify({ blocks: { blocks: [{ type: 'starlogo_start', inputs: { DO: { block: { type: 'starlogo_create', fields: { BREED: 'bears', SHAPE: 'bear' }, inputs: { COUNT: { shadow: { type: 'math_number', fields: { NUM: 3 } } } } } } } }] } }));
+const script = (type, DO) => ({ blocks: { blocks: [{ type, inputs: { DO: { block: DO } } }] } });
+const ENDLESS = script('starlogo_start', { type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } });
+const BEARS = script('starlogo_start', { type: 'starlogo_create', fields: { BREED: 'bears', SHAPE: 'bear' }, inputs: { COUNT: { shadow: { type: 'math_number', fields: { NUM: 3 } } } } });
 const WORKS = ['Ada', 'Ben', 'Cem', 'Dora', 'Efe'].map((pupil, i) => ({ name: `${pupil}.json`, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({
-	kind: 'starlogo-nova-work', pupil, done: ['helmet', 'wing', 'fast'].slice(0, i), won: i > 2 ? ['maze'] : [], programs: [{ name: 'Blocks make turtles move (mine)', lesson: 'blocks', program: paintball }, { name: 'Mine', program: paintball }].slice(0, i),
+	kind: 'starlogo-nova-work', pupil, done: ['helmet', 'wing', 'fast'].slice(0, i), won: i > 2 ? ['maze'] : [], programs: [{ name: 'Blocks make turtles move (mine)', lesson: 'blocks', program: BEARS }, { name: 'Mine', program: BEARS }].slice(0, i),
 })) }));
 
 const frames = (page, count) => page.evaluate((wanted) => {
@@ -53,7 +54,7 @@ const VIEWS = {
 		await page.locator('.blocklyToolboxCategory').nth(2).click();
 	}],
 	'play-error': ['play/maze', async (page) => {
-		await page.setInputFiles('.program input[type=file]', { name: 'endless.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(PROGRAM)) });
+		await page.setInputFiles('.program input[type=file]', { name: 'endless.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(ENDLESS)) });
 		await page.waitForSelector('.status.problem');
 	}],
 	'play-javascript': ['play/maze', (page) => openMenu(page, 5)],
@@ -80,7 +81,9 @@ const VIEWS = {
 		for (let i = 0; i < 200; i++) globalThis.playground.step();
 		globalThis.playground.draw();
 	})],
-	'level-source': ['level', (page) => page.locator('.code summary').click()],
+	'level-source': ['level', (page) => page.evaluate(() => {
+		document.querySelector('.code').open = true;
+	})],
 	teach: ['teach', () => {}],
 	'teach-lesson': ['teach/room', (page) => page.waitForSelector('[data-drawn="room"]')],
 	'teach-class': ['teach/class', async (page) => {

@@ -48,6 +48,7 @@ export class Game {
 			return new Walker("enemies", radius * Math.cos(angle), radius * Math.sin(angle), 6, 0xc8322b);
 		});
 		this.#collision.onCollisionStart("bullets", Collision.ANY_BREED, (bullet, other) => this.#hit(bullet, other));
+		this.#collision.update(this.agents); // so that there is a frame to go back to
 	}
 
 	get agents() {
@@ -90,25 +91,27 @@ export class Game {
 		return { eye, camera: new Vector3D(eye.x + free * dx, eye.y + free * dy, eye.z + free * dz), free };
 	}
 
-	/** All that a later frame depends on. Each touch goes on where it was: no bullet hits again what it has hit. */
+	/** All that a later frame depends on. The snapshot has the agents' traits, what touches and what carries; the rest is the game's own. */
 	save() {
-		const movers = [this.player, ...this.enemies, ...this.#bullets];
-		const places = movers.map(({ x, y, z, heading, speed, frames, footing }) => ({ x, y, z, heading, speed, frames, stands: footing?.stands, part: footing?.part }));
+		const own = this.#movers.map(({ speed, frames, footing }) => ({ speed, frames, stands: footing?.stands, part: footing?.part }));
 		const { shots, hits } = this;
-		return { places, shots, hits, random: this.#random, touches: this.#collision.snapshot() };
+		return { own, shots, hits, random: this.#random, agents: [...this.#collision.lastAgents], bytes: this.#collision.snapshot(true) };
 	}
 
 	/** Goes back to what save() gave. */
-	goBackTo({ places, shots, hits, random, touches }) {
-		[this.player, ...this.enemies, ...this.#bullets].forEach((mover, i) => {
-			const { x, y, z, heading, speed, frames, stands, part } = places[i];
-			mover.jumpTo(x, y, z);
-			Object.assign(mover, { heading, speed, frames });
+	goBackTo({ own, shots, hits, random, agents, bytes }) {
+		this.#collision.restore(bytes, agents);
+		this.#movers.forEach((mover, i) => {
+			const { stands, part, ...rest } = own[i];
+			Object.assign(mover, rest);
 			if (mover.footing) Object.assign(mover.footing, { stands, part });
 		});
 		Object.assign(this, { shots, hits });
 		this.#random = random;
-		this.#collision.restore(touches, this.agents);
+	}
+
+	get #movers() {
+		return [this.player, ...this.enemies, ...this.#bullets];
 	}
 
 	#walk(walker, distance, jumps) {

@@ -11,7 +11,7 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // whatever changes an answer, an order or a bit of a contact changes it: then it is to be written anew, the same for each machine
-        private static const HASH:String = "b392c11b";
+        private static const HASH:String = "46f825db";
         private static const FRAMES_HASHED:int = 200;
 
         [Test(async, timeout="330000")]

@@ -3,6 +3,7 @@ package starlogo.agents
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
@@ -45,8 +46,8 @@ package starlogo.agents
         /** For <code>collideAs</code>: the smallest capsule. */
         public static const CAPSULE:String = "capsule";
 
-        // the index is the number of a kind in BoundingStructure
-        private static const NAMES_OF_KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
+        /** @private Names of structures. The index is the number of a kind in BoundingStructure. */
+        engine static const KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
 
         /** @private Whether any agent has ever swept. As long as none has, colliders need not look for sweeping agents. */
         engine static var haveSwept:Boolean = false;
@@ -59,6 +60,11 @@ package starlogo.agents
         private static var sAngles:Vector3D = new Vector3D();
         // How far a quaternion's length may be from 1 if its numbers are kept as they are.
         private static const NEARLY_UNIT:Number = 1e-6;
+
+        // What has turned an agent. The numbers stand in snapshots.
+        private static const BY_ANGLES:int = 0;
+        private static const BY_QUATERNION:int = 1;
+        private static const BY_BOTH:int = 2;
 
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
@@ -92,6 +98,9 @@ package starlogo.agents
 
         /** @private The kind of structure for the agent; ANY_KIND for the tightest. */
         engine var structureKind:int = ANY_KIND;
+
+        /** @private What the agent stands on since its last walk. It is null before the first walk that ends on an agent. */
+        engine var standing:Standing = null;
 
         /** The agent's colour, with the client's colour numbers. It has no effect on collisions. */
         public var color:Number = 0;
@@ -372,7 +381,7 @@ package starlogo.agents
         /**
          * The unit quaternion of the agent's rotation. If <code>setQuaternion()</code> has set the rotation, and its numbers had the length 1 up to
          * a millionth, these are the same numbers to the last bit. Otherwise w is not negative. Given to <code>setQuaternion()</code> again, the
-         * numbers make the same rotation to the last bit if <code>setQuaternion()</code> has made it.
+         * numbers make the same rotation to the last bit if <code>setQuaternion()</code> or <code>setMatrix()</code> has made it.
          *
          * @param out takes x, y, z, w; created if null
          * @return out
@@ -420,8 +429,7 @@ package starlogo.agents
             moveTo(found.x, found.y, found.z);
             var turn:Vector.<Number> = new Vector.<Number>(4, true);
             found.readQuaternion(turn);
-            turnBy(turn[0], turn[1], turn[2], turn[3]);
-            _hasQuaternion = false;
+            setQuaternion(turn[0], turn[1], turn[2], turn[3]);
         }
 
         /**
@@ -494,13 +502,13 @@ package starlogo.agents
             {
                 return TIGHTEST;
             }
-            return NAMES_OF_KINDS[structureKind];
+            return KINDS[structureKind];
         }
 
         public function set collideAs(value:String):void
         {
             // ANY_KIND for TIGHTEST, which is no name of a kind
-            var kind:int = NAMES_OF_KINDS.indexOf(value);
+            var kind:int = KINDS.indexOf(value);
             if (kind == ANY_KIND && value != TIGHTEST)
             {
                 throw new ArgumentError(this + ": collideAs must be \"tightest\", \"sphere\", \"box\" or \"capsule\", not "
@@ -556,6 +564,50 @@ package starlogo.agents
             return placement;
         }
 
+        /** @private Writes what has turned the agent: angles, a quaternion, or angles and then a quaternion of the same rotation. */
+        engine function writeTurn(bytes:ByteArray):void
+        {
+            bytes.writeByte(_isTurnedByQuaternion ? BY_QUATERNION : (_hasQuaternion ? BY_BOTH : BY_ANGLES));
+            if (!_isTurnedByQuaternion)
+            {
+                bytes.writeDouble(_heading);
+                bytes.writeDouble(_pitch);
+                bytes.writeDouble(_roll);
+            }
+            for (var i:int = 0; _hasQuaternion && i < 4; i++)
+            {
+                bytes.writeDouble(_quaternion[i]);
+            }
+        }
+
+        /**
+         * @private Turns the agent as another one was when <code>writeTurn()</code> wrote it, to the last bit.
+         *
+         * @throws RangeError if the bytes are no turn
+         */
+        engine function readTurn(bytes:ByteArray):void
+        {
+            var by:int = bytes.readUnsignedByte();
+            if (by > BY_BOTH)
+            {
+                throw new RangeError(this + ": there is no turn of kind " + by);
+            }
+            _hasQuaternion = false;
+            if (by != BY_QUATERNION)
+            {
+                turnTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
+            }
+            if (by != BY_ANGLES)
+            {
+                setQuaternion(bytes.readDouble(), bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
+            }
+            if (by == BY_QUATERNION && !_isTurnedByQuaternion)
+            {
+                // the angles happen to make the same rotation
+                _isTurnedByQuaternion = _anglesAreStale = true;
+            }
+        }
+
         private function turnTo(heading:Number, pitch:Number, roll:Number):void
         {
             if (!isFinite(heading + pitch + roll))
@@ -568,7 +620,7 @@ package starlogo.agents
             {
                 return;
             }
-            _isTurnedByQuaternion = _hasQuaternion = false;
+            _isTurnedByQuaternion = _hasQuaternion = _anglesAreStale = false;
             _heading = heading;
             _pitch = pitch;
             _roll = roll;

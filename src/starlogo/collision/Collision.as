@@ -309,15 +309,20 @@ package starlogo.collision
         }
 
         /**
-         * Writes down what the next frame needs of the last one: where it saw the agents of its list, and which of them touch.
+         * Writes down what the next frame needs of the last one: where it saw the agents of its list, which of them touch, and what they stand on.
          * <code>restore()</code> goes back to that frame, in this Collision or in another with the same handlers and a collision system of the
-         * same kind. The bytes name agents by their indices in <code>lastAgents</code>. So keep a copy of that list, and of the agents' traits.
+         * same kind. The bytes name agents by their indices in <code>lastAgents</code>. So keep a copy of that list.
          *
-         * @return the bytes, about 25 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
+         * @param withTraits whether the agents' traits are written too, as they are now: place, turn, size, shape, breed, colour,
+         *     <code>sweeps</code>, <code>hierarchical</code>, <code>traversalDepth</code> and <code>collideAs</code>. Otherwise the game keeps
+         *     them
+         * @param withGround whether the heights of the ground are written. Without them <code>restore()</code> leaves the ground as it is
+         * @return the bytes, about 25 for each agent of the list, 79 for its traits, and 17 for each pair that touches and has handlers for starts
+         *     or ends
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is not one of the engine's or has searched
          *     another list since the last frame, or if the last frame refused its list
          */
-        public function snapshot():ByteArray
+        public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {
             requireSearch("snapshot");
             if (_isRefused)
@@ -326,16 +331,17 @@ package starlogo.collision
             }
             forgetStaleTouches();
             var searched:Collider = _searched || _system.collider;
-            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain, findFixtures());
+            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain, findFixtures(),
+                    withTraits, withGround);
         }
 
         /**
-         * Goes back to the frame of a snapshot. If the agents have their traits of that time, the next frames find the same pairs and make the same
-         * calls as the frames after the snapshot, to the last bit. No handler is called.
+         * Goes back to the frame of a snapshot, and gives the agents the traits that are in it. The next frames then find the same pairs and make
+         * the same calls as the frames after the snapshot, to the last bit. No handler is called.
          *
          * @param bytes the result of <code>snapshot()</code>; not changed
-         * @param agents the list <code>lastAgents</code> of that frame, with the agents' traits put back. They may be other objects, created
-         *     since then in the same order, or for another Collision
+         * @param agents the list <code>lastAgents</code> of that frame. They may be other objects, created since then, or for another
+         *     Collision. If the snapshot is without traits, the game has put the agents' traits back
          * @throws ArgumentError if one is null, if the bytes are no snapshot of these agents, or if <code>update()</code> would refuse the list;
          *     nothing has changed then
          * @throws IllegalOperationError as in snapshot

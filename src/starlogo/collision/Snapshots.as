@@ -1,6 +1,5 @@
 package starlogo.collision
 {
-    import flash.errors.EOFError;
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
@@ -19,13 +18,13 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * Writes and reads the snapshots of one Collision. A snapshot has what the next frame needs besides the agents' traits. Agents are numbers
-     * in it: their indices in the last frame's list.
+     * Writes and reads the snapshots of one Collision. A snapshot has what the next frame needs besides the agents' traits, and the traits if
+     * asked. Agents are numbers in it: their indices in the last frame's list.
      *
-     * <p>The bytes are: a mark; the number of agents, and for each whether it may have a motion from its last position, and that position; the
-     * number of breeds' names, and the names; the number of touching pairs, and for each its agents, their breeds, and whether it touches both
-     * ways; the ground, if there is one. After the indices of the agents come those of the ground, of the edges, and of a ground and edges that
-     * were exchanged after the frame: their touches end in the next frame.</p>
+     * <p>The bytes are: a mark; what is in the snapshot; the number of agents; names; for each agent whether it may have a motion from its last
+     * position, and that position; the touching pairs, and for each its agents, their breeds, and whether it touches both ways; what agents stand
+     * on; the ground; the traits. In a pair, the indices after those of the agents are the ground, the edges, and a ground and edges that were
+     * exchanged after the frame: their touches end in the next frame.</p>
      *
      * <p>The ground's bytes are: the number of columns; the number of rows; the width of a cell; its place; whether the surface is columns; then
      * the heights. After a height of 0 comes the number of heights that are 0 from there on, and only the first of them is written.</p>
@@ -34,15 +33,27 @@ package starlogo.collision
      */
     internal final class Snapshots
     {
-        // "SLF2"
-        private static const MARK:uint = 0x534C4632;
-        private static const AGENTS_AT:int = 8;
+        // "SLF3"
+        private static const MARK:uint = 0x534C4633;
         private static const BYTES_PER_AGENT:int = 25;
+
+        // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.
+        private static const TRAITS:int = 1;
+        private static const GROUND:int = 2;
+        private static const HEIGHTS:int = 4;
 
         private var _who:SnapshotAgents = new SnapshotAgents();
 
         // The ground's and the edges' agents that were exchanged before the last snapshot; others stand for them in another Collision.
         private var _former:Vector.<Agent> = new <Agent>[new FixtureAgent(Breeds.TERRAIN), new FixtureAgent(Breeds.EDGE)];
+
+        // Of the snapshot that is read: what is in it, the names, and where its parts begin.
+        private var _contents:int = 0;
+        private var _names:SnapshotNames;
+        private var _placesAt:uint = 0;
+        private var _standingsAt:uint = 0;
+        private var _surfaceAt:uint = 0;
+        private var _traitsAt:uint = 0;
 
         /**
          * Returns the bytes of a snapshot.
@@ -53,24 +64,37 @@ package starlogo.collision
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
          * @param terrain the ground, or null
          * @param fixtures the agents of the ground and of the edges, or null
+         * @param withTraits whether the agents' traits are written
+         * @param withGround whether the ground's heights are written
          * @throws IllegalOperationError if the collision system has searched another list
          */
         public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain,
-                fixtures:Vector.<Agent>):ByteArray
+                fixtures:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
         {
             if (agents.length > 0 && !table.isListed(agents))
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
+            var hasHeights:Boolean = withGround && terrain != null;
+            var names:SnapshotNames = new SnapshotNames();
+            var parts:ByteArray = newBytes();
+            KeptPlaces.write(table, agents, parts, keepsMotions);
+            writePairs(parts, names, tracker, table, fixtures);
+            SnapshotStandings.write(agents, table, parts);
+            if (hasHeights)
+            {
+                writeGround(parts, terrain);
+            }
+            if (withTraits)
+            {
+                SnapshotTraits.write(agents, names, parts);
+            }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
+            bytes.writeByte(int(withTraits) * TRAITS + int(terrain != null) * GROUND + int(hasHeights) * HEIGHTS);
             bytes.writeInt(agents.length);
-            KeptPlaces.write(table, agents, bytes, keepsMotions);
-            writePairs(bytes, tracker, table, fixtures);
-            if (terrain != null)
-            {
-                writeGround(bytes, terrain);
-            }
+            names.write(bytes);
+            bytes.writeBytes(parts);
             _who.note(bytes, agents);
             bytes.position = 0;
             return bytes;
@@ -79,7 +103,7 @@ package starlogo.collision
         /**
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
-         * @param terrain the ground, which gets the heights that it had then; or null
+         * @param terrain the ground, which gets the heights that are in the snapshot; or null
          * @param fixtures the agents of the ground and of the edges, or null
          * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
@@ -90,53 +114,86 @@ package starlogo.collision
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
             copy.position = 0;
-            if (copy.length < AGENTS_AT || copy.readUnsignedInt() != MARK)
+            if (copy.length < 4 || copy.readUnsignedInt() != MARK)
             {
                 throw new ArgumentError("bytes are no snapshot: they do not begin as one");
             }
             var touches:TouchTracker = new TouchTracker();
             try
             {
-                var groundAt:uint = checkAll(copy, agents, terrain, fixtures, touches);
+                checkAll(copy, agents, terrain, fixtures, touches);
             }
-            catch (error:EOFError)
+            catch (error:Error)
             {
-                check(false);
+                // others are an EOFError, and a RangeError of the names
+                check(error is ArgumentError);
+                throw error;
             }
-            copy.position = AGENTS_AT;
-            search.restorePositions(agents, copy);
-            if (terrain != null)
+            putBack(copy, agents, search);
+            copy.position = _standingsAt;
+            SnapshotStandings.read(agents, copy);
+            if ((_contents & HEIGHTS) != 0)
             {
-                copy.position = groundAt;
+                copy.position = _surfaceAt;
                 terrain.isBlocky = copy.readBoolean();
                 terrain.setHeights(0, 0, terrain.columns, terrain.rows, readHeights(copy, terrain));
             }
             return touches;
         }
 
-        private function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable, fixtures:Vector.<Agent>):void
+        // Puts the agents back: their traits, if these are in the snapshot, and their places in the last frame. If that fails, the agents have the
+        // traits that they had before.
+        private function putBack(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch):void
         {
-            var breeds:Vector.<int> = new Vector.<int>();
-            var pairs:ByteArray = newBytes();
+            var namesBefore:SnapshotNames = new SnapshotNames();
+            var before:ByteArray = newBytes();
+            try
+            {
+                if ((_contents & TRAITS) != 0)
+                {
+                    SnapshotTraits.write(agents, namesBefore, before);
+                    readTraits(bytes, agents);
+                }
+                bytes.position = _placesAt;
+                search.restorePositions(agents, bytes);
+            }
+            catch (error:Error)
+            {
+                if (before.length > 0)
+                {
+                    before.position = 0;
+                    SnapshotTraits.read(agents, namesBefore, before);
+                }
+                throw error;
+            }
+        }
+
+        private function readTraits(bytes:ByteArray, agents:Vector.<Agent>):void
+        {
+            bytes.position = _traitsAt;
+            try
+            {
+                SnapshotTraits.read(agents, _names, bytes);
+            }
+            catch (error:Error)
+            {
+                check(false);
+            }
+            check(bytes.position == bytes.length);
+        }
+
+        private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, fixtures:Vector.<Agent>):void
+        {
+            bytes.writeInt(tracker.count);
             for (var i:int = 0; i < tracker.count; i++)
             {
                 var pair:Touch = tracker.pairAt(i);
-                pairs.writeInt(table.ranks[table.rowOf(pair.first)]);
-                pairs.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + indexOfFixture(pair, fixtures) : table.ranks[table.rowOf(pair.second)]);
-                pairs.writeInt(indexIn(breeds, pair.firstBreed));
-                pairs.writeInt(indexIn(breeds, pair.secondBreed));
-                pairs.writeBoolean(pair.isBothWays);
+                bytes.writeInt(table.ranks[table.rowOf(pair.first)]);
+                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + indexOfFixture(pair, fixtures) : table.ranks[table.rowOf(pair.second)]);
+                bytes.writeInt(names.ofBreed(pair.firstBreed));
+                bytes.writeInt(names.ofBreed(pair.secondBreed));
+                bytes.writeBoolean(pair.isBothWays);
             }
-            bytes.writeInt(breeds.length);
-            for (i = 0; i < breeds.length; i++)
-            {
-                var name:ByteArray = newBytes();
-                name.writeUTFBytes(Breeds.nameOf(breeds[i]));
-                bytes.writeInt(name.length);
-                bytes.writeBytes(name);
-            }
-            bytes.writeInt(tracker.count);
-            bytes.writeBytes(pairs);
         }
 
         // The reserved breeds have the first numbers, and the ground's breed is the first of them.
@@ -175,60 +232,60 @@ package starlogo.collision
             }
         }
 
-        // Checks all bytes, and reads the touching pairs. Returns where the ground's surface begins.
-        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, fixtures:Vector.<Agent>, touches:TouchTracker):uint
+        // Checks all parts but the traits, finds where they begin, and reads the touching pairs.
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, fixtures:Vector.<Agent>, touches:TouchTracker):void
         {
+            _contents = bytes.readUnsignedByte();
+            check(_contents <= (TRAITS | GROUND | HEIGHTS) && (_contents & (GROUND | HEIGHTS)) != HEIGHTS);
             var count:uint = bytes.readUnsignedInt();
-            check(count <= (bytes.length - AGENTS_AT) / BYTES_PER_AGENT);
+            check(count <= bytes.bytesAvailable / BYTES_PER_AGENT);
+            var countedAt:uint = bytes.position;
             _who.check(bytes, count, agents);
-            bytes.position = AGENTS_AT;
+            bytes.position = countedAt;
+            _names = new SnapshotNames();
+            _names.read(bytes);
+            _placesAt = bytes.position;
             for (var i:int = 0; i < count; i++)
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
             readPairs(bytes, agents.concat(fixtures, _former), count, touches);
-            var hasGround:Boolean = bytes.position < bytes.length;
+            _standingsAt = bytes.position;
+            check(SnapshotStandings.areValid(bytes, count));
+            var hasGround:Boolean = (_contents & GROUND) != 0;
             if (hasGround != (terrain != null))
             {
                 var which:String = hasGround ? "without" : "with";
                 throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
-            var groundAt:uint = bytes.position;
-            if (hasGround)
+            if ((_contents & HEIGHTS) != 0)
             {
                 checkGround(bytes, terrain);
-                groundAt = bytes.position;
-                bytes.readBoolean();
+                _surfaceAt = bytes.position;
+                check(bytes.readUnsignedByte() <= 1);
                 readHeights(bytes, terrain);
             }
-            check(bytes.position == bytes.length);
-            return groundAt;
+            _traitsAt = bytes.position;
+            check((_contents & TRAITS) != 0 || _traitsAt == bytes.length);
         }
 
-        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, touches:TouchTracker):void
+        private function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, touches:TouchTracker):void
         {
-            var breeds:Vector.<int> = new Vector.<int>();
-            for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
-            {
-                var name:String = bytes.readUTFBytes(bytes.readUnsignedInt());
-                check(name != "");
-                breeds.push(Breeds.numberOf(name));
-            }
             var pairs:uint = bytes.readUnsignedInt();
-            for (left = pairs; left > 0; left--)
+            for (var left:uint = pairs; left > 0; left--)
             {
                 var first:uint = bytes.readUnsignedInt();
                 var second:uint = bytes.readUnsignedInt();
-                var firstBreed:uint = bytes.readUnsignedInt();
-                var secondBreed:uint = bytes.readUnsignedInt();
+                var firstBreed:int = Breeds.numberOf(_names.nameAt(bytes.readUnsignedInt()));
+                var secondBreed:int = Breeds.numberOf(_names.nameAt(bytes.readUnsignedInt()));
                 var flag:int = bytes.readUnsignedByte();
-                check(first < count && second < agents.length && first != second && firstBreed < breeds.length && secondBreed < breeds.length && flag <= 1);
+                check(first < count && second < agents.length && first != second && flag <= 1);
                 if (agents[second] == null)
                 {
                     var missing:String = second == count ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                touches.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
+                touches.start(agents[first], agents[second], firstBreed, secondBreed, flag == 1);
             }
             // each agent is there once
             check(touches.count == pairs);
@@ -266,12 +323,6 @@ package starlogo.collision
             {
                 throw new ArgumentError("bytes are no snapshot any more: they begin as one, but something in them was changed or cut off");
             }
-        }
-
-        private static function indexIn(breeds:Vector.<int>, breed:int):int
-        {
-            var index:int = breeds.indexOf(breed);
-            return index < 0 ? breeds.push(breed) - 1 : index;
         }
 
         private static function newBytes():ByteArray

@@ -201,8 +201,14 @@ package starlogo.geometry
             r02 = data[8] / size;
             r12 = data[9] / size;
             r22 = data[10] / size;
-            return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1
-                && isNear(r01 * r01 + r11 * r11 + r21 * r21, 1) && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
+            return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1 && isRotation;
+        }
+
+        /** Whether the nine numbers are a rotation, up to rounding. */
+        public function get isRotation():Boolean
+        {
+            return isNear(r00 * r00 + r10 * r10 + r20 * r20, 1) && isNear(r01 * r01 + r11 * r11 + r21 * r21, 1)
+                && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
                 // The third column makes the matrix a rotation, and not a reflection.
                 && isNear(r10 * r21 - r20 * r11, r02) && isNear(r20 * r01 - r00 * r21, r12) && isNear(r00 * r11 - r10 * r01, r22);
         }

@@ -8,7 +8,7 @@ package starlogo.intersection
      *
      * @private
      */
-    internal function isAfter(a:Vector3D, b:Vector3D):Boolean
+    public function isAfter(a:Vector3D, b:Vector3D):Boolean
     {
         var aY:Number = a.y;
         var bY:Number = b.y;

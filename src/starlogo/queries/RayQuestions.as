@@ -5,6 +5,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
+    import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.Body;
 
@@ -72,8 +73,8 @@ package starlogo.queries
         {
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
-            // the ray always starts at the same agent of the two, because rounding may let a ray that grazes something pass in one direction only
-            var isTurned:Boolean = a.number > b.number;
+            // the ray always starts at the same place of the two, because rounding may let a ray that grazes something pass in one direction only
+            var isTurned:Boolean = _middleA.x > _middleB.x || (_middleA.x == _middleB.x && isAfter(_middleA, _middleB));
             var from:Vector3D = isTurned ? _middleB : _middleA;
             var towards:Vector3D = isTurned ? _middleA : _middleB;
             towards.decrementBy(from);

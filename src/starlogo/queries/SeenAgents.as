@@ -13,7 +13,6 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
-    import starlogo.search.IdTable;
     import starlogo.search.ModelShape;
     import starlogo.search.ModelShapes;
     import starlogo.search.RowList;
@@ -31,9 +30,6 @@ package starlogo.queries
      */
     public final class SeenAgents
     {
-        // How many agents that are not in the list may have walked before their walks are forgotten.
-        private static const MOST_OTHERS:int = 100;
-
         /** The agents. Questions only read them. */
         public var table:AgentTable;
 
@@ -48,10 +44,6 @@ package starlogo.queries
 
         /** @copy #asker */
         public var other:Body = new Body();
-
-        // What agents stand on since their last walks, and by the ids of these agents: the indices of these entries, from 1 on.
-        private var _standings:Vector.<Standing> = new Vector.<Standing>();
-        private var _standingOf:IdTable = new IdTable();
 
         private var _place:Vector3D = new Vector3D();
         private var _source:Object;
@@ -104,7 +96,6 @@ package starlogo.queries
             table = next;
             pairs = collider.pairs;
             _system = collider;
-            forgetStandings();
             _places.isStale = _extents.isStale = true;
             _extents.beyond = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
         }
@@ -157,38 +148,6 @@ package starlogo.queries
                 throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
             }
             return agent.placement;
-        }
-
-        /** What an agent stands on since its last walk. */
-        public function standingOf(agent:Agent):Standing
-        {
-            var index:int = _standingOf.valueOf(agent.number);
-            if (index <= 0)
-            {
-                index = _standings.push(new Standing(agent));
-                _standingOf.set (agent.number, index);
-            }
-            return _standings[index - 1];
-        }
-
-        // Forgets the walks of agents that are not in the list, if there are many.
-        private function forgetStandings():void
-        {
-            if (_standings.length <= MOST_OTHERS + table.count)
-            {
-                return;
-            }
-            var all:Vector.<Standing> = _standings;
-            _standings = new Vector.<Standing>();
-            _standingOf.clear();
-            for (var i:int = 0; i < all.length; i++)
-            {
-                var standing:Standing = all[i];
-                if (table.rowOf(standing.agent) >= 0)
-                {
-                    _standingOf.set (standing.agent.number, _standings.push(standing));
-                }
-            }
         }
 
         /** Returns the tree of the places, and builds it first if it is stale. */

@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.agents.Standing;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
     import starlogo.intersection.contact.ContactPoint;
@@ -102,7 +103,8 @@ package starlogo.queries
             _whole = Math.sqrt(dx * dx + dy * dy);
             _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
             _pushed = 0;
-            var standing:Standing = _seen.standingOf(agent);
+            agent.standing ||= new Standing(agent);
+            var standing:Standing = agent.standing;
             var platform:int = findPlatform(standing);
             // on the steepest slope the way is this long
             _reach = _whole / _cosine + _slide / 2 + _carry.length;

@@ -143,6 +143,10 @@ package starlogo.search
                 return bodyOf(row);
             }
             made.readAgent(agent, _modelShapes.shapeOf(agent));
+            if (row >= 0)
+            {
+                made.order = ranks[row];
+            }
             return made;
         }
 
@@ -211,6 +215,20 @@ package starlogo.search
             forms.length = _shapeRevisions.length = placedRevisions.length = length;
             _offsetX.length = _offsetY.length = _offsetZ.length = length;
             extents.grow(length);
+        }
+
+        /** @inheritDoc */
+        override protected function accept(length:int):void
+        {
+            super.accept(length);
+            for (var i:int = 0; i < length; i++)
+            {
+                var body:Body = _bodies[rows[i]];
+                if (body != null)
+                {
+                    body.order = i;
+                }
+            }
         }
 
         /** @inheritDoc */
@@ -319,6 +337,7 @@ package starlogo.search
                 body = _bodies[row] = new Body();
             }
             body.readShape(agent, shape);
+            body.order = ranks[row];
             _offsetX[row] = body.offsetX;
             _offsetY[row] = body.offsetY;
             _offsetZ[row] = body.offsetZ;

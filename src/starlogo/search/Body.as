@@ -23,6 +23,9 @@ package starlogo.search
     {
         private static const UPRIGHT:Placement = new Placement();
 
+        // More than the number of agents in any list.
+        private static const UNLISTED:int = 1 << 30;
+
         // The middle and half of the lengths of extents.
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
@@ -35,8 +38,8 @@ package starlogo.search
         /** The shape's place, rotation and size in the world. A row's body has its agent's own placement while the agent has not changed. */
         public var placement:Placement = new Placement();
 
-        /** The agent's number. It is 0 if the body belongs to no agent. */
-        public var number:int = 0;
+        /** The agent's index in the list. Agents that are not listed follow, the older ones first. It is 0 if the body belongs to no agent. */
+        public var order:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
         public var depth:int = 0;
@@ -85,7 +88,7 @@ package starlogo.search
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
             }
-            number = agent.number;
+            order = UNLISTED + agent.number;
             depth = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {
@@ -144,7 +147,7 @@ package starlogo.search
             placement.y = found[1];
             placement.z = found[2];
             takeShape(own);
-            number = depth = 0;
+            order = depth = 0;
             own.structure.turnedExtentsInto(placement, found);
             takeExtents();
             settle();
@@ -161,7 +164,7 @@ package starlogo.search
         {
             var factor:Number = 1 - share;
             takeShape(whole.shape);
-            number = whole.number;
+            order = whole.order;
             depth = whole.depth;
             placement.copyFrom(whole.placement);
             placement.size *= factor;

@@ -225,7 +225,7 @@ package starlogo.search
 
         /**
          * Whether tests take the second of two bodies first, so that rounding errors are the same in either order. A tree comes before a
-         * structure. Of two trees or two structures, the body with the lower number comes first. The ground and the edges of the world come
+         * structure. Of two trees or two structures, the body of the agent that is first in the list comes first. The ground and the edges of the world come
          * last.
          */
         public static function isSecondFirst(a:Body, b:Body):Boolean
@@ -239,7 +239,7 @@ package starlogo.search
             {
                 return !isTree;
             }
-            return a.number > b.number;
+            return a.order > b.order;
         }
 
         /**

@@ -43,7 +43,7 @@ package starlogo.search
         {
             var body:Body = table.bodyOf(row);
             var tree:SolidHierarchy = body.shape.hierarchy;
-            var number:int = body.number;
+            var order:int = body.order;
             var placement:Placement = body.placement;
             var depth:int = depthOf(body);
             var isExact:Boolean = exact;
@@ -62,7 +62,7 @@ package starlogo.search
                 var otherPlacement:Placement = otherBody.placement;
                 var otherDepth:int = depthOf(otherBody);
                 var isTouching:Boolean;
-                if (other == null || otherBody.number > number)
+                if (other == null || otherBody.order > order)
                 {
                     isTouching = pair.areOverlapping(tree, placement, depth, other, otherBody.shape.structure, otherPlacement, otherDepth, isExact);
                 }

@@ -42,10 +42,11 @@ package starlogo.collision
                 for (var seed:int = 1; seed <= Effort.choose(2, 100); seed++)
                 {
                     var game:SnapshotGame = new SnapshotGame(EachCollider.make(name, _greatLand), seed);
+                    game.turnsFreely = seed % 2 == 0;
                     game.run(10 + seed % 7);
                     var random:uint = game.random.nextUint();
                     game.random = new SeededRandom(random);
-                    var bytes:ByteArray = game.collision.snapshot();
+                    var bytes:ByteArray = game.collision.snapshot(game.turnsFreely);
                     var list:Vector.<Agent> = game.listed.concat();
                     var traits:Array = game.traitsOf(list);
                     var alive:Vector.<Boolean> = game.alive(list);
@@ -53,20 +54,27 @@ package starlogo.collision
                     sweptCalls += game.calls;
 
                     // the same Collision and agents
-                    game.setTraits(list, traits);
+                    if (!game.turnsFreely)
+                    {
+                        game.setTraits(list, traits);
+                    }
                     game.setAlive(list, alive);
                     game.random = new SeededRandom(random);
                     game.collision.restore(bytes, list);
                     assertSame(name + ", seed " + seed + ": again", expected, game.run(FRAMES));
 
-                    // others, in a new Collision
+                    // others, created in another order, in a new Collision
                     var other:SnapshotGame = new SnapshotGame(EachCollider.make(name, _greatLand), 1);
                     var agents:Vector.<Agent> = new Vector.<Agent>();
                     for (var i:int = 0; i < list.length; i++)
                     {
-                        agents[i] = new Agent("sphere");
+                        agents.splice((7 * i + seed) % (i + 1), 0, new Agent("sphere"));
                     }
-                    other.setTraits(agents, traits);
+                    other.turnsFreely = game.turnsFreely;
+                    if (!game.turnsFreely)
+                    {
+                        other.setTraits(agents, traits);
+                    }
                     other.setAlive(agents, alive);
                     other.random = new SeededRandom(random);
                     other.collision.restore(bytes, agents);
@@ -93,7 +101,8 @@ package starlogo.collision
             game.random = new SeededRandom(random);
             game.collision.restore(bytes, list);
 
-            var pairsEnd:int = bytes.length;
+            // the number of standings comes after the pairs
+            var pairsEnd:int = bytes.length - 4;
             var damage:SeededRandom = new SeededRandom(77);
             var refused:int = 0;
             for (var i:int = 0; i < 300; i++)
@@ -106,8 +115,8 @@ package starlogo.collision
                 }
                 else if (i % 3 == 2)
                 {
-                    // a mark, a count, flags of motions, a pair: what has few values
-                    broken[[0, 4, 8, 33, pairsEnd - 1, pairsEnd - 2][int(i / 3) % 6]] ^= 1 << damage.integer(1, 7);
+                    // a mark, what is in it, counts, a pair: what has few values
+                    broken[[0, 4, 5, 9, pairsEnd + 1, pairsEnd - 1, pairsEnd - 2][int(i / 3) % 7]] ^= 1 << damage.integer(1, 7);
                 }
                 try
                 {
@@ -123,6 +132,7 @@ package starlogo.collision
             var doubled:ByteArray = new ByteArray();
             doubled.writeBytes(bytes, 0, pairsEnd - 17);
             doubled.writeBytes(bytes, pairsEnd - 34, 17);
+            doubled.writeInt(0);
             assertThrows(ArgumentError, /no snapshot/, game.collision.restore, doubled, list);
             doubled.clear();
             assertThrows(ArgumentError, /no snapshot: they do not begin/, game.collision.restore, doubled, list);
@@ -392,6 +402,9 @@ internal class SnapshotGame
     public var random:SeededRandom;
     public var calls:int = 0;
 
+    // Whether agents are turned by quaternions and matrices too, and have all their traits changed.
+    public var turnsFreely:Boolean = false;
+
     // The last frame's list, and who is alive of it.
     public var listed:Vector.<Agent> = new Vector.<Agent>();
     private var _alive:Vector.<Agent> = new Vector.<Agent>();
@@ -493,8 +506,17 @@ internal class SnapshotGame
 
     private function play():void
     {
+        if (random.chance(0.3))
+        {
+            // the order of the list is not always the agents' age
+            _alive.unshift(_alive.pop());
+        }
         for each (var agent:Agent in _alive)
         {
+            if (turnsFreely)
+            {
+                change(agent);
+            }
             switch (random.integer(0, 11))
             {
                 case 0:
@@ -524,6 +546,37 @@ internal class SnapshotGame
         if (_alive.length < 25)
         {
             _alive.push(born());
+        }
+    }
+
+    private function change(agent:Agent):void
+    {
+        switch (random.integer(0, 12))
+        {
+            case 0:
+                agent.setQuaternion(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+                break;
+            case 1:
+                agent.setMatrix(_alive[0].transform);
+                break;
+            case 2:
+                var turn:Vector.<Number> = agent.getQuaternion();
+                agent.setQuaternion(turn[0], turn[1], turn[2], turn[3]);
+                break;
+            case 3:
+                agent.collideAs = random.pick(["tightest", "sphere", "box", "capsule"]);
+                break;
+            case 4:
+                agent.traversalDepth = random.integer(0, 4);
+                break;
+            case 5:
+                agent.shape = random.pick(["sphere", "cube", "crossed"]);
+                break;
+            case 6:
+                agent.roll += 10;
+                break;
+            default:
+                agent.color++;
         }
     }
 
@@ -563,7 +616,8 @@ internal class SnapshotGame
     private static function bits(value:Number):String
     {
         var bytes:ByteArray = new ByteArray();
-        bytes.writeDouble(value);
+        // -0 is 0
+        bytes.writeDouble(value + 0);
         bytes.position = 0;
         return bytes.readUnsignedInt().toString(16) + "." + bytes.readUnsignedInt().toString(16);
     }

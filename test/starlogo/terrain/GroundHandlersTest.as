@@ -372,8 +372,8 @@ package starlogo.terrain
             _terrain.setHeight(2, 0, 5);
             var bytes:ByteArray = _collision.snapshot();
             bytes.endian = Endian.LITTLE_ENDIAN;
-            // the heights begin after the mark, three counts, columns, rows, width, place and a flag: two of 0, a 5, and 118 of 0
-            var firstAt:int = 49;
+            // the heights begin after the mark, what is in it, four counts, columns, rows, width, place and a flag: two of 0, a 5, and 118 of 0
+            var firstAt:int = 54;
             for each (var wrong:Number in [NaN, Infinity, 2e9, 0])
             {
                 var broken:ByteArray = new ByteArray();

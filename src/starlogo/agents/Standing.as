@@ -1,7 +1,6 @@
-package starlogo.queries
+package starlogo.agents
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;

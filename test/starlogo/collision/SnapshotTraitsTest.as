@@ -1,0 +1,459 @@
+package starlogo.collision
+{
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import evaluation.pairs.SeededRandom;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentQueries;
+    import starlogo.queries.Footing;
+    import starlogo.terrain.Terrain;
+    import support.EachCollider;
+    import support.Effort;
+    import support.agentAt;
+    import support.assertThrows;
+
+    /** Snapshots with the agents' traits: one call writes a game, one brings it back. */
+    public class SnapshotTraitsTest
+    {
+        private static var sGreatLand:GreatLand;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.addModel(BuiltInModel.sphere());
+            sGreatLand.addModel(BuiltInModel.cube());
+            sGreatLand.addModel(BuiltInModel.cylinder());
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Test]
+        public function traitsComeBackToTheBit():void
+        {
+            var random:SeededRandom = new SeededRandom(51);
+            for (var round:int = 0; round < Effort.choose(20, 200); round++)
+            {
+                var collision:Collision = new Collision(new CombinationCollider(sGreatLand));
+                var agents:Vector.<Agent> = new Vector.<Agent>();
+                for (var i:int = 0; i < 12; i++)
+                {
+                    agents.push(randomAgent(random));
+                }
+                collision.update(agents);
+                var bytes:ByteArray = collision.snapshot(true);
+                var expected:String = textOf(agents);
+                for (i = 0; i < agents.length; i++)
+                {
+                    change(agents[i], random);
+                }
+                assertFalse(expected == textOf(agents));
+                collision.restore(bytes, agents);
+                assertEquals("the same agents", expected, textOf(agents));
+                var others:Vector.<Agent> = new Vector.<Agent>();
+                for (i = 0; i < agents.length; i++)
+                {
+                    others.push(randomAgent(random));
+                }
+                new Collision(new CombinationCollider(sGreatLand)).restore(bytes, others);
+                assertEquals("others", expected, textOf(others));
+                for (i = 0; i < agents.length; i++)
+                {
+                    agents[i].pitch += 0.5;
+                    others[i].pitch += 0.5;
+                }
+                assertEquals("and what follows", textOf(agents), textOf(others));
+            }
+        }
+
+        [Test]
+        public function anAngleAndItsQuaternionAreTwoStates():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("sphere"), new Agent("sphere")];
+            agents[0].heading = 33.3;
+            agents[1].setQuaternion(agents[0].getQuaternion()[0], agents[0].getQuaternion()[1], agents[0].getQuaternion()[2], agents[0].getQuaternion()[3]);
+            agents[2].heading = agents[1].heading;
+            agents[2].setQuaternion(agents[2].getQuaternion()[0], agents[2].getQuaternion()[1], agents[2].getQuaternion()[2], agents[2].getQuaternion()[3]);
+            collision.update(agents);
+            var bytes:ByteArray = collision.snapshot(true);
+            var expected:String = textOf(agents);
+            var turned:Vector.<Agent> = agents.concat().reverse();
+            new Collision(new BinCollider()).restore(bytes, turned);
+            assertEquals(expected, textOf(turned));
+            agents.reverse();
+            new Collision(new BinCollider()).restore(bytes, agents);
+            assertEquals(expected, textOf(agents));
+        }
+
+        [Test]
+        public function whatCarriesAWalkerComesBack():void
+        {
+            for each (var withTraits:Boolean in [true, false])
+            {
+                var first:PlatformGame = new PlatformGame(sGreatLand);
+                first.run(5);
+                var bytes:ByteArray = first.collision.snapshot(withTraits);
+                var places:Array = first.traits();
+                var expected:String = first.run(6);
+                assertTrue(expected, first.carried > 5 * 0.1 && first.touches > 0);
+
+                // others, created in another order
+                var other:PlatformGame = new PlatformGame(sGreatLand);
+                other.frame = 5;
+                other.agents.reverse();
+                other.agents.unshift(other.agents.pop());
+                if (!withTraits)
+                {
+                    other.putBack(places);
+                }
+                other.collision.restore(bytes, other.agents);
+                assertEquals("elsewhere " + withTraits, expected, other.run(6));
+
+                // the same, in the middle of a game
+                first.frame = 5;
+                if (!withTraits)
+                {
+                    first.putBack(places);
+                }
+                first.collision.restore(bytes, first.agents);
+                assertEquals("again " + withTraits, expected, first.run(6));
+            }
+        }
+
+        [Test]
+        public function theGroundIsThereIfItIsAskedFor():void
+        {
+            var collision:Collision = new Collision(new TightestFitCollider(sGreatLand));
+            collision.terrain = new Terrain(20, 20);
+            collision.terrain.setHeight(3, 3, 2);
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 3, 3, 1)];
+            var ends:int = 0;
+            collision.onCollisionEnd("turtles", Collision.TERRAIN, function(agent:Agent, ground:Agent):void
+                {
+                    ends++;
+                });
+            collision.update(agents);
+            var withGround:ByteArray = collision.snapshot(true);
+            var without:ByteArray = collision.snapshot(true, false);
+            assertTrue(without.length + " " + withGround.length, without.length < withGround.length - 8);
+            collision.terrain.setHeight(3, 3, 5);
+            agents[0].z = 9;
+            collision.restore(without, agents);
+            assertEquals(5, collision.terrain.heightAt(3, 3));
+            assertEquals(1, agents[0].z);
+            agents[0].z = 9;
+            collision.update(agents);
+            assertEquals("it touched the ground", 1, ends);
+            collision.restore(withGround, agents);
+            assertEquals(2, collision.terrain.heightAt(3, 3));
+            collision.terrain = null;
+            assertThrows(ArgumentError, /no snapshot of a Collision without ground/, collision.restore, without, agents);
+        }
+
+        [Test]
+        public function roundingFollowsTheListAndNotTheAge():void
+        {
+            var turned:int = 0;
+            for (var seed:int = 1; seed <= Effort.choose(60, 600); seed++)
+            {
+                var expected:Number = timeOfMeeting(seed, false, false);
+                assertEquals("seed " + seed, expected, timeOfMeeting(seed, true, false));
+                turned += expected == timeOfMeeting(seed, false, true) ? 0 : 1;
+            }
+            assertTrue("the other list rounds otherwise: " + turned, turned > 3);
+        }
+
+        // When two trees meet, or -1. Either may be the older one, and the first in the list.
+        private static function timeOfMeeting(seed:int, isSecondOlder:Boolean, isTurned:Boolean):Number
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var second:Agent = isSecondOlder ? new Agent("cylinder") : null;
+            var first:Agent = new Agent("sphere");
+            second ||= new Agent("cylinder");
+            first.sweeps = true;
+            for each (var agent:Agent in [first, second])
+            {
+                agent.setQuaternion(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+                agent.moveTo(random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.1, 0.1));
+            }
+            first.x -= 5;
+            var collision:Collision = new Collision(EachCollider.make("triangles", sGreatLand));
+            var time:Number = -1;
+            collision.onCollision("turtles", "turtles", function(a:Agent, b:Agent, contact:Contact):void
+                {
+                    time = contact.time;
+                });
+            var list:Vector.<Agent> = isTurned ? new <Agent>[second, first] : new <Agent>[first, second];
+            collision.update(list);
+            first.x += 5;
+            collision.update(list);
+            return time;
+        }
+
+        [Test]
+        public function aShapeChangedAfterTheFrameHasNoMotion():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var agents:Vector.<Agent> = new <Agent>[new Agent("sphere", "balls"), agentAt("sphere", 5, 0, 0)];
+            agents[0].sweeps = true;
+            var hits:int = 0;
+            collision.onCollision("balls", "turtles", function(ball:Agent, wall:Agent):void
+                {
+                    hits++;
+                });
+            collision.update(agents);
+            agents[0].shape = "cube";
+            var bytes:ByteArray = collision.snapshot(true);
+            agents[0].x = 20;
+            collision.update(agents);
+            assertEquals(0, hits);
+            collision.restore(bytes, agents);
+            agents[0].x = 20;
+            collision.update(agents);
+            assertEquals("after going back", 0, hits);
+        }
+
+        [Test]
+        public function badBytesChangeNothing():void
+        {
+            var game:PlatformGame = new PlatformGame(sGreatLand);
+            game.run(5);
+            var bytes:ByteArray = game.collision.snapshot(true);
+            var random:SeededRandom = new SeededRandom(7);
+            game.run(3);
+            var now:String = stateOf(game);
+            var refused:int = 0;
+            var taken:int = 0;
+            for (var i:int = 0; i < Effort.choose(120, 20000); i++)
+            {
+                var broken:ByteArray = new ByteArray();
+                broken.writeBytes(bytes, 0, i % 4 == 0 ? random.integer(0, bytes.length - 1) : bytes.length);
+                if (i % 4 == 1)
+                {
+                    broken.writeByte(random.integer(0, 255));
+                }
+                else if (i % 4 >= 2)
+                {
+                    var at:int = random.integer(0, bytes.length - 1);
+                    broken[at] ^= random.integer(1, 255);
+                    // the exponent of a number too
+                    broken[Math.min(bytes.length - 1, at + 1)] = random.pick([0x7F, 0xFF, 0]);
+                }
+                try
+                {
+                    game.collision.restore(broken, game.agents);
+                    taken++;
+                    game.collision.restore(bytes, game.agents);
+                    game.frame = 5;
+                    game.run(3);
+                }
+                catch (error:ArgumentError)
+                {
+                    refused++;
+                }
+                assertEquals("try " + i, now, stateOf(game));
+            }
+            assertTrue("refused " + refused + ", taken " + taken, refused > 60 && taken > 2);
+        }
+
+        [Test]
+        public function aModelThatIsNotThereChangesNothing():void
+        {
+            var game:PlatformGame = new PlatformGame(sGreatLand);
+            game.run(5);
+            var bytes:ByteArray = game.collision.snapshot(true);
+            var land:GreatLand = new GreatLand();
+            land.addModel(BuiltInModel.sphere());
+            var other:Collision = new Collision(new TightestFitCollider(land));
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            var random:SeededRandom = new SeededRandom(3);
+            for (var i:int = 0; i < game.agents.length; i++)
+            {
+                agents.push(randomAgent(random));
+                agents[i].shape = "sphere";
+            }
+            other.update(agents);
+            var before:String = textOf(agents) + hexOf(other.snapshot(true));
+            assertThrows(ArgumentError, /no model "cube"/, other.restore, bytes, agents);
+            assertEquals(before, textOf(agents) + hexOf(other.snapshot(true)));
+        }
+
+        // All that the game's next frames depend on.
+        private static function stateOf(game:PlatformGame):String
+        {
+            return textOf(game.agents) + hexOf(game.collision.snapshot(true));
+        }
+
+        private static function randomAgent(random:SeededRandom):Agent
+        {
+            var agent:Agent = new Agent(random.pick(["sphere", "cube", "cylinder"]), random.pick(["bears", "balls", "hasOwnProperty"]));
+            for (var i:int = 0; i < 6; i++)
+            {
+                change(agent, random);
+            }
+            return agent;
+        }
+
+        private static function change(agent:Agent, random:SeededRandom):void
+        {
+            var q:Vector.<Number> = agent.getQuaternion();
+            switch (random.integer(0, 13))
+            {
+                case 0:
+                    agent.setQuaternion(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+                    break;
+                case 1:
+                    agent.setQuaternion(q[0], q[1], q[2], q[3]);
+                    break;
+                case 2:
+                    agent.setQuaternion(-q[0], -q[1], -q[2], -q[3]);
+                    break;
+                case 3:
+                    agent.setMatrix(agent.transform);
+                    break;
+                case 4:
+                    agent.heading = random.between(-400, 400);
+                    break;
+                case 5:
+                    agent.roll = random.between(-400, 400);
+                    break;
+                case 6:
+                    agent.size = random.logBetween(1e-6, 1e6);
+                    break;
+                case 7:
+                    agent.color = random.pick([0, -0.5, 0xFFFFFF, 1e300]);
+                    break;
+                case 8:
+                    agent.sweeps = !agent.sweeps;
+                    agent.hierarchical = !agent.hierarchical;
+                    break;
+                case 9:
+                    agent.collideAs = random.pick(["tightest", "sphere", "box", "capsule"]);
+                    break;
+                case 10:
+                    agent.traversalDepth = random.integer(0, 9);
+                    break;
+                case 11:
+                    agent.breed = random.pick(["bears", "\u0436\u00e9", "x"]);
+                    break;
+                default:
+                    agent.moveTo(random.normal() * 1e3, random.between(-1e9, 1e9), random.normal());
+            }
+        }
+
+        private static function textOf(agents:Vector.<Agent>):String
+        {
+            var lines:Array = [];
+            for each (var a:Agent in agents)
+            {
+                lines.push([a.shape, a.breed, a.x, a.y, a.z, a.heading, a.pitch, a.roll, a.size, a.color, a.sweeps, a.hierarchical, a.traversalDepth,
+                            a.collideAs, a.getQuaternion(), a.transform.rawData].join(" "));
+            }
+            return lines.join("\n");
+        }
+
+        private static function hexOf(bytes:ByteArray):String
+        {
+            var text:Array = [];
+            for (var i:int = 0; i < bytes.length; i++)
+            {
+                text.push(bytes[i].toString(16));
+            }
+            return text.join();
+        }
+    }
+}
+
+import starlogo.GreatLand;
+import starlogo.agents.Agent;
+import starlogo.collision.Collision;
+import starlogo.collision.TightestFitCollider;
+import starlogo.queries.AgentQueries;
+import starlogo.queries.Footing;
+
+/** A ball on a platform that moves and turns, and one on the floor. */
+internal class PlatformGame
+{
+    public var collision:Collision;
+    public var agents:Vector.<Agent>;
+    public var frame:int = 0;
+    public var touches:int = 0;
+
+    // How far the ball on the platform has come along x.
+    public var carried:Number = 0;
+    private var _queries:AgentQueries;
+
+    public function PlatformGame(greatLand:GreatLand)
+    {
+        collision = new Collision(new TightestFitCollider(greatLand));
+        _queries = new AgentQueries(collision);
+        agents = new <Agent>[new Agent("sphere", "walkers"), new Agent("cube", "platforms"), new Agent("sphere", "walkers"), new Agent("cube", "floors")];
+        agents[1].moveTo(0, 0, -0.1);
+        agents[1].size = 1.5;
+        agents[0].moveTo(0.3, 0.2, 2);
+        agents[2].moveTo(9, 0.1, 0);
+        agents[3].size = 40;
+        agents[3].moveTo(0, 0, -40);
+        collision.onCollisionStart("platforms", Collision.ANY_BREED, countTouch);
+    }
+
+    public function run(frames:int):String
+    {
+        var log:Array = [];
+        for (var end:int = frame + frames; frame < end; frame++)
+        {
+            agents[1].x += 0.1;
+            agents[1].heading += 3;
+            _queries.update(agents);
+            var from:Number = agents[0].x;
+            for each (var walker:int in [0, 2])
+            {
+                var footing:Footing = _queries.walk(agents[walker], 0.001 * frame, 0.001);
+                log.push([frame, walker, footing.stands, agents.indexOf(footing.on), footing.part, agents[walker].x, agents[walker].y, agents[walker].z,
+                            agents[walker].heading].join(" "));
+            }
+            carried += agents[0].x - from;
+            collision.update(agents);
+        }
+        return log.join("\n");
+    }
+
+    // Touches are kept for handlers alone.
+    private function countTouch(platform:Agent, other:Agent):void
+    {
+        touches++;
+    }
+
+    /** The traits of the agents. */
+    public function traits():Array
+    {
+        var all:Array = [];
+        for each (var a:Agent in agents)
+        {
+            all.push([a.shape, a.breed, a.size, a.heading, a.x, a.y, a.z]);
+        }
+        return all;
+    }
+
+    /** Gives the agents these traits. */
+    public function putBack(traits:Array):void
+    {
+        for (var i:int = 0; i < traits.length; i++)
+        {
+            agents[i].shape = traits[i][0];
+            agents[i].breed = traits[i][1];
+            agents[i].size = traits[i][2];
+            agents[i].heading = traits[i][3];
+            agents[i].jumpTo(traits[i][4], traits[i][5], traits[i][6]);
+        }
+    }
+}

@@ -8,7 +8,7 @@
  * With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
  */
 import { spawnSync } from 'node:child_process';
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -31,14 +31,16 @@ function count(output, name) {
 const opensPages = (file) => /\/browsers?\.mjs['"]/.test(readFileSync(file, 'utf8'));
 
 const [summary, which] = process.argv.slice(2);
-const files = testsBelow(folder).sort().filter((file) => which !== 'pages' || opensPages(file));
+// what opens pages takes longest, the longer files before the others: then no long one is left alone at the end
+const weight = (file) => statSync(file).size + (opensPages(file) ? 1e9 : 0);
+const files = testsBelow(folder).sort((a, b) => weight(b) - weight(a)).filter((file) => which !== 'pages' || opensPages(file));
 if (which === 'pages' && missing) {
 	console.log(`tests of pages: ${missing}`);
 	writeFileSync(summary, `0 passed, 0 failed, ${files.length} skipped\n`);
 	process.exit();
 }
-// as many files at once as there are processors: Node by itself leaves one processor free
-const run = spawnSync(process.execPath, ['--test', `--test-concurrency=${availableParallelism()}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
+// one file more at once than there are processors: pages wait now and then
+const run = spawnSync(process.execPath, ['--test', `--test-concurrency=${availableParallelism() + 1}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
 const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);
 if (failed > 0) {

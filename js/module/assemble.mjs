@@ -9,12 +9,15 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
 const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
 
-/** Translates the compiler's output in a folder. */
-export function translate(folder, signatures, externals = {}, hasAllStatics = false) {
-	const files = readdirSync(folder, { recursive: true })
-		.filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b/.test(file))
-		.sort()
-		.map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
+/**
+ * Translates the compiler's output in a folder.
+ *
+ * @param roots the names of the classes to take, with all that they use; the folder may have others. If there are none, all
+ */
+export function translate(folder, signatures, { externals = {}, hasAllStatics = false, roots = null } = {}) {
+	const names = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b/.test(file));
+	const all = names.sort().map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
+	const files = roots === null ? all : reachable(all, roots);
 	const own = Object.fromEntries(Object.entries(EXTERNALS).map(([qname, [, name]]) => [qname, name]));
 	return new Program(files, { ...own, ...externals }, signatures, hasAllStatics);
 }
@@ -22,4 +25,18 @@ export function translate(folder, signatures, externals = {}, hasAllStatics = fa
 /** The text of the stand-ins. */
 export function standinsText() {
 	return FILES.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^export /gm, "")).join("\n");
+}
+
+/** The files of some classes, and of all that these use, as the compiler says in each. */
+function reachable(all, roots) {
+	const byName = new Map(all.map((each) => [each.file.slice(0, -3).replaceAll(/[\\/]/g, "."), each]));
+	const found = new Set();
+	const open = [...roots];
+	while (open.length > 0) {
+		const each = byName.get(open.pop());
+		if (!each || found.has(each)) continue;
+		found.add(each);
+		for (const [, listed, required] of each.source.matchAll(/Dependency List: ([^*]*)\*\/|^goog\.require\('([^']*)'\)/gm)) open.push(...(listed ?? required).trim().split(","));
+	}
+	return all.filter((each) => found.has(each));
 }

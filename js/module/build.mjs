@@ -2,20 +2,22 @@
 /**
  * Writes the npm package of the engine.
  *
- * node js/module/build.mjs TRANSPILED OUT TRANSPILED is the output of Apache's compiler
+ * node js/module/build.mjs TRANSPILED OUT
+ *
+ * TRANSPILED is the output of Apache's compiler. It may have more than the engine: only what the public classes use is taken.
  */
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
 import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
-import { ROOT, publicSignatures } from "./names.mjs";
+import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
 
 const types = publicSignatures();
-const program = translate(transpiled, types);
+const program = translate(transpiled, types, { roots: moduleRoots() });
 const classes = program.text();
 const lost = /\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);

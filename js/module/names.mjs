@@ -60,3 +60,6 @@ export function publicSignatures() {
 	const own = [...types.keys()].filter((qname) => qname.startsWith("starlogo.") && !qname.startsWith(AWAY3D) && !types.get(qname).isPrivate && !LEFT_OUT.has(qname));
 	return new Map([...own, ...FROM_FLASH].map((qname) => [qname, types.get(qname)]));
 }
+
+/** The classes that the module consists of, with all that they use. */
+export const moduleRoots = () => [...publicSignatures().keys(), "standin.Machine"];

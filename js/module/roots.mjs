@@ -6,13 +6,12 @@
  */
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { AWAY3D, ROOT, publicSignatures } from "./names.mjs";
+import { AWAY3D, ROOT, moduleRoots } from "./names.mjs";
 
 const [folder, withTests] = process.argv.slice(2);
 const LANGUAGE = "org.apache.royale.utils.Language";
 
-const names = [...publicSignatures().keys()];
-names.push("standin.Machine", LANGUAGE);
+const names = [...moduleRoots(), LANGUAGE];
 if (withTests) {
 	// Some tests compare the stand-ins with Flash's own classes or need Away3D. Both are missing here.
 	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));

@@ -6,9 +6,8 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { strFromU8, unzipSync } from 'fflate';
-import { chromium } from 'playwright-core';
 import { NAME, ROOT, VERSION, inRoot } from '../../build/dist/project.mjs';
-import { PATIENCE } from '../headless/browsers.mjs';
+import { PATIENCE, launch } from '../headless/browsers.mjs';
 import { readSwf } from '../headless/swf.mjs';
 import { play } from '../headless/player.mjs';
 import { serve } from '../headless/server.mjs';
@@ -91,13 +90,12 @@ test('nothing of others is in the SWCs', () => {
 
 let browser;
 before(async () => {
-	browser = await chromium.launch({ executablePath: chrome, args: ['--no-sandbox'], timeout: PATIENCE });
+	browser = await launch();
 });
 after(() => browser.close());
 
 test('the pages of both APIs open as files without script errors', async () => {
 	const page = await browser.newPage();
-	page.setDefaultTimeout(PATIENCE);
 	const errors = [];
 	page.on('pageerror', (error) => errors.push(String(error)));
 	const open = (name) => page.goto(pathToFileURL(path.join(folder, 'docs', name)).href, { waitUntil: 'load' });
@@ -129,8 +127,7 @@ test('the example client compiles against the SWC alone, and runs', async () => 
 test('the example page runs on the module alone', async () => {
 	const server = await serve(null, { '': folder });
 	try {
-		const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
-		page.setDefaultTimeout(PATIENCE);
+		const page = await browser.newPage({ viewport: { width: 600, height: 480 } });
 		const said = [];
 		page.on('console', (message) => said.push(message.text()));
 		page.on('pageerror', (error) => said.push(String(error)));

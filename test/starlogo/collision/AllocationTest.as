@@ -30,7 +30,7 @@ package starlogo.collision
         // frames in which all turn about once, an even number: then they are where they were
         private static const TURN:int = 12;
 
-        private var _frames:int = Garbage.isCounted ? 1000 : 8 * TURN;
+        private var _frames:int = Garbage.isCounted ? 1000 : 4 * TURN;
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
 

@@ -19,7 +19,9 @@ package growth
         public static function get all():Array
         {
             return [
-                    new GrowthRow("agents: handlers of breeds", "breeds", 25, 64000, beginHandlers),
+                    new GrowthRow("agents: handlers of breeds", "breeds", 25, 64000, beginHandlers(addNeighbours)),
+                    new GrowthRow("agents: handlers of one breed and each other", "breeds", 25, 64000, beginHandlers(addOfOne)),
+                    new GrowthRow("agents: handlers of each breed and any", "breeds", 25, 64000, beginHandlers(addAny)),
                     new GrowthRow("agents: handlers of breeds added and taken out", "breeds", 25, 8000, beginRemoved),
                     new GrowthRow("agents: models", "models", 25, 16000, beginModels),
                     new GrowthRow("agents: a frame", "agents", 100, 200000, beginMoving("ball", false, false)),
@@ -36,25 +38,44 @@ package growth
                     new GrowthRow("agents: hierarchies of rows", "vertices", 200, 40000, beginHierarchies)];
         }
 
-        // A handler for each breed, and one frame with an agent of each.
-        private static function beginHandlers(n:int, row:GrowthRow):Function
+        // A handler for each breed, and one frame with an agent of each. The agent of the first breed touches all others.
+        private static function beginHandlers(add:Function):Function
         {
-            var greatLand:GreatLand = GrowthGame.land();
-            var agents:Vector.<Agent> = new Vector.<Agent>();
-            for (var i:int = 0; i < n; i++)
+            return function(n:int, row:GrowthRow):Function
             {
-                agents.push(GrowthGame.agentAt("ball", "growth" + i, 2 * i, 0));
-            }
-            return function():Object
-            {
-                var collision:Collision = new Collision(new BinCollider(greatLand));
-                for (var k:int = 1; k < n; k++)
+                var greatLand:GreatLand = GrowthGame.land();
+                var agents:Vector.<Agent> = new Vector.<Agent>();
+                for (var i:int = 0; i < n; i++)
                 {
-                    collision.onCollision("growth" + (k - 1), "growth" + k, pass);
+                    agents.push(GrowthGame.agentAt("ball", "growth" + i, 2 * i, 0));
                 }
-                collision.update(agents);
-                return collision;
+                agents[0].size = 4 * n;
+                return function():Object
+                {
+                    var collision:Collision = new Collision(new BinCollider(greatLand));
+                    for (var k:int = 1; k < n; k++)
+                    {
+                        add(collision, k);
+                    }
+                    collision.update(agents);
+                    return collision;
+                };
             };
+        }
+
+        private static function addNeighbours(collision:Collision, k:int):void
+        {
+            collision.onCollision("growth" + (k - 1), "growth" + k, pass);
+        }
+
+        private static function addOfOne(collision:Collision, k:int):void
+        {
+            collision.onCollision("growth0", "growth" + k, pass);
+        }
+
+        private static function addAny(collision:Collision, k:int):void
+        {
+            collision.onCollision("growth" + k, Collision.ANY_BREED, pass);
         }
 
         // All handlers are there at once, and then none is.

@@ -39,17 +39,18 @@ package starlogo.handlers
         /** Whether it takes a contact, or may read one as a further argument: see mayTakeMore. */
         public var takesContact:Boolean;
 
-        /** Its place among the handlers of its HandlerTable, in the order of calls. */
-        public var order:Number = 0;
+        /** Its number among the handlers of a Collision, in the order in which they were added. */
+        public var order:int;
 
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
         /** Creates the handler of a pair of breeds. */
-        public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function)
+        public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function, order:int)
         {
             this.kind = kind;
             this.handler = handler;
+            this.order = order;
             breedNumber = BreedInterests.numberOf(breed);
             otherNumber = BreedInterests.numberOf(otherBreed);
             takesContact = handler.length >= 3 || mayTakeMore(handler);

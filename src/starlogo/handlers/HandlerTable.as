@@ -15,30 +15,35 @@ package starlogo.handlers
      */
     public final class HandlerTable
     {
-        private static const NONE:PairHandlers = new PairHandlers(new <CollisionHandler>[], new <CollisionHandler>[]);
-
         private static const LEAST_SLOTS:int = 64;
 
         // The factor of the first breed in the hash of a pair: an odd number, so that pairs of neighbouring numbers have slots of their own.
         private static const SPREAD:int = 40503;
 
         /** The pairs of breeds that have handlers. */
-        public var interests:BreedInterests;
+        public var interests:BreedInterests = new BreedInterests();
 
         /** True if no handler takes contacts and no handler is for starts or ends. */
-        public var isPlain:Boolean;
+        public var isPlain:Boolean = true;
 
-        // All handlers, in the order in which they were added. How many of them the table has; -1 after one was removed.
-        private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
-        private var _count:int = -1;
-
-        // By the number of the collider's breed: its handlers.
-        private var _ofBreeds:Vector.<Vector.<CollisionHandler>>;
-
-        // The handlers of the pairs of breeds that were asked for since the last handler was added: a hash table with open addressing, at most half
-        // full. Its memory is in proportion to the pairs that meet.
+        // The pairs of breeds that have handlers, or that have met. A hash table with open addressing finds them; it is at most half full. A pair
+        // of an older revision gets its handlers anew.
         private var _pairs:Vector.<PairHandlers>;
-        private var _pairCount:int = 0;
+        private var _slots:Vector.<PairHandlers>;
+        private var _revision:int = 0;
+
+        // The handlers that came after the last frame began, and whether one was removed since then. How many were ever added, and how many of
+        // them the frame knows.
+        private var _added:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+        private var _isOneRemoved:Boolean = false;
+        private var _count:int = 0;
+        private var _knownCount:int = 0;
+
+        /** Creates an empty table. */
+        public function HandlerTable()
+        {
+            fill(new Vector.<PairHandlers>(), LEAST_SLOTS);
+        }
 
         /**
          * Adds a handler of a kind.
@@ -48,7 +53,8 @@ package starlogo.handlers
         public function add(kind:int, breed:String, otherBreed:String, handler:Function):void
         {
             require(breed, otherBreed, handler);
-            _handlers.push(new CollisionHandler(kind, breed, otherBreed, handler));
+            enter(new CollisionHandler(kind, breed, otherBreed, handler, _count));
+            _count++;
         }
 
         /** See Collision.removeHandler. */
@@ -60,16 +66,12 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var number:int = BreedInterests.numberOf(breed);
-            var otherNumber:int = BreedInterests.numberOf(otherBreed);
-            for (var i:int = 0; i < _handlers.length; i++)
+            var pair:PairHandlers = _slots[slotOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed))];
+            for each (var added:CollisionHandler in pair == null ? null : pair.added)
             {
-                var added:CollisionHandler = _handlers[i];
-                if (added.breedNumber == number && added.otherNumber == otherNumber && added.handler == handler && (kind == null || added.kind == wanted))
+                if (!added.isRemoved && added.handler == handler && (kind == null || added.kind == wanted))
                 {
-                    added.isRemoved = true;
-                    _handlers.splice(i, 1);
-                    _count = -1;
+                    added.isRemoved = _isOneRemoved = true;
                     return true;
                 }
             }
@@ -79,34 +81,34 @@ package starlogo.handlers
         /** Removes all handlers. */
         public function clear():void
         {
-            for (var i:int = 0; i < _handlers.length; i++)
+            for each (var pair:PairHandlers in _pairs)
             {
-                _handlers[i].isRemoved = true;
+                for each (var added:CollisionHandler in pair.added)
+                {
+                    added.isRemoved = _isOneRemoved = true;
+                }
             }
-            _handlers.length = 0;
-            _count = -1;
         }
 
         /** Begins a frame: takes the handlers as they are now. */
         public function begin():void
         {
-            if (_count == _handlers.length)
+            if (_isOneRemoved)
+            {
+                startAgain();
+            }
+            if (_added.length == 0)
             {
                 return;
             }
-            if (_count < 0)
+            for each (var handler:CollisionHandler in _added)
             {
-                _count = 0;
-                isPlain = true;
-                interests = new BreedInterests();
-                _ofBreeds = new Vector.<Vector.<CollisionHandler>>();
+                interests.addNumbers(handler.breedNumber, handler.otherNumber);
+                isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
             }
-            for (; _count < _handlers.length; _count++)
-            {
-                enter(_handlers[_count]);
-            }
-            _pairs = new Vector.<PairHandlers>(LEAST_SLOTS, true);
-            _pairCount = 0;
+            _added.length = 0;
+            _knownCount = _count;
+            _revision++;
         }
 
         /**
@@ -117,83 +119,119 @@ package starlogo.handlers
          */
         public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            var pairs:Vector.<PairHandlers> = _pairs;
-            var last:int = pairs.length - 1;
+            // slotOf() as a loop here, because one more call for each pair takes a tenth of a frame in Adobe's VM
+            var slots:Vector.<PairHandlers> = _slots;
+            var last:int = slots.length - 1;
             var slot:int = breed * SPREAD + otherBreed & last;
-            var found:PairHandlers = pairs[slot];
+            var found:PairHandlers = slots[slot];
             while (found != null)
             {
                 if (found.breed == breed && found.otherBreed == otherBreed)
                 {
-                    return found;
+                    return found.revision == _revision ? found : find(found);
                 }
                 slot = slot + 1 & last;
-                found = pairs[slot];
+                found = slots[slot];
             }
-            return find(breed, otherBreed, slot);
+            return find(pairOf(breed, otherBreed));
         }
 
-        // Finds the handlers of a pair that is not in the table. Puts them into a free slot.
-        private function find(breed:int, otherBreed:int, slot:int):PairHandlers
+        // Finds the handlers of a pair, as they were when the frame began.
+        private function find(pair:PairHandlers):PairHandlers
         {
-            var index:int = interests.indexOfNumber(breed);
-            var otherIndex:int = interests.indexOfNumber(otherBreed);
-            if (!interests.includes(index, otherIndex))
-            {
-                return NONE;
-            }
-            if (2 * (_pairCount + 1) > _pairs.length)
-            {
-                // a larger table begins empty: pairs that are asked for again are found again
-                _pairs = new Vector.<PairHandlers>(2 * _pairs.length, true);
-                _pairCount = 0;
-                slot = breed * SPREAD + otherBreed & _pairs.length - 1;
-            }
-            var found:PairHandlers = new PairHandlers(between(index, otherIndex), between(otherIndex, index));
-            found.breed = breed;
-            found.otherBreed = otherBreed;
-            _pairs[slot] = found;
-            _pairCount++;
-            return found;
-        }
-
-        private function enter(handler:CollisionHandler):void
-        {
-            interests.addNumbers(handler.breedNumber, handler.otherNumber);
-            handler.order = handler.kind * int.MAX_VALUE + _count;
-            isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
-            if (_ofBreeds.length < interests.breedCount)
-            {
-                _ofBreeds.length = interests.breedCount;
-            }
-            if (_ofBreeds[handler.breedNumber] == null)
-            {
-                _ofBreeds[handler.breedNumber] = new Vector.<CollisionHandler>();
-            }
-            _ofBreeds[handler.breedNumber].push(handler);
+            pair.setHandlers(between(pair.breed, pair.otherBreed), between(pair.otherBreed, pair.breed));
+            pair.revision = _revision;
+            return pair;
         }
 
         // The handlers whose collider is of the first breed and whose collidee is of the second, in the order of their calls.
         private function between(breed:int, otherBreed:int):Vector.<CollisionHandler>
         {
-            var isOfAgents:Boolean = !Breeds.isReserved(otherBreed);
             var found:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             for each (var number:int in breed > Breeds.ANY ? [breed, Breeds.ANY] : [breed])
             {
-                var handlers:Vector.<CollisionHandler> = _ofBreeds[number];
-                for (var i:int = 0; handlers != null && i < handlers.length; i++)
+                for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
                 {
-                    var other:int = handlers[i].otherNumber;
-                    if (other == otherBreed || isOfAgents && other == Breeds.ANY)
+                    var pair:PairHandlers = _slots[slotOf(number, other)];
+                    for each (var handler:CollisionHandler in pair == null ? null : pair.added)
                     {
-                        found.push(handlers[i]);
+                        if (handler.order < _knownCount)
+                        {
+                            found.push(handler);
+                        }
                     }
                 }
             }
             return found.sort(function(a:CollisionHandler, b:CollisionHandler):Number
                 {
-                    return a.order - b.order;
+                    return a.kind == b.kind ? a.order - b.order : a.kind - b.kind;
                 });
+        }
+
+        private function enter(handler:CollisionHandler):void
+        {
+            _added.push(handler);
+            pairOf(handler.breedNumber, handler.otherNumber).added.push(handler);
+        }
+
+        // Begins an empty table with the handlers that are not removed.
+        private function startAgain():void
+        {
+            var pairs:Vector.<PairHandlers> = _pairs;
+            fill(new Vector.<PairHandlers>(), LEAST_SLOTS);
+            interests = new BreedInterests();
+            isPlain = true;
+            _isOneRemoved = false;
+            _added.length = 0;
+            for each (var pair:PairHandlers in pairs)
+            {
+                for each (var handler:CollisionHandler in pair.added)
+                {
+                    if (!handler.isRemoved)
+                    {
+                        enter(handler);
+                    }
+                }
+            }
+        }
+
+        // A pair in the table. A new pair has no handlers yet.
+        private function pairOf(breed:int, otherBreed:int):PairHandlers
+        {
+            var slot:int = slotOf(breed, otherBreed);
+            if (_slots[slot] != null)
+            {
+                return _slots[slot];
+            }
+            var pair:PairHandlers = _slots[slot] = new PairHandlers(breed, otherBreed);
+            _pairs.push(pair);
+            if (2 * _pairs.length > _slots.length)
+            {
+                fill(_pairs, 2 * _slots.length);
+            }
+            return pair;
+        }
+
+        private function fill(pairs:Vector.<PairHandlers>, slotCount:int):void
+        {
+            _pairs = pairs;
+            _slots = new Vector.<PairHandlers>(slotCount, true);
+            for each (var pair:PairHandlers in pairs)
+            {
+                _slots[slotOf(pair.breed, pair.otherBreed)] = pair;
+            }
+        }
+
+        // The slot of a pair, or the free slot where it belongs.
+        private function slotOf(breed:int, otherBreed:int):int
+        {
+            var last:int = _slots.length - 1;
+            var slot:int = breed * SPREAD + otherBreed & last;
+            while (_slots[slot] != null && (_slots[slot].breed != breed || _slots[slot].otherBreed != otherBreed))
+            {
+                slot = slot + 1 & last;
+            }
+            return slot;
         }
 
         private static function require(breed:String, otherBreed:String, handler:Function):void

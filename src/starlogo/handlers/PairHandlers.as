@@ -9,10 +9,16 @@ package starlogo.handlers
     public final class PairHandlers
     {
         /** The number of the first agent's breed. */
-        public var breed:int = -1;
+        public var breed:int;
 
         /** The number of the second agent's breed. */
-        public var otherBreed:int = -1;
+        public var otherBreed:int;
+
+        /** The handlers that were added for just these two breeds, the first one as the collider. */
+        public var added:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+
+        /** The revision of the HandlerTable in which the members below were set; at first, none. */
+        public var revision:int = -1;
 
         /** The handlers of all kinds. */
         public var handlers:Vector.<CollisionHandler>;
@@ -21,19 +27,29 @@ package starlogo.handlers
         public var forwardCount:int;
 
         /** Whether any handler takes the contact of a touch. */
-        public var takesContacts:Boolean = false;
+        public var takesContacts:Boolean;
 
         /** Whether any handler is for starts or ends of touches. */
-        public var tracksTouches:Boolean = false;
+        public var tracksTouches:Boolean;
+
+        /** Creates a pair of two breeds without handlers. */
+        public function PairHandlers(breed:int, otherBreed:int)
+        {
+            this.breed = breed;
+            this.otherBreed = otherBreed;
+        }
 
         /**
+         * Sets what is called for the two.
+         *
          * @param forward the handlers whose collider is the first agent
          * @param back the handlers whose collider is the second agent
          */
-        public function PairHandlers(forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>)
+        public function setHandlers(forward:Vector.<CollisionHandler>, back:Vector.<CollisionHandler>):void
         {
             handlers = forward.concat(back);
             forwardCount = forward.length;
+            takesContacts = tracksTouches = false;
             for each (var handler:CollisionHandler in handlers)
             {
                 takesContacts ||= handler.takesContact && handler.kind != CollisionHandler.END;

@@ -23,27 +23,21 @@ package starlogo.search
         /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
-        // A page has a bit for each of 1,024 numbers, so its place in a row is the number without its last ten bits. Most pages are empty, and
-        // all empty ones are this one. So the memory hardly grows with the square of the number of breeds.
-        private static const EMPTY:Vector.<int> = new Vector.<int>(32, true);
+        // By number: the numbers that make a pair with it. Null for a breed that no pair names, and for ANY until a pair has ANY_BREED. ANY is a
+        // member like the others, so a breed with ANY_BREED costs no more than a breed with one other.
+        private var _partners:Vector.<NumberSet> = new Vector.<NumberSet>(Breeds.ANY + 1);
 
-        // By number: its row of _pageCount pages, with a bit for each other number: whether the two are of interest. The row is null for a breed
-        // that no pair names, and for ANY until a pair has ANY_BREED.
-        private var _bits:Vector.<Vector.<Vector.<int>>> = new Vector.<Vector.<Vector.<int>>>(Breeds.ANY + 1);
-        private var _pageCount:int = 1;
-
-        // The numbers that have bits. How many of them are breeds of agents, and how many pairs of these are of interest.
-        private var _numbers:Vector.<int> = new Vector.<int>();
+        // How many breeds of agents the pairs name, and how many pairs are of two of these.
         private var _agentBreeds:int = 0;
         private var _agentPairs:int = 0;
 
         /** By row of the table that was read last: the number of its breed, or -1. */
         internal var ofRows:Vector.<int> = new Vector.<int>();
 
-        /** All numbers of breeds are less than this. It grows when a pair is added. */
+        /** All numbers of breeds in pairs are less than this. It grows when a pair is added. */
         public function get breedCount():int
         {
-            return _bits.length;
+            return _partners.length;
         }
 
         /**
@@ -62,11 +56,18 @@ package starlogo.search
         {
             enter(number);
             enter(other);
-            if (!hasBit(number, other))
+            if (!_partners[number].has(other))
             {
-                markWith(number, other);
+                _partners[number].add(other);
+                if (number != other)
+                {
+                    _partners[other].add(number);
+                }
+                _agentPairs += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
             }
-            areAll = 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
+            // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
+            var any:NumberSet = _partners[Breeds.ANY];
+            areAll = any == null ? 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1) : any.has(Breeds.ANY);
         }
 
         /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
@@ -78,7 +79,14 @@ package starlogo.search
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            return isEntered(index) && isEntered(otherIndex) && hasBit(index, otherIndex);
+            if (!isEntered(index) || !isEntered(otherIndex))
+            {
+                return false;
+            }
+            var isOfAgents:Boolean = !Breeds.isReserved(index);
+            var isOtherOfAgents:Boolean = !Breeds.isReserved(otherIndex);
+            return _partners[index].has(otherIndex) || isOfAgents && isOtherOfAgents && areAll ||
+                isOtherOfAgents && _partners[index].has(Breeds.ANY) || isOfAgents && _partners[otherIndex].has(Breeds.ANY);
         }
 
         /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */
@@ -94,7 +102,7 @@ package starlogo.search
             {
                 return breed;
             }
-            return _bits[Breeds.ANY] == null || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
+            return _partners[Breeds.ANY] == null || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
         }
 
         /**
@@ -106,8 +114,8 @@ package starlogo.search
         internal function read(table:AgentTable):int
         {
             var agents:Vector.<Agent> = table.agents;
-            var bits:Vector.<Vector.<Vector.<int>>> = _bits;
-            var others:int = bits[Breeds.ANY] == null ? -1 : Breeds.ANY;
+            var partners:Vector.<NumberSet> = _partners;
+            var others:int = partners[Breeds.ANY] == null ? -1 : Breeds.ANY;
             if (others == Breeds.ANY && areAll && agents[RowList.GROUND] == null && agents[RowList.EDGES] == null)
             {
                 return 0;
@@ -122,7 +130,7 @@ package starlogo.search
                 numbers[fixture] = agents[fixture] == null ? -1 : indexOfNumber(agents[fixture].breedNumber);
             }
             var rows:Vector.<int> = table.rows;
-            var known:int = bits.length;
+            var known:int = partners.length;
             var end:int = table.count;
             var outside:int = others < 0 ? 1 : 0;
             var outsiders:int = 0;
@@ -130,7 +138,7 @@ package starlogo.search
             {
                 var row:int = rows[i];
                 var number:int = agents[row].breedNumber;
-                if (number >= known || bits[number] == null)
+                if (number >= known || partners[number] == null)
                 {
                     number = others;
                     outsiders += outside;
@@ -151,13 +159,29 @@ package starlogo.search
         internal function keepOfInterest(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var numbers:Vector.<int> = ofRows;
-            var pages:Vector.<Vector.<int>> = _bits[numbers[row]];
+            var own:int = numbers[row];
+            var any:NumberSet = _partners[Breeds.ANY];
+            if (any != null && any.has(own))
+            {
+                return count;
+            }
+            // ANY_BREED does not stand for the ground or the edges
+            any = Breeds.isReserved(own) ? null : any;
+            var partners:Vector.<int> = _partners[own].slots;
+            var last:int = partners.length - 1;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
                 var number:int = numbers[rows[other]];
-                if ((pages[number >> 10][number >> 5 & 31] & 1 << number) != 0)
+                var slot:int = (number ^ number >> 10) & last;
+                var there:int = partners[slot];
+                while (there != number && there != NumberSet.FREE)
+                {
+                    slot = slot + 1 & last;
+                    there = partners[slot];
+                }
+                if (there == number || any != null && any.has(number))
                 {
                     others[kept] = other;
                     kept++;
@@ -168,92 +192,21 @@ package starlogo.search
 
         private function isEntered(number:int):Boolean
         {
-            return number >= 0 && number < _bits.length && _bits[number] != null;
+            return number >= 0 && number < _partners.length && _partners[number] != null;
         }
 
-        // Gives a number its bits.
         private function enter(number:int):void
         {
-            if (isEntered(number))
+            if (number >= _partners.length)
             {
-                return;
+                // room for all breeds at once, because Adobe's VM copies a vector whenever its length is set
+                _partners.length = Breeds.count;
             }
-            if (number >= _bits.length)
+            if (_partners[number] == null)
             {
-                _bits.length = number + 1;
+                _partners[number] = new NumberSet();
+                _agentBreeds += number > Breeds.ANY ? 1 : 0;
             }
-            while (number >> 10 >= _pageCount)
-            {
-                _pageCount *= 2;
-                for each (var named:int in _numbers)
-                {
-                    widen(_bits[named]);
-                }
-            }
-            _bits[number] = new Vector.<Vector.<int>>();
-            widen(_bits[number]);
-            _numbers.push(number);
-            if (Breeds.isReserved(number))
-            {
-                return;
-            }
-            _agentBreeds++;
-            // until now the breed was one of the others
-            for (var i:int = 0; _bits[Breeds.ANY] != null && i < _numbers.length; i++)
-            {
-                if (hasBit(Breeds.ANY, _numbers[i] == number ? Breeds.ANY : _numbers[i]))
-                {
-                    mark(number, _numbers[i]);
-                }
-            }
-        }
-
-        // Marks a pair of numbers. Breeds.ANY stands for all breeds of agents.
-        private function markWith(number:int, other:int):void
-        {
-            for each (var i:int in number == Breeds.ANY ? _numbers : new <int>[number])
-            {
-                for each (var k:int in other == Breeds.ANY ? _numbers : new <int>[other])
-                {
-                    if ((i == number || !Breeds.isReserved(i)) && (k == other || !Breeds.isReserved(k)))
-                    {
-                        mark(i, k);
-                    }
-                }
-            }
-        }
-
-        private function mark(number:int, other:int):void
-        {
-            if (!hasBit(number, other))
-            {
-                setBit(_bits[number], other);
-                setBit(_bits[other], number);
-                _agentPairs += !Breeds.isReserved(number) && !Breeds.isReserved(other) ? 1 : 0;
-            }
-        }
-
-        private function widen(pages:Vector.<Vector.<int>>):void
-        {
-            while (pages.length < _pageCount)
-            {
-                pages.push(EMPTY);
-            }
-        }
-
-        private function hasBit(number:int, other:int):Boolean
-        {
-            return (_bits[number][other >> 10][other >> 5 & 31] & 1 << other) != 0;
-        }
-
-        private static function setBit(pages:Vector.<Vector.<int>>, other:int):void
-        {
-            var page:int = other >> 10;
-            if (pages[page] == EMPTY)
-            {
-                pages[page] = new Vector.<int>(32, true);
-            }
-            pages[page][other >> 5 & 31] |= 1 << other;
         }
     }
 }

@@ -44,6 +44,26 @@ package starlogo.search
             assertTrue(including + " pairs", including > 5000);
         }
 
+        [Test]
+        public function mayBeThousands():void
+        {
+            var interests:BreedInterests = new BreedInterests();
+            var names:Array = [];
+            for (var i:int = 0; i < 3000; i++)
+            {
+                names.push("many " + i);
+                interests.add(names[i], names[i - i % 64]);
+                interests.add(names[i], names[0]);
+            }
+            for (i = 0; i < 20000; i++)
+            {
+                var a:int = _random.chance(0.2) ? 0 : _random.integer(0, 2999);
+                var b:int = _random.chance(0.5) ? a - a % 64 : _random.integer(0, 2999);
+                var expected:Boolean = a == 0 || b == 0 || a - a % 64 == b || b - b % 64 == a;
+                assertEquals(a + ", " + b, expected, interests.includes(interests.indexOf(names[a]), interests.indexOf(names[b])));
+            }
+        }
+
         // In some games only a few breeds are named.
         private function anyName(game:int):String
         {

@@ -472,7 +472,8 @@ package starlogo.queries
 
         /**
          * The first agent that an agent would touch on a straight way from its present place. In <code>moveUntilTouch()</code> it would be
-         * stopped by the same agent at the same time. Nothing moves.
+         * stopped by the same agent at the same time, up to rounding. <code>castShape()</code> of the agent's sphere, box or capsule gives the
+         * same answer, to the last bit. Nothing moves.
          *
          * @param agent the agent that is cast. It is never in the answer
          * @param dx how far along x, in patches
@@ -486,7 +487,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter, hit);
+            return ask.moves.cast(agent, _seen.bodyOfGoing(agent), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -507,7 +508,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter, out);
+            return ask.moves.castAll(agent, _seen.bodyOfGoing(agent), dx, dy, dz, filter, out);
         }
 
         /**

@@ -201,6 +201,21 @@ package starlogo.queries
             return bodyOf(agent);
         }
 
+        /**
+         * The body of an agent that goes straight on. A sphere, box or capsule becomes the body of a structure, so that an agent and the same
+         * structure meet the same, to the last bit.
+         */
+        public function bodyOfGoing(agent:Agent):Body
+        {
+            var body:Body = bodyOfMoving(agent);
+            if (body.shape == null || body.form >= ModelShape.TREE)
+            {
+                return body;
+            }
+            other.readPlaced(body);
+            return other;
+        }
+
         /** The body that an agent would have at a place. */
         public function bodyAt(agent:Agent, x:Number, y:Number, z:Number):Body
         {

@@ -63,11 +63,12 @@ package starlogo.search
         private var _kept:Placement;
 
         // The structure in the world, and whether it is at the place; the structures that are tested before it; by kind, structures of other shapes
-        // that the body had; and the shapes for structures that belong to no model.
+        // that the body had; the shapes for structures that belong to no model; and such structures of other bodies, by kind.
         private var _placed:BoundingStructure = null;
         private var _isPlaced:Boolean = false;
         private var _spares:Vector.<BoundingStructure> = null;
         private var _ownShapes:Vector.<ModelShape> = null;
+        private var _worlds:Vector.<BoundingStructure> = null;
 
         /** Begins without a shape. */
         public function Body()
@@ -130,6 +131,22 @@ package starlogo.search
             structure.turnedExtentsInto(UPRIGHT, found);
             requireInWorld("half of a structure's length", found[3], found[4], found[5]);
             requireInWorld("a structure's middle", found[0], found[1], found[2]);
+            takeStructure(structure);
+        }
+
+        /** Becomes the body of the structure that another body is in the world, without its margin. */
+        public function readPlaced(whole:Body):void
+        {
+            _worlds ||= new Vector.<BoundingStructure>(3, true);
+            var world:BoundingStructure = _worlds[whole.form] = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
+            world.turnedExtentsInto(UPRIGHT, sExtents);
+            takeStructure(world);
+        }
+
+        // Takes a structure in the world. Its extents have been found.
+        private function takeStructure(structure:BoundingStructure):void
+        {
+            var found:Vector.<Number> = sExtents;
             _ownShapes ||= new Vector.<ModelShape>(3, true);
             var own:ModelShape = _ownShapes[structure.kind];
             if (own == null)

@@ -17,6 +17,7 @@ package starlogo.queries
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
     import starlogo.collision.Contact;
+    import starlogo.geometry.Placement;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.Complaints;
@@ -66,6 +67,8 @@ package starlogo.queries
             _wrong = new Complaints();
         }
 
+        private static const SAME:Number = 1e-9;
+
         [Test]
         public function agentsAreCastAsTheyMove():void
         {
@@ -99,10 +102,11 @@ package starlogo.queries
                         continue;
                     }
                     stopped++;
-                    assertEquals(name + ": time", part, hit.time);
-                    assertTrue(name + ": point and normal", hit.point.equals(contact.point) && hit.normal.equals(contact.normal));
+                    // the cast is of a structure, whose place is rounded otherwise than the agent's
+                    assertTrue(name + ": time", Math.abs(part - hit.time) < SAME);
+                    assertTrue(name + ": normal", Vector3D.distance(hit.normal, contact.normal) < SAME);
                     assertTrue(name + ": approach", Math.abs(contact.approachSpeed + Math.min(0, way.dotProduct(contact.normal))) < 1e-12);
-                    assertEquals(name + ": the first of all", hits[0].time, part);
+                    assertEquals(name + ": the first of all", hits[0].time, hit.time);
                     assertStrictlyEquals(name + ": the first of all", hits[0].agent, hit.agent);
                 }
             }
@@ -167,6 +171,50 @@ package starlogo.queries
                 stopped += assertCastAlike("fit " + i, queries, structure, agents[0]);
             }
             assertTrue(String(stopped), stopped > 12);
+        }
+
+        [Test]
+        public function anAgentAndItsStructureAreCastTheSameToTheBit():void
+        {
+            var stopped:int = 0;
+            for each (var name:String in ["tightest fits", "combinations, exact"])
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                for (var i:int = Effort.choose(200, 10000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 3, _random);
+                    for (var k:int = 0; k < agents.length; k++)
+                    {
+                        agents[k].hierarchical = k > 0 && i % 2 == 0;
+                    }
+                    queries.update(agents);
+                    var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit(agents[0].shape);
+                    var filter:AgentFilter = new AgentFilter();
+                    filter.except = new <Agent>[agents[0]];
+                    var way:Vector3D = anyWay(5);
+                    var expected:ShapeHit = queries.castAgent(agents[0], way.x, way.y, way.z);
+                    var hit:ShapeHit = queries.castShape(fit.place(placementOf(agents[0])), way.x, way.y, way.z, filter);
+                    assertEquals(expected == null, hit == null);
+                    if (hit != null)
+                    {
+                        stopped++;
+                        assertEquals([expected.time, expected.point, expected.normal].join(), [hit.time, hit.point, hit.normal].join());
+                        assertStrictlyEquals(expected.agent, hit.agent);
+                    }
+                }
+            }
+            assertTrue(String(stopped), stopped > 12);
+        }
+
+        private static function placementOf(agent:Agent):Placement
+        {
+            var placement:Placement = new Placement();
+            placement.setRotation(agent.heading, agent.pitch, agent.roll);
+            placement.size = agent.size;
+            placement.x = agent.x;
+            placement.y = agent.y;
+            placement.z = agent.z;
+            return placement;
         }
 
         [Test]

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
+    import starlogo.search.GroundPairs;
     import starlogo.search.ModelShape;
     import starlogo.search.RowPairs;
     import starlogo.search.Separation;
@@ -157,13 +158,18 @@ package starlogo.queries
 
         /**
          * Whether the row at a place overlaps another that its core touches there. A core of a concave row may touch what is exactly between
-         * two sides of the row. Then the other row, made smaller instead, does not touch the row.
+         * two sides of the row. Then the other row, made smaller instead, does not touch the row. If it is the ground, no piece of the row is
+         * deep in it.
          */
         public function overlapsAt(other:int, at:Vector3D):Boolean
         {
             var body:Body = _table.bodyOf(other);
-            _standing.readPart(body, null, shareOf(body, slop));
             put(at, 0);
+            if (body.form == ModelShape.GROUND)
+            {
+                return GroundPairs(_pairs.testsOf(_moving, body)).isDeeper(_moving, body, slop);
+            }
+            _standing.readPart(body, null, shareOf(body, slop));
             return touches(_standing);
         }
 

@@ -36,11 +36,6 @@ package starlogo.search
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            // nothing is known about ground that is made narrower
-            if (b.placement.size < 1)
-            {
-                return pairOf(a, b).areOverlapping();
-            }
             _extents.x[0] = a.x;
             _extents.y[0] = a.y;
             _extents.z[0] = a.z;
@@ -50,6 +45,12 @@ package starlogo.search
             var look:QuickLook = lookOf(b);
             var found:int = look.lookAt(_extents, a.form, 0);
             return found == QuickLook.TOUCHING || found == QuickLook.UNKNOWN && pairOf(a, b).areOverlapping();
+        }
+
+        /** Whether a piece of a body is deeper in the ground than this, in patches. */
+        public function isDeeper(a:Body, b:Body, depth:Number):Boolean
+        {
+            return pairOf(a, b).isDeeper(depth);
         }
 
         /** @inheritDoc */
@@ -138,16 +139,15 @@ package starlogo.search
             return grid.look;
         }
 
-        // The test of the ground, set to a body. If the ground is made narrower, its size is smaller.
+        // The test of the ground, set to a body.
         private function pairOf(a:Body, b:Body):TerrainPair
         {
             var shape:ModelShape = a.shape;
             var grid:HeightGrid = gridOf(b);
             var trees:TreePairs = _pairs.trees;
             var pair:TerrainPair = grid.pair;
-            var inset:Number = (1 - b.placement.size) * grid.cellWidth / 2;
             var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(a);
-            pair.setTo(grid, inset, shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
+            pair.setTo(grid, shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
             return pair;
         }
     }

@@ -188,7 +188,7 @@ package starlogo.search
             }
             point(_left);
             _free = out.depth - Tolerances.SEPARATION * _extent;
-            if (!touchesFree())
+            if (_free > 0 && !touchesFree())
             {
                 _touching = 0;
                 refine(out);

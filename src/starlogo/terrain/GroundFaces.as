@@ -6,7 +6,6 @@ package starlogo.terrain
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.GapToBox;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -26,7 +25,7 @@ package starlogo.terrain
         // The search begins with squares of which the box is at most this many long, because most boxes are small.
         private static const FIRST_SQUARES:int = 3;
 
-        // How much farther than rounding errors and insets a structure is from squares that are left out.
+        // How much farther than rounding errors a structure is from squares that are left out.
         private static const FARTHER:Number = 4;
 
         // Where the neighbour on each side of a cell is, counter-clockwise from the side with the least y on.
@@ -57,8 +56,8 @@ package starlogo.terrain
         /** The place to which the box and the corners are relative. Its rotation does not count. */
         public var origin:Placement = new Placement();
 
-        /** How far triangles are moved into the ground. */
-        public var inset:Number = 0;
+        /** Only triangles count that are clearly higher than this above the bottom of the box. It may be increased during a walk. */
+        public var above:Number = -Infinity;
 
         /** The structure that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
         public var structure:BoundingStructure = null;
@@ -95,18 +94,14 @@ package starlogo.terrain
         private var _gap:GapToBox = new GapToBox();
         private var _slack:Number = 0;
 
-        // How much higher than the bottom of the box triangles must be.
-        private var _above:Number = 0;
-
         // The current cell: its next triangle, the number of its triangles, and the heights of its corners, counter-clockwise.
         private var _face:int = 0;
         private var _faceCount:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
 
-        // The results of findRange(), and the normal of a triangle.
+        // The results of findRange().
         private var _first:int = 0;
         private var _last:int = 0;
-        private var _outside:ContactPoint = new ContactPoint();
 
         /** Creates a finder without ground. */
         public function GroundFaces()
@@ -125,12 +120,12 @@ package starlogo.terrain
             _x = grid.x - origin.x - border;
             _y = grid.y - origin.y - border;
             _z = -origin.z;
-            _face = _faceCount = _top = 0;
-            _above = _from = 0;
+            stop();
+            _from = 0;
             _to = limit;
             var wayX:Number = limit * Math.abs(way.x);
             var wayY:Number = limit * Math.abs(way.y);
-            var rounding:Number = inset + Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_x) + Math.abs(middle.y) + Math.abs(_y) + Math.abs(middle.z)
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_x) + Math.abs(middle.y) + Math.abs(_y) + Math.abs(middle.z)
                     + Math.abs(_z) + width + wayX + wayY + limit * Math.abs(way.z));
             half.x += rounding;
             half.y += rounding;
@@ -141,7 +136,7 @@ package starlogo.terrain
             {
                 level++;
             }
-            _slack = FARTHER * (rounding - inset);
+            _slack = FARTHER * rounding;
             addSquares(level, 0, 0, int.MAX_VALUE);
         }
 
@@ -162,10 +157,10 @@ package starlogo.terrain
             return false;
         }
 
-        /** From now on, only triangles count that are clearly higher than this above the bottom of the box. */
-        public function raise(above:Number):void
+        /** Ends the walk. */
+        public function stop():void
         {
-            _above = above + 2 * _slack;
+            _face = _faceCount = _top = 0;
         }
 
         // Puts those of some squares of a level on the stack that the current part of the way may pass over. The nearest comes last.
@@ -215,7 +210,7 @@ package starlogo.terrain
             {
                 least = Math.min(least, _low);
             }
-            if (_low <= greatest && _high >= least && !isBeyond(hasWalls, least, greatest, _grid.bounds[int(bounds + 2)]))
+            if (_low <= greatest && _high >= least && !isBeyond(least, greatest))
             {
                 if (way.z != 0)
                 {
@@ -262,28 +257,26 @@ package starlogo.terrain
             var end:Number = middle.z + _to * way.z;
             // what is to the side of the box is less far above or below it
             var up:Number = Math.sqrt(Math.max(0, _squared));
-            _low = Math.min(start, end) - half.z - up + _above;
+            var bottom:Number = Math.min(start, end) - half.z;
+            _low = Math.max(bottom - up, bottom + above + 2 * _slack);
             _high = Math.max(start, end) + half.z + up;
             return _from <= _to;
         }
 
         // Whether the structure on its way stays farther away from the current square than a triangle may be. The square is between two heights.
-        // Its slopes are moved in, and so lie lower, but a little to the side.
-        private function isBeyond(hasWalls:Boolean, least:Number, greatest:Number, step:Number):Boolean
+        private function isBeyond(least:Number, greatest:Number):Boolean
         {
             if (structure == null)
             {
                 return false;
             }
-            var slope:Number = hasWalls || _grid.isBlocky && step > 0 ? Infinity : step / _grid.cellWidth;
-            var level:Number = 1 / Math.sqrt(1 + 2 * slope * slope);
             var x:Number = _x + _column * _width;
             var y:Number = _y + _row * _width;
-            _gap.low.setTo(x, y, least - inset);
-            _gap.high.setTo(x + _width, y + _width, greatest - level * inset);
+            _gap.low.setTo(x, y, least);
+            _gap.high.setTo(x + _width, y + _width, greatest);
             _gap.find(structure);
             var come:Number = limit * (_gap.along.x * way.x + _gap.along.y * way.y + _gap.along.z * way.z);
-            return _gap.gap + Math.min(0, come) > reach + _slack + (1 - level) * inset;
+            return _gap.gap + Math.min(0, come) > reach + _slack;
         }
 
         // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
@@ -303,10 +296,6 @@ package starlogo.terrain
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
             gap = Tolerances.SURFACES * (_width + high - low);
-            if (inset > 0)
-            {
-                moveIn();
-            }
             return _low <= high && _high >= low;
         }
 
@@ -348,17 +337,6 @@ package starlogo.terrain
             corners[to] = _x + (_column + ((corner + 1) >> 1 & 1)) * _width;
             corners[int(to + 1)] = _y + (_row + (corner >> 1)) * _width;
             corners[int(to + 2)] = _tops[corner];
-        }
-
-        private function moveIn():void
-        {
-            _outside.setAcross(corners, 0);
-            for (var i:int = 0; i < 9; i += 3)
-            {
-                corners[i] -= inset * _outside.normalX;
-                corners[int(i + 1)] -= inset * _outside.normalY;
-                corners[int(i + 2)] -= inset * _outside.normalZ;
-            }
         }
 
         // Narrows the part of the way to the part on which the box comes over the current square, or within reach of it, along one axis.

@@ -8,52 +8,46 @@ package starlogo.terrain
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.ConvexTriangle;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.solid.SolidHierarchy;
 
     use namespace engine;
 
     /**
-     * Searches the triangles of the ground's surface near a placed model, for what TerrainPair asks: when a piece of the model first touches one,
-     * how deep it is, or how far away. The model is a structure or a tree.
+     * Goes through the pairs of a convex piece of a placed model and a triangle of the ground's surface near it, for what TerrainPair asks. The
+     * model is a structure or a tree.
      *
-     * <p>Each convex piece is tested against the triangles of the surface near it (GroundFaces). A piece is a structure or a triangle. Nodes at
-     * the depth limit are pieces. Nodes that are divided only say, by their boxes, whether the surface is near.</p>
+     * <p>A piece is a structure or a triangle. Nodes at the depth limit are pieces. Nodes that are divided only say, by their boxes, whether the
+     * surface is near.</p>
      */
     internal class GroundSearch
     {
-        // The goals of a search: when a piece first touches the surface; the closest points; the deepest contact of a piece whose deepest point
-        // is known to be about as deep in the ground; the deepest contact of others; and the planes of triangles that a piece is behind. A search
-        // for the time without a motion finds whether a piece overlaps the ground.
-        protected static const TIME:int = 0;
-        protected static const DISTANCE:int = 1;
-        protected static const FACES:int = 2;
-        protected static const EDGES:int = 3;
-        protected static const WAYS:int = 4;
-
         protected var _grid:HeightGrid;
         protected var _tree:SolidHierarchy;
         protected var _structure:BoundingStructure;
         private var _depth:int;
-        private var _isExact:Boolean;
+        protected var _isExact:Boolean;
 
         // The model's place, and where it stands at the current time relative to that place.
         protected var _origin:Placement = new Placement();
         protected var _placed:Placement = new Placement();
+        private var _motion:RelativeMotion;
 
-        protected var _goal:int = 0;
-        protected var _motion:RelativeMotion;
-
-        // The results: whether anything was found; the time, the distance or the negative depth; the contact and the closest points.
-        protected var _isFound:Boolean = false;
-        protected var _best:Number = 0;
-        protected var _contact:ContactPoint = null;
-        protected var _closest:ClosestPair = null;
-
+        // The current piece and the triangles near it. The nodes that are still to be visited, and their number. The triangles of the last node
+        // that are still to be tested.
         protected var _piece:ConvexTriangle = new ConvexTriangle();
         protected var _faces:GroundFaces = new GroundFaces();
+        private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        private var _nodeCount:int = 0;
+        private var _triangle:int = 0;
+        private var _end:int = 0;
+
+        // The search ends with a piece that has a point at least this deep under the ground, if it is not NaN; the point of the last piece, or null; and
+        // whether it was that deep.
+        protected var _under:Number = NaN;
+        protected var _isUnder:Boolean = false;
+        protected var _point:Vector3D = null;
+
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
@@ -68,15 +62,13 @@ package starlogo.terrain
          * Sets the model and the ground.
          *
          * @param grid the ground
-         * @param inset how far the ground's surface is moved inwards
          * @param tree the model's hierarchy; null if a structure represents it
          * @param structure the structure, or the one around the tree, in the model's space
          * @param placement where the model stands
          * @param depth how many levels of the tree are visited
          * @param exact whether triangles decide in place of depths, if the tree has triangles
          */
-        public function setTo(grid:HeightGrid, inset:Number, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int,
-                exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
             _grid = grid;
             _tree = tree;
@@ -93,7 +85,6 @@ package starlogo.terrain
             {
                 _piece.margin += Tolerances.SURFACES / 2 * tree.root.radius * placement.size;
             }
-            _faces.inset = inset;
             placeAt(RelativeMotion.NONE, 0);
         }
 
@@ -105,81 +96,113 @@ package starlogo.terrain
             _placed.z = motion.startZ + time * motion.z;
         }
 
-        // Looks for something that is better than a bound, or as good. The contact is null if it is not needed.
-        protected function search(goal:int, motion:RelativeMotion, bound:Number, contact:ContactPoint):void
+        // Begins with the pieces of a tree, or with the structure as the only piece. Triangles count that are near a piece on its way, or as far
+        // away as the reach.
+        protected function begin(tree:SolidHierarchy, motion:RelativeMotion, reach:Number):void
         {
-            _goal = goal;
-            _contact = contact;
-            _motion = motion;
-            _best = bound;
-            _isFound = false;
-            if (_tree == null || goal == WAYS)
+            stop();
+            _motion = _faces.way = motion;
+            _faces.limit = 1;
+            _faces.reach = reach;
+            _faces.above = -Infinity;
+            if (tree == null)
             {
-                meetStructure(_structure);
+                beginPiece(_structure);
             }
             else
             {
-                visit(_tree.root);
+                addNode(tree.root);
             }
+        }
+
+        // Goes on to the next pair. Returns false if there is none.
+        protected function next():Boolean
+        {
+            while (!_faces.next())
+            {
+                if (_under >= 0 && _point != null && _grid.heightAt(_point.x + _origin.x, _point.y + _origin.y) - _under >= _point.z + _origin.z)
+                {
+                    _isUnder = true;
+                    return false;
+                }
+                if (_triangle < _end)
+                {
+                    _piece.beginTriangle(_tree.corners, 9 * _triangle, _placed, _motion);
+                    _triangle++;
+                    beginFaces(_box, _piece.point);
+                }
+                else if (_nodeCount > 0)
+                {
+                    _nodeCount--;
+                    visit(_nodes[_nodeCount]);
+                }
+                else
+                {
+                    return false;
+                }
+            }
+            _piece.setTriangle(_faces.corners, 0);
+            _piece.gap = _faces.gap;
+            return true;
+        }
+
+        // Ends the search.
+        protected function stop():void
+        {
+            _faces.stop();
+            _nodeCount = _triangle = _end = 0;
+            _under = NaN;
+            _isUnder = false;
+            _point = null;
+        }
+
+        private function addNode(node:HierarchyNode):void
+        {
+            _nodes[_nodeCount] = node;
+            _nodeCount++;
         }
 
         private function visit(node:HierarchyNode):void
         {
-            if (isDone())
-            {
-                return;
-            }
-            var structure:BoundingStructure = node.writeBox(_box);
+            node.writeBox(_box);
             if (node.cutoffLevel < _depth)
             {
-                beginFaces(structure);
+                beginFaces(_box, _faces.middle);
                 if (_faces.next())
                 {
-                    visit(node.low);
-                    visit(node.high);
-                }
-                else
-                {
-                    meetInside(_faces.middle);
+                    _faces.stop();
+                    _point = null;
+                    addNode(node.high);
+                    addNode(node.low);
                 }
             }
             else if (_isExact)
             {
-                meetTriangles(node, structure);
+                _triangle = node.first;
+                _end = node.end;
+                _point = null;
             }
             else
             {
-                meetStructure(structure);
+                beginPiece(_box);
             }
-        }
-
-        private function meetStructure(structure:BoundingStructure):void
-        {
-            beginPiece(structure);
-            meet(structure);
-            _faces.structure = null;
         }
 
         // A function of its own, so that V8 makes no object for the margin.
         private function beginPiece(structure:BoundingStructure):void
         {
             _piece.begin(structure, _placed, _motion);
-            _faces.structure = _piece.structure;
+            beginFaces(structure, _piece.point, _piece.structure);
         }
 
-        private function meetTriangles(node:HierarchyNode, structure:BoundingStructure):void
+        // Begins with the triangles near the box around a structure of the model. The point is one of the piece. If it is a structure in the
+        // world, it is given too.
+        private function beginFaces(structure:BoundingStructure, point:Vector3D, piece:BoundingStructure = null):void
         {
-            for (var i:int = node.first; i < node.end && !isDone(); i++)
-            {
-                _piece.beginTriangle(_tree.corners, 9 * i, _placed, _motion);
-                meet(structure);
-            }
-        }
-
-        // Whether nothing better can be found.
-        private function isDone():Boolean
-        {
-            return _isFound && _goal == TIME && _best == 0;
+            _point = point;
+            placeBox(structure);
+            _faces.structure = piece;
+            _faces.begin(_grid);
         }
 
         // Puts the box around a structure of the model.
@@ -195,119 +218,6 @@ package starlogo.terrain
             half.x = _extents[3] + margin;
             half.y = _extents[4] + margin;
             half.z = _extents[5] + margin;
-        }
-
-        // Begins with the triangles near the box around a structure of the model, on its way, or as far to all sides as something better may
-        // be found.
-        private function beginFaces(structure:BoundingStructure):void
-        {
-            placeBox(structure);
-            _faces.way = _motion;
-            _faces.limit = _goal == TIME ? _best : 0;
-            _faces.reach = _goal == DISTANCE || _goal == WAYS ? _best : 0;
-            _faces.begin(_grid);
-            if (_goal == FACES && _isFound)
-            {
-                _faces.raise(-_best);
-            }
-        }
-
-        // Tests the piece against the triangles near the structure around it.
-        private function meet(structure:BoundingStructure):void
-        {
-            beginFaces(structure);
-            meetFaces();
-            meetInside(_piece.point);
-        }
-
-        protected function meetFaces():void
-        {
-            while (!isDone() && _faces.next())
-            {
-                _piece.setTriangle(_faces.corners, 0);
-                _piece.gap = _faces.gap;
-                meetFace();
-            }
-        }
-
-        // A standing piece with a point that is under the ground overlaps it. If the ground is narrower, it must be higher than the point at the
-        // four places that are the inset beside it along x and y.
-        private function meetInside(point:Vector3D):void
-        {
-            if (_goal != TIME || _motion !== RelativeMotion.NONE || _isFound)
-            {
-                return;
-            }
-            var inset:Number = _faces.inset;
-            for (var side:int = inset > 0 ? 0 : 3; side < 4; side++)
-            {
-                var toX:Number = (side & 1) == 0 ? -inset : inset;
-                var toY:Number = (side & 2) == 0 ? -inset : inset;
-                _grid.placeX = point.x + _origin.x + toX;
-                _grid.placeY = point.y + _origin.y + toY;
-                _grid.findHeight();
-                if (!(_grid.height - inset >= point.z + _origin.z))
-                {
-                    return;
-                }
-            }
-            _isFound = true;
-        }
-
-        // Tests the piece against a triangle. Keeps the result if it is better than all before it. The first one may also be only as good as
-        // the bound at the beginning.
-        private function meetFace():void
-        {
-            var found:Number = Infinity;
-            if (_goal == TIME)
-            {
-                _piece.time = _best;
-                _piece.findTime();
-                found = _piece.time;
-            }
-            else if (_goal == DISTANCE)
-            {
-                _piece.measure();
-                found = _piece.distance;
-            }
-            else
-            {
-                found = findDepth();
-            }
-            if (!(found < _best || found == _best && !_isFound && found < Infinity))
-            {
-                return;
-            }
-            _isFound = true;
-            _best = found;
-            if (_goal == DISTANCE)
-            {
-                _piece.writeClosest(_closest);
-                _faces.reach = found;
-            }
-            else if (_goal != TIME)
-            {
-                keepDepth();
-            }
-            else
-            {
-                _faces.limit = found;
-                if (_contact != null)
-                {
-                    _piece.findContact(_contact);
-                }
-            }
-        }
-
-        // Finds the negative depth for the other goals; Infinity for none.
-        protected function findDepth():Number
-        {
-            return Infinity;
-        }
-
-        // Keeps the contact of that depth.
-        protected function keepDepth():void
-        {
         }
     }
 }

@@ -63,15 +63,6 @@ package starlogo.terrain
         /** How often the surface has changed. */
         public var revision:int = 0;
 
-        /** A place for <code>findHeight()</code>. It is in fields because V8 makes objects of Numbers that are passed. */
-        public var placeX:Number = 0;
-
-        /** @copy #placeX */
-        public var placeY:Number = 0;
-
-        /** The height there. */
-        public var height:Number = 0;
-
         /** How far sloping ground at the place of <code>findFall()</code> falls from a height to the next one along x. */
         public var fallX:Number = 0;
 
@@ -138,49 +129,40 @@ package starlogo.terrain
             }
         }
 
-        /** The height at a place; NaN outside. */
-        public function heightAt(x:Number, y:Number):Number
+        /** Whether a place is between the first height and the last, or at most this far outside along x and y. */
+        public function isWithin(atX:Number, atY:Number, border:Number):Boolean
         {
-            placeX = x;
-            placeY = y;
-            findHeight();
-            return height;
+            return atX >= x - border && atY >= y - border && atX <= x + (columns - 1) * cellWidth + border && atY <= y + (rows - 1) * cellWidth + border;
         }
 
-        /** Finds the height at <code>placeX</code> and <code>placeY</code>; NaN outside. Where columns meet, it is the highest. */
-        public function findHeight():void
+        /** The height at a place; NaN outside. Where columns meet, it is the height of the highest. */
+        public function heightAt(atX:Number, atY:Number):Number
         {
             // Slopes are between heights. Columns begin half a cell before their heights.
-            var toX:Number = (placeX - x) / cellWidth;
-            var toY:Number = (placeY - y) / cellWidth;
-            var lastColumn:int = columns - 1;
-            var lastRow:int = rows - 1;
-            height = NaN;
+            if (!isWithin(atX, atY, isBlocky ? cellWidth / 2 : 0))
+            {
+                return NaN;
+            }
+            var toX:Number = (atX - x) / cellWidth;
+            var toY:Number = (atY - y) / cellWidth;
             if (isBlocky)
             {
-                toX += 0.5;
-                toY += 0.5;
-                if (toX >= 0 && toY >= 0 && toX <= columns && toY <= rows)
-                {
-                    findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, lastColumn), Math.min(toY, lastRow));
-                    height = greatest;
-                }
-                return;
-            }
-            if (!(toX >= 0 && toY >= 0 && toX <= lastColumn && toY <= lastRow))
-            {
-                return;
+                // rounding can lead beyond the last column
+                toX = Math.min(toX + 0.5, columns);
+                toY = Math.min(toY + 0.5, rows);
+                findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
+                return greatest;
             }
             // The conversion to int rounds down, because the numbers are not negative.
-            var column:int = Math.min(toX, lastColumn - 1);
-            var row:int = Math.min(toY, lastRow - 1);
+            var column:int = Math.min(toX, columns - 2);
+            var row:int = Math.min(toY, rows - 2);
             toX -= column;
             toY -= row;
             _corner = row * columns + column;
             _side = toX >= toY ? _corner + 1 : _corner + columns;
             var more:Number = toX >= toY ? toX : toY;
             var less:Number = toX >= toY ? toY : toX;
-            height = (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
+            return (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
         }
 
         /** Finds the fall of sloping ground at the last place of <code>heightAt()</code>. */

@@ -202,8 +202,7 @@ package starlogo.terrain
             var reach:Number = width / 2 / grid.cellWidth;
             var middleColumn:Number = (x - grid.x) / grid.cellWidth;
             var middleRow:Number = (y - grid.y) / grid.cellWidth;
-            if (!(width > 0 && middleColumn + reach >= 0 && middleColumn - reach < grid.columns && middleRow + reach >= 0
-                        && middleRow - reach < grid.rows))
+            if (!(width > 0 && grid.isWithin(x, y, (width + cellWidth) / 2)))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
             }
@@ -238,15 +237,13 @@ package starlogo.terrain
         public function raiseWall(x:Number, y:Number, height:Number):void
         {
             requireInWorld("a wall's place", x, y, 0);
-            // in cells, from the outer corner of the first column
-            var toX:Number = (x - grid.x) / grid.cellWidth + 0.5;
-            var toY:Number = (y - grid.y) / grid.cellWidth + 0.5;
-            if (!(toX >= 0 && toY >= 0 && toX <= grid.columns && toY <= grid.rows))
+            if (!grid.isWithin(x, y, cellWidth / 2))
             {
                 throw new RangeError("a wall at (" + x + ", " + y + ") is outside of the terrain");
             }
-            var column:int = Math.min(toX, grid.columns - 1);
-            var row:int = Math.min(toY, grid.rows - 1);
+            // in cells, from the outer corner of the first column
+            var column:int = Math.min((x - grid.x) / grid.cellWidth + 0.5, grid.columns - 1);
+            var row:int = Math.min((y - grid.y) / grid.cellWidth + 0.5, grid.rows - 1);
             setHeight(column, row, getHeight(column, row) + height);
         }
 

@@ -37,18 +37,37 @@ package starlogo.terrain
         /** The length that any way out of the last contact has at least; 0 if it is not known. */
         public var needed:Number = 0;
 
-        // The contact with the last triangle, and the length that any way out of the ground has at least, by this triangle. The part of the ground that the last contact was with, if there was one. The ways and their number.
+        // The contact with the last triangle. The part of the ground that the last contact was with, if there was one. The number of ways. The distance of the nearest triangle so far.
         private var _tried:ContactPoint = new ContactPoint();
-        private var _bound:Number = 0;
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
-        private var _ways:Vector.<ContactPoint>;
         private var _wayCount:int = 0;
+        private var _nearest:Number = 0;
 
         /** Whether the two overlap or touch where the model stands. */
         public function areOverlapping():Boolean
         {
             return overlapsAt(RelativeMotion.NONE, 0);
+        }
+
+        /** Whether a piece of the model overlaps the surface by more than a depth, or is wholly under the ground. */
+        public function isDeeper(depth:Number):Boolean
+        {
+            begin(_tree, RelativeMotion.NONE, 0);
+            _under = depth;
+            while (next())
+            {
+                if (findOverlap())
+                {
+                    if (_tried.depth > depth)
+                    {
+                        return true;
+                    }
+                    // a corner of a triangle may be on the surface
+                    _point = _isExact ? null : _point;
+                }
+            }
+            return _isUnder;
         }
 
         /**
@@ -79,9 +98,22 @@ package starlogo.terrain
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             placeAt(motion, 0);
-            search(TIME, motion, 1, out);
-            motion.time = _isFound ? _best : RelativeMotion.NEVER;
-            if (_isFound && out != null)
+            begin(_tree, motion, 0);
+            motion.time = RelativeMotion.NEVER;
+            while (motion.time > 0 && next())
+            {
+                _piece.time = _faces.limit;
+                _piece.findTime();
+                if (_piece.time < motion.time)
+                {
+                    motion.time = _faces.limit = _piece.time;
+                    if (out != null)
+                    {
+                        _piece.findContact(out);
+                    }
+                }
+            }
+            if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 moveToWorld(out);
             }
@@ -110,13 +142,13 @@ package starlogo.terrain
                 }
             }
             placeAt(motion, time);
-            search(FACES, RelativeMotion.NONE, 0, out);
-            needed = -_best;
-            if (!_isFound)
+            findDeepest(out, false);
+            needed = _hasPart ? out.depth : 0;
+            if (!_hasPart)
             {
-                search(EDGES, RelativeMotion.NONE, 0, out);
+                findDeepest(out, true);
             }
-            if (_isFound)
+            if (_hasPart)
             {
                 moveToWorld(out);
             }
@@ -136,9 +168,16 @@ package starlogo.terrain
          */
         public function findWays(reach:Number, ways:Vector.<ContactPoint>):int
         {
-            _ways = ways;
             _wayCount = 0;
-            search(WAYS, RelativeMotion.NONE, reach, null);
+            begin(null, RelativeMotion.NONE, reach);
+            while (next())
+            {
+                _piece.findBehind(_tried);
+                if (_tried.depth >= -_piece.gap && (!_hasPart || isPartBehind()))
+                {
+                    addWay(ways);
+                }
+            }
             for (var i:int = 0; i < _wayCount; i++)
             {
                 moveToWorld(ways[i]);
@@ -169,17 +208,14 @@ package starlogo.terrain
          */
         public function findClosest(areTouching:Boolean, out:ClosestPair):void
         {
-            _closest = out;
-            _motion = RelativeMotion.NONE;
-            _goal = DISTANCE;
-            _isFound = false;
             beginNearest();
             if (_tree == null)
             {
-                _piece.begin(_structure, _placed, _motion);
-                meetFaces();
+                _piece.begin(_structure, _placed, RelativeMotion.NONE);
+                measure(out);
             }
-            search(DISTANCE, RelativeMotion.NONE, _best, null);
+            begin(_tree, RelativeMotion.NONE, _nearest);
+            measure(out);
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
@@ -196,6 +232,7 @@ package starlogo.terrain
         // farthest point is from there.
         private function beginNearest():void
         {
+            stop();
             placeBox(_structure);
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
@@ -208,68 +245,83 @@ package starlogo.terrain
             var x:Number = Math.abs(atX - middle.x) + half.x;
             var y:Number = Math.abs(atY - middle.y) + half.y;
             var z:Number = Math.abs(atZ - middle.z) + half.z;
-            _best = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * width;
+            _nearest = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * width;
             middle.setTo(atX, atY, atZ);
             half.setTo(0, 0, 0);
-            _faces.way = _motion;
-            _faces.limit = _faces.reach = 0;
+            _faces.way = RelativeMotion.NONE;
+            _faces.reach = 0;
             _faces.structure = null;
             _faces.begin(_grid);
         }
 
-        /** @private */
-        override protected function findDepth():Number
+        // Measures the distances of all pairs of a piece and a triangle, and keeps the closest points of the nearest ones.
+        private function measure(out:ClosestPair):void
         {
-            var isUnder:Boolean = _piece.findBehind(_tried);
-            var depth:Number = _tried.depth;
-            if (_goal == WAYS)
+            var isFound:Boolean = false;
+            while (next())
             {
-                if (depth >= -_piece.gap && (!_hasPart || isPartBehind()))
+                _piece.measure();
+                if (_piece.distance < _nearest || _piece.distance == _nearest && !isFound)
                 {
-                    addWay();
+                    isFound = true;
+                    _nearest = _faces.reach = _piece.distance;
+                    _piece.writeClosest(out);
                 }
-                return Infinity;
             }
-            var isDeeper:Boolean = depth >= _piece.gap - _best;
-            if (_goal == FACES)
+        }
+
+        // Finds the contact with the triangle that the model is deepest behind. It is of a piece whose deepest point is known to be about as deep in
+        // the ground, or of a piece that overlaps a triangle.
+        private function findDeepest(out:ContactPoint, overlaps:Boolean):void
+        {
+            var deepest:Number = 0;
+            begin(_tree, RelativeMotion.NONE, 0);
+            while (next())
             {
-                if (!isUnder || !(isDeeper || _best == 0 && depth >= -_piece.gap))
+                var isUnder:Boolean = _piece.findBehind(_tried);
+                if (!(deepest == 0 || _tried.depth >= deepest + _piece.gap) || overlaps && !findOverlap() || !overlaps && !(isUnder && isNeeded()))
                 {
-                    return Infinity;
+                    continue;
                 }
-                findBound();
-                return _bound >= NEEDED * depth ? -depth : Infinity;
+                if (_tried.depth > deepest || _tried.depth == deepest && !_hasPart)
+                {
+                    deepest = _tried.depth;
+                    keep(out);
+                    if (!overlaps)
+                    {
+                        _faces.above = deepest;
+                    }
+                }
             }
-            if (!(isDeeper || _best == 0) || !_piece.touches())
+        }
+
+        private function findOverlap():Boolean
+        {
+            if (!_piece.touches())
             {
-                return Infinity;
+                return false;
             }
             _piece.time = 0;
             _piece.findContact(_tried);
-            return -_tried.depth;
+            return true;
         }
 
-        /** @private */
-        override protected function keepDepth():void
+        private function keep(out:ContactPoint):void
         {
-            _contact.copyFrom(_tried);
+            out.copyFrom(_tried);
             for (var i:int = 0; i < 9; i++)
             {
                 _part[i] = _faces.corners[i];
             }
             _hasPart = true;
-            if (_goal == FACES)
-            {
-                _faces.raise(-_best);
-            }
         }
 
         // Adds a way out. Of ways with nearly the same direction, the shortest is kept.
-        private function addWay():void
+        private function addWay(ways:Vector.<ContactPoint>):void
         {
             for (var i:int = 0; i < _wayCount; i++)
             {
-                var way:ContactPoint = _ways[i];
+                var way:ContactPoint = ways[i];
                 if (_tried.normalX * way.normalX + _tried.normalY * way.normalY + _tried.normalZ * way.normalZ > SAME_WAY)
                 {
                     if (_tried.depth < way.depth)
@@ -281,11 +333,11 @@ package starlogo.terrain
             }
             if (_wayCount < MOST_WAYS)
             {
-                if (_wayCount == _ways.length)
+                if (_wayCount == ways.length)
                 {
-                    _ways[_wayCount] = new ContactPoint();
+                    ways[_wayCount] = new ContactPoint();
                 }
-                _ways[_wayCount].copyFrom(_tried);
+                ways[_wayCount].copyFrom(_tried);
                 _wayCount++;
             }
         }
@@ -298,12 +350,15 @@ package starlogo.terrain
             return greatest <= _tried.least + PART_GAPS * _piece.gap;
         }
 
-        // Finds how long any way out of the ground is at least, because the piece's deepest point has to get out.
-        private function findBound():void
+        // Whether any way out of the ground is at least about as long as the last contact is deep, because the piece's deepest point has to get out.
+        private function isNeeded():Boolean
         {
             var grid:HeightGrid = _grid;
             var depth:Number = _tried.depth;
-            _bound = 0;
+            if (!(depth >= 0))
+            {
+                return false;
+            }
             var x:Number = _origin.x + _tried.x - depth / 2 * _tried.normalX;
             var y:Number = _origin.y + _tried.y - depth / 2 * _tried.normalY;
             var z:Number = _origin.z + _tried.z - depth / 2 * _tried.normalZ;
@@ -313,24 +368,32 @@ package starlogo.terrain
             var front:Number = Math.min(y - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - y);
             if (!(high > z) || Math.min(left, front) + border < depth)
             {
-                return;
+                return depth == 0;
             }
             grid.findAround(x, y, depth, depth);
-            _bound = grid.least - z;
+            var least:Number = grid.least - z;
             if (!grid.isBlocky)
             {
                 var slopeX:Number = grid.stepX / grid.cellWidth;
                 var slopeY:Number = grid.stepY / grid.cellWidth;
-                _bound = Math.max(_bound, (high - z) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
+                least = Math.max(least, (high - z) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
             }
-            _bound = Math.min(_bound, depth);
+            return least >= NEEDED * depth;
         }
 
         private function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
             placeAt(motion, time);
-            search(TIME, RelativeMotion.NONE, 0, null);
-            return _isFound;
+            begin(_tree, RelativeMotion.NONE, 0);
+            _under = 0;
+            while (next())
+            {
+                if (_piece.touches())
+                {
+                    return true;
+                }
+            }
+            return _isUnder;
         }
 
         private function moveToWorld(out:ContactPoint):void

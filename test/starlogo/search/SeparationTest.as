@@ -13,6 +13,7 @@ package starlogo.search
     import support.EachCollider;
     import support.Effort;
     import support.SolidModels;
+    import support.ThinModels;
 
     /**
      * Contacts separate: moved by the depth and a hair more along the normal, the collider does not touch the collidee any more; by a hair less it
@@ -132,6 +133,39 @@ package starlogo.search
             assertTrue(_overlapping + " overlap, " + late + " late", _overlapping > 600 && late > 500);
         }
 
+        // Where a sheet meets another on its way, a little back against the normal the two are apart too.
+        [Test]
+        public function noDepthIsNegative():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                var collider:Collider = make(name);
+                for (var i:int = Effort.choose(150, 5000); i > 0; i--)
+                {
+                    var a:Agent = new Agent("plane");
+                    var b:Agent = new Agent("plane");
+                    a.size = _random.logBetween(0.05, 60);
+                    b.size = _random.logBetween(0.05, 60);
+                    a.hierarchical = b.hierarchical = a.sweeps = b.sweeps = true;
+                    a.moveTo(_random.normal(), _random.normal(), 1);
+                    collider.findCollisions(new <Agent>[a, b]);
+                    a.moveTo(a.x + _random.normal(), a.y, -_random.between(0, 1));
+                    b.moveTo(_random.normal(), 0, 0);
+                    if (collider.findCollisions(new <Agent>[a, b]).length == 2)
+                    {
+                        var depth:Number = collider.contactOf(a, b).depth;
+                        _overlapping++;
+                        if (!(depth >= 0))
+                        {
+                            _wrong.add(name, String(depth));
+                        }
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_overlapping + " touch", _overlapping > 200);
+        }
+
         private static function moveBack(agent:Agent, from:Array, at:int, time:Number):void
         {
             agent.moveTo(from[at] + time * (agent.x - from[at]), from[at + 1] + time * (agent.y - from[at + 1]),
@@ -233,6 +267,7 @@ package starlogo.search
                 greatLand.addModel(model);
             }
             greatLand.addModel(BuiltInModel.cylinder());
+            greatLand.addModel(ThinModels.make("plane"));
             greatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
             greatLand.addModel(SolidModels.of("horns", [[1, 0, 0, 0, false], [0.3, -0.5, 0, 0.9, false], [0.3, 0.5, 0, 0.9, false],
                             [0.2, -0.5, 0, 1.1, false], [0.2, 0.5, 0, 1.1, false]]));

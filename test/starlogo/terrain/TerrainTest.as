@@ -95,6 +95,30 @@ package starlogo.terrain
         }
 
         [Test]
+        public function theLastHeightIsWithinTheTerrain():void
+        {
+            for each (var start:Number in [0.1, -7.3, 1 / 3, 1000.7])
+            {
+                for each (var width:Number in [0.1, 0.3, 0.7, 1 / 3])
+                {
+                    for (var columns:int = 2; columns < 40; columns++)
+                    {
+                        var terrain:Terrain = new Terrain(columns, 2, width, start, start);
+                        terrain.setHeight(columns - 1, 1, 5);
+                        var x:Number = start + (columns - 1) * width;
+                        var y:Number = start + width;
+                        assertTrue([start, width, columns].join(), Math.abs(terrain.heightAt(x, y) - 5) < 1e-9);
+                        assertTrue(terrain.normalAt(x, y) != null);
+                        terrain.isBlocky = true;
+                        assertEquals([start, width, columns, "columns"].join(), 5, terrain.heightAt(x + width / 2, y + width / 2));
+                        terrain.raiseWall(x + width / 2, y + width / 2, 1);
+                        assertEquals(6, terrain.getHeight(columns - 1, 1));
+                    }
+                }
+            }
+        }
+
+        [Test]
         public function normalsPointOutOfTheGround():void
         {
             var out:Vector3D = new Vector3D();

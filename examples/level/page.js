@@ -54,7 +54,7 @@ const tapped = (code) => taps.delete(code);
 const between = (less, more) => (keys.has(more) ? 1 : 0) - (keys.has(less) ? 1 : 0);
 
 const past = []; // what was saved every tenth of a second, for a minute
-let saved = game.save();
+let saved = null;
 let [frame, engineMs] = [0, 0];
 /** Until a key is pressed the player goes round by itself. */
 let isLed = false;
@@ -67,7 +67,7 @@ renderer.setAnimationLoop(() => {
 	isLed ||= keys.size > 0;
 	if (frame % 6 === 0 && !keys.has("KeyR")) past.splice(0, Math.max(0, past.push(game.save()) - 600));
 	if (tapped("KeyS")) saved = game.save();
-	if (tapped("KeyL")) game.goBackTo(saved);
+	if (tapped("KeyL") && saved) game.goBackTo(saved); // nothing is there before the first S
 	const start = performance.now();
 	if (!keys.has("KeyR")) game.step(wish());
 	else if (frame % 3 === 0 && past.length > 0) game.goBackTo(past.pop());

@@ -640,6 +640,10 @@ test('Level: the game in the level of examples/level runs, is steered, saved and
 	};
 	const away = ({ x, y }) => Math.hypot(globalThis.playground.game.player.x - x, globalThis.playground.game.player.y - y) > 0.5;
 	assert.match(await page.textContent('.side .note'), /^The level is one mesh of 83,060 triangles/);
+	// what is not saved yet is the beginning
+	const beginning = await state();
+	await press(page, 'Load');
+	assert.deepEqual(await state(), beginning);
 	// it goes by itself, and shoots
 	await press(page, 'Run');
 	await until(() => globalThis.playground.game.shots > 0 && Number.parseFloat(document.querySelector('.figures dd').textContent) > 0);

@@ -655,9 +655,10 @@ test('Level: the game in the level of examples/level runs, is steered, saved and
 	await page.keyboard.press('f');
 	await until((shots) => globalThis.playground.game.shots > shots, before.shots);
 	await hold('Space', () => globalThis.playground.game.player.speed > 0);
+	await press(page, 'Stop');
 	await press(page, 'Save');
-	const { x, y } = await page.evaluate(() => globalThis.playground.saved.places[0]);
-	await page.locator('.world').focus();
+	const { x, y } = await state();
+	await press(page, 'Run');
 	await hold('ArrowUp', away, { x, y });
 	await press(page, 'Stop');
 	await press(page, 'Load');

@@ -18,7 +18,6 @@ package starlogo.libraries
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.geometry.Fingerprint;
-    import starlogo.geometry.GeometryFingerprint;
     import starlogo.geometry.VertexData;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
@@ -121,38 +120,6 @@ package starlogo.libraries
             var baked:ByteArray = _greatLand.bake(bear());
             assertFalse("structures", isTaken(bear(), baked, true));
             assertTrue("its hierarchy is", isTaken(bear(), baked, false));
-        }
-
-        [Test]
-        public function aVertexThatMovedMakesAnotherModel():void
-        {
-            var model:Model = bear();
-            var random:SeededRandom = new SeededRandom(11);
-            var seen:Object = {};
-            for (var i:int = 0; i < 300; i++)
-            {
-                var vertices:Vector.<Number> = model.vertices.concat();
-                var at:int = random.integer(0, vertices.length - 1);
-                vertices[at] += random.logBetween(1e-14, 1e-3);
-                var fingerprint:GeometryFingerprint = new GeometryFingerprint(vertices, model.triangles);
-                finish(fingerprint);
-                seen[fingerprint.fingerprint.toString()] = true;
-            }
-            for (i = 0; i < 300; i++)
-            {
-                var triangles:Vector.<uint> = model.triangles.concat();
-                at = random.integer(0, triangles.length - 1);
-                triangles[at] = (triangles[at] + random.integer(1, vertices.length / 3 - 1)) % (vertices.length / 3);
-                fingerprint = new GeometryFingerprint(model.vertices, triangles);
-                finish(fingerprint);
-                seen[fingerprint.fingerprint.toString()] = true;
-            }
-            var count:int = 0;
-            for (var each:String in seen)
-            {
-                count++;
-            }
-            assertTrue("all but those that were the same by chance: " + count, count >= 598);
         }
 
         [Test(async, timeout="900000")]

@@ -84,13 +84,20 @@ package starlogo.queries
                 // any direction will do
                 towards.z = 1;
             }
+            var rowA:int = _seen.rowOf(a);
+            var rowB:int = _seen.rowOf(b);
             begin(1, from, towards, distance, filter);
-            _found.except(_seen.rowOf(a));
-            _found.except(_seen.rowOf(b));
-            // any row will do, unless accepts decides
-            for (var row:int = next(); row >= 0; row = _found.asks ? next() : -1)
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                _found.add(row, _ray.from);
+                if (row != rowA && row != rowB && _rays.meets(row))
+                {
+                    _found.add(row, _ray.from);
+                    if (!_found.asks)
+                    {
+                        // any row will do
+                        return false;
+                    }
+                }
             }
             return _found.end() == 0;
         }

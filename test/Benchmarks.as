@@ -6,6 +6,7 @@ package
     import benchmark.CrowdBenchmark;
     import benchmark.DistanceBenchmark;
     import benchmark.FewAgentsBenchmark;
+    import benchmark.FewMoveBenchmark;
     import benchmark.FittingBenchmark;
     import benchmark.GroundBenchmark;
     import benchmark.HandlersBenchmark;
@@ -30,7 +31,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, GroundBenchmark, HandlersBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FewMoveBenchmark, FittingBenchmark, GroundBenchmark, HandlersBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, MoveBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
 
         private var _pending:Array;

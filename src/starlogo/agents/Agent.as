@@ -75,7 +75,7 @@ package starlogo.agents
          */
         engine var placement:Placement = new Placement();
 
-        /** @private Counts changes of the agent's place, turn and size. */
+        /** @private Counts changes of all that a search reads: place, turn, size, shape, breed, and whether the agent sweeps. */
         engine var revision:int = 0;
 
         /** @private The revision that the last jump made. The agent has no motion up to this revision. */
@@ -184,7 +184,12 @@ package starlogo.agents
         public function set breed(value:String):void
         {
             requireBreed(value);
-            breedNumber = Breeds.numberOf(value);
+            var other:int = Breeds.numberOf(value);
+            if (other != breedNumber)
+            {
+                breedNumber = other;
+                revision++;
+            }
         }
 
         /** The position of the model's origin along the world's x axis, from -LARGEST_COORDINATE to LARGEST_COORDINATE. */
@@ -539,8 +544,12 @@ package starlogo.agents
 
         public function set sweeps(value:Boolean):void
         {
-            isSweeping = value;
-            haveSwept = haveSwept || value;
+            if (value != isSweeping)
+            {
+                isSweeping = value;
+                haveSwept = true;
+                revision++;
+            }
         }
 
         /** The class, id, breed and shape, as errors name the agent. */

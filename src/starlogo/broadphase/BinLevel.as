@@ -9,8 +9,9 @@ package starlogo.broadphase
 
         private static const SLACK:Number = 1 / (1 << 18);
 
-        // Extents that fit the level store this number.
+        // Extents that fit the level store this number. Its index from the coarsest level to the finest.
         internal var number:int;
+        internal var index:int = 0;
 
         // A power of two, in patches. The widest members are at most this wide, and no member is narrower than half of it, unless it is far
         // out. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
@@ -36,6 +37,9 @@ package starlogo.broadphase
         internal var mask:int;
         internal var stride:int;
 
+        // Whether the lists of cells have cells of the level.
+        internal var isLaidOut:Boolean = false;
+
         /**
          * @param number the level's own number
          * @param width a power of two
@@ -59,18 +63,54 @@ package starlogo.broadphase
          */
         public function makeRoom(base:int):int
         {
-            // at least 32 cells, so that cells near each other never share a number
-            var bits:int = 5;
-            while ((1 << bits) < count)
+            mask = maskFor(count);
+            var bits:int = 0;
+            while (1 << bits <= mask)
             {
                 bits++;
             }
-            mask = (1 << bits) - 1;
             // The stride is odd and about the square root of the number of cells. So neighbouring cells, and all cells of a compact world,
             // get different numbers.
             stride = (1 << ((bits + 1) >> 1)) + 1;
             this.base = base;
             return base + mask + 1 + Bins.COPIED;
+        }
+
+        /** The mask for a number of members. */
+        public function maskFor(members:int):int
+        {
+            // at least 32 cells, so that cells near each other never share a number
+            var cells:int = 32;
+            while (cells < members)
+            {
+                cells *= 2;
+            }
+            return cells - 1;
+        }
+
+        /** The column or row of cells at a place. */
+        public function columnOf(place:Number):int
+        {
+            return place * cellsPerPatch + Bins.BIAS;
+        }
+
+        /** The number of a cell. */
+        public function numberOf(column:int, line:int):int
+        {
+            return ((line & mask) * stride + column) & mask;
+        }
+
+        /** The number of the cell at a place. */
+        public function cellOf(x:Number, y:Number):int
+        {
+            return numberOf(columnOf(x), columnOf(y));
+        }
+
+        /** Whether a place is not so far out that it has no cell, and not near any either. */
+        public function isWithin(x:Number, y:Number):Boolean
+        {
+            var reach:Number = width * (Bins.BIAS / 2);
+            return x < reach && x > -reach && y < reach && y > -reach;
         }
     }
 }

@@ -79,6 +79,10 @@ package starlogo.broadphase
                 }
                 byWidth.splice(index, 0, level);
                 byNumber.push(level);
+                for (var i:int = 0; i < byWidth.length; i++)
+                {
+                    byWidth[i].index = i;
+                }
             }
             return byWidth[index];
         }

@@ -30,7 +30,7 @@ package starlogo.broadphase
 
         // Added to a column or row, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than any level's
         // reach.
-        private static const BIAS:Number = 1 << 26;
+        internal static const BIAS:Number = 1 << 26;
 
         /** The levels of the members. */
         public var levels:BinLevels = new BinLevels();

@@ -4,6 +4,9 @@ package starlogo.collision
 
     /**
      * Counts and times of one frame of collision detection. The next frame overwrites them; copy numbers that you want to keep.
+     *
+     * <p>Candidates and tests are counted as the frame has made them. If few agents have changed since the last frame, a frame tests only the
+     * pairs of these agents. So these counts depend on the frames before, also on whether there was a frame before.</p>
      */
     public final class CollisionStatistics extends SearchCounts
     {

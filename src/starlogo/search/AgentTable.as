@@ -71,6 +71,7 @@ package starlogo.search
         public function read(list:Vector.<Agent>):void
         {
             forgetReplaced();
+            leftCount = 0;
             var isOther:Boolean = !isAccepted || list.length != count || !readChanged(list, rows);
             if (isOther)
             {

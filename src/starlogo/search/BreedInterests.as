@@ -31,8 +31,8 @@ package starlogo.search
         private var _agentBreeds:int = 0;
         private var _agentPairs:int = 0;
 
-        /** By row of the table that was read last: the number of its breed, or -1. */
-        internal var ofRows:Vector.<int> = new Vector.<int>();
+        /** How often a pair was added. */
+        internal var revision:int = 0;
 
         /** All numbers of breeds in pairs are less than this. It grows when a pair is added. */
         public function get breedCount():int
@@ -54,6 +54,7 @@ package starlogo.search
         /** @private Adds a pair of breeds by their numbers. */
         engine function addNumbers(number:int, other:int):void
         {
+            revision++;
             enter(number);
             enter(other);
             if (!_partners[number].has(other))
@@ -105,22 +106,23 @@ package starlogo.search
             return _partners[Breeds.ANY] == null || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
         }
 
+        /** Whether the breeds of a table's agents matter. If not, all pairs of all breeds are of interest, and there is neither ground nor edges. */
+        internal function areBreedsNeeded(table:AgentTable):Boolean
+        {
+            return _partners[Breeds.ANY] == null || !areAll || table.agents[RowList.GROUND] != null || table.agents[RowList.EDGES] != null;
+        }
+
         /**
-         * Reads the breed of each agent in a table. It reads nothing if all pairs of all breeds are of interest, and there is
-         * neither ground nor edges.
+         * Reads the breed of each agent in a table.
          *
-         * @return the number of agents whose breed is in no pair; 0 if nothing was read
+         * @param numbers receives, by row, the number of its breed, or -1
+         * @return the number of agents whose breed is in no pair
          */
-        internal function read(table:AgentTable):int
+        internal function read(table:AgentTable, numbers:Vector.<int>):int
         {
             var agents:Vector.<Agent> = table.agents;
             var partners:Vector.<NumberSet> = _partners;
             var others:int = partners[Breeds.ANY] == null ? -1 : Breeds.ANY;
-            if (others == Breeds.ANY && areAll && agents[RowList.GROUND] == null && agents[RowList.EDGES] == null)
-            {
-                return 0;
-            }
-            var numbers:Vector.<int> = ofRows;
             if (numbers.length < agents.length)
             {
                 numbers.length = agents.length;
@@ -151,14 +153,14 @@ package starlogo.search
         /**
          * Keeps a row's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
+         * @param numbers by row: the number of its breed
          * @param rows the candidates are indices in this list of rows
          * @param others the candidates
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        internal function keepOfInterest(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        internal function keepOfInterest(numbers:Vector.<int>, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var numbers:Vector.<int> = ofRows;
             var own:int = numbers[row];
             var any:NumberSet = _partners[Breeds.ANY];
             if (any != null && any.has(own))

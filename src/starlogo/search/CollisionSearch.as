@@ -34,24 +34,35 @@ package starlogo.search
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
         private var _isSwept:Boolean = false;
-        private var _areSpheres:Boolean = false;
+
+        /** Whether the shapes of all rows are spheres. */
+        internal var areSpheres:Boolean = false;
 
         // The rows that the bins get, called members: all rows, or only rows of breeds of interest.
         private var _memberRows:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
 
-        // The members that may touch the ground or the edges of the world.
-        private var _candidates:Vector.<int> = new Vector.<int>();
+        /** By row: the number of its breed in the interests, or -1. It has no meaning if all breeds are of interest and there are no fixtures. */
+        internal var breeds:Vector.<int> = new Vector.<int>();
+
+        /** The numbers from 0 on, for lists of rows of which all are candidates. A test moves those that touch to the beginning. */
+        internal var numbers:Vector.<int> = new Vector.<int>();
+
+        // Finds the pairs of a search in which little has changed.
+        private var _kept:KeptPairs;
 
         // The search under way. _interests is null if all pairs of agents count. Found pairs go to _out as indices, or to _outAgents as agents
-        // if it is not null, because a second pass over the pairs takes a fifth of a dense search in Adobe's VM. If an agent sweeps, _times has the
-        // time of each pair.
+        // if it is not null, because a second pass over the pairs takes a fifth of a dense search in Adobe's VM.
         private var _interests:BreedInterests;
         private var _out:FoundPairs;
         private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
-        private var _times:Vector.<Number> = new Vector.<Number>();
+        private var _areBreedsRead:Boolean = false;
+
+        /** If an agent sweeps: the time of each pair. */
+        internal var times:Vector.<Number> = new Vector.<Number>();
+
         private var _order:KeyOrder = new KeyOrder();
 
         /**
@@ -64,6 +75,7 @@ package starlogo.search
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins);
             _motions = new Motions(pairs);
+            _kept = new KeptPairs(this, _bins, _motions, pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -95,35 +107,68 @@ package starlogo.search
             {
                 table.readFixture(row, fixtures == null ? null : fixtures[row]);
             }
-            _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
+            areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
-            if (_isSwept)
-            {
-                _motions.find(table, _bins);
-            }
-            chooseMembers(interests, takePart);
             _interests = interests == null || interests.areAll ? null : interests;
-            _out = out;
-            _outAgents = _isSwept ? null : outAgents;
-            _skippedPairs = out.count = 0;
+            _areBreedsRead = interests != null && interests.areBreedsNeeded(table);
+            _skippedPairs = 0;
             // tests since the last search, as those of questions, do not count
             _pairs.takeCounts(counts);
-            _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
-            for (row = RowList.GROUND; row <= RowList.EDGES; row++)
+            if (outAgents != null)
             {
-                findFixture(interests, row);
+                _kept.forget();
+            }
+            var mayKeep:Boolean = outAgents == null && _kept.begin(interests, _areBreedsRead, _isSwept, takePart);
+            if (mayKeep && _kept.find(out))
+            {
+                _memberCount = _kept.memberCount;
+            }
+            else
+            {
+                findAll(interests, takePart, out, outAgents);
+                if (outAgents != null && _isSwept)
+                {
+                    out.write(agents, outAgents);
+                }
+                if (mayKeep)
+                {
+                    _kept.keep(out, _memberRows, _memberCount);
+                }
+            }
+            report(agents.length, out.count, counts);
+        }
+
+        private function findAll(interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, outAgents:Vector.<Agent>):void
+        {
+            if (_isSwept)
+            {
+                _motions.find(table, _bins, table.rows, table.count);
+            }
+            chooseMembers(interests, takePart);
+            _out = out;
+            _outAgents = _isSwept ? null : outAgents;
+            out.count = 0;
+            out.keeper = null;
+            _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
+            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
+            {
+                if (hasFixture(row))
+                {
+                    put(row, _memberRows, numbers, keepAtFixture(interests, row, _memberRows, _memberCount, out.count));
+                }
             }
             _out = null;
             _outAgents = null;
             if (_isSwept)
             {
-                _order.sortPairs(out.indices, _times, out.count);
-                if (outAgents != null)
-                {
-                    out.write(agents, outAgents);
-                }
+                _order.sortPairs(out.indices, times, out.count);
             }
-            report(agents.length, out.count, counts);
+        }
+
+        /** Whether the ground or the edges of the world take part in the search, by their row. */
+        internal function hasFixture(row:int):Boolean
+        {
+            return table.agents[row] != null && breeds[row] >= 0;
         }
 
         /** The speed at which the two agents of the last findContact came together, in patches a frame. */
@@ -135,6 +180,7 @@ package starlogo.search
         /** See KeptPlaces.restore. */
         public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
         {
+            _kept.forget();
             KeptPlaces.restore(table, agents, bytes);
             _isSwept = false;
         }
@@ -198,15 +244,15 @@ package starlogo.search
             var row:int = rowAt[slot];
             if (_interests != null)
             {
-                var kept:int = _interests.keepOfInterest(row, rowAt, others, count);
+                var kept:int = _interests.keepOfInterest(breeds, row, rowAt, others, count);
                 _skippedPairs += count - kept;
                 count = kept;
             }
             if (_isSwept)
             {
-                count = keepTouchingMotions(_bins, row, rowAt, others, count);
+                count = keepTouchingMotions(_bins, row, rowAt, others, count, _out.count);
             }
-            else if (_areSpheres)
+            else if (areSpheres)
             {
                 count = _pairs.keepTouchingSpheres(table, _bins, slot, others, count);
             }
@@ -253,7 +299,7 @@ package starlogo.search
         {
             _memberRows = table.rows;
             _memberCount = table.count;
-            var outsiders:int = interests == null ? 0 : interests.read(table);
+            var outsiders:int = _areBreedsRead ? interests.read(table, breeds) : 0;
             if (table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
@@ -263,7 +309,7 @@ package starlogo.search
             for (var i:int = 0; i < table.count; i++)
             {
                 var row:int = table.rows[i];
-                if (table.shapes[row] != null && (outsiders == 0 || interests.ofRows[row] >= 0) && (takePart == null || takePart[i]))
+                if (table.shapes[row] != null && (outsiders == 0 || breeds[row] >= 0) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
                     _memberCount++;
@@ -271,8 +317,8 @@ package starlogo.search
             }
         }
 
-        // Like keepTouching, and writes the times. The bins are null if the row is a fixture.
-        private function keepTouchingMotions(bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        // Like keepTouching, and writes the times, from an index on. The bins are null if the row is a fixture.
+        private function keepTouchingMotions(bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int, at:int):int
         {
             var ranks:Vector.<int> = table.ranks;
             var rank:int = ranks[row];
@@ -287,40 +333,62 @@ package starlogo.search
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = others[i];
-                    _times[int(_out.count + kept)] = time;
+                    times[int(at + kept)] = time;
                     kept++;
                 }
             }
             return kept;
         }
 
-        // Finds the members that touch the ground, or the edges of the world. It tests only members whose breeds are of interest together
-        // with the fixture's breed.
-        private function findFixture(interests:BreedInterests, fixture:int):void
+        /**
+         * Keeps the rows of a list that touch the ground, or the edges of the world. It tests only rows whose breeds are of interest together
+         * with the fixture's breed.
+         *
+         * @param fixture the row of the ground or of the edges
+         * @param rows the rows of members
+         * @param count the number of rows
+         * @param at where the first time goes, if an agent sweeps
+         * @return the number of rows that touch. The beginning of <code>numbers</code> has their indices in the list
+         */
+        internal function keepAtFixture(interests:BreedInterests, fixture:int, rows:Vector.<int>, count:int, at:int):int
         {
-            if (table.agents[fixture] == null || interests.ofRows[fixture] < 0)
-            {
-                return;
-            }
-            listMembers();
-            var count:int = interests.keepOfInterest(fixture, _memberRows, _candidates, _memberCount);
+            listNumbers(count);
+            count = interests.keepOfInterest(breeds, fixture, rows, numbers, count);
             if (_isSwept)
             {
-                count = keepTouchingMotions(null, fixture, _memberRows, _candidates, count);
+                return keepTouchingMotions(null, fixture, rows, numbers, count, at);
             }
-            else
-            {
-                var body:Body = table.bodyOf(fixture);
-                count = _pairs.testsOf(body, body).keepMembers(table, _memberRows, _candidates, count, body);
-            }
-            put(fixture, _memberRows, _candidates, count);
+            var body:Body = table.bodyOf(fixture);
+            return _pairs.testsOf(body, body).keepMembers(table, rows, numbers, count, body);
         }
 
-        private function listMembers():void
+        /**
+         * Keeps the rows of a list that touch a row and whose breeds are of interest.
+         *
+         * @param rows the rows, whose circles on the ground overlap the row's circle
+         * @param slack how far apart the circles of a pair may be
+         * @param at where the first time goes, if an agent sweeps
+         * @return the number of rows that touch. The beginning of <code>numbers</code> has their indices in the list
+         */
+        internal function keepNear(row:int, rows:Vector.<int>, count:int, slack:Number, at:int):int
         {
-            for (var i:int = 0; i < _memberCount; i++)
+            listNumbers(count);
+            _bins.slack = slack;
+            _bins.pairCount += count;
+            if (_interests != null)
             {
-                _candidates[i] = i;
+                var kept:int = _interests.keepOfInterest(breeds, row, rows, numbers, count);
+                _skippedPairs += count - kept;
+                count = kept;
+            }
+            return _isSwept ? keepTouchingMotions(_bins, row, rows, numbers, count, at) : _pairs.keepTouching(table, _bins, row, rows, numbers, count);
+        }
+
+        private function listNumbers(count:int):void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                numbers[i] = i;
             }
         }
 

@@ -15,6 +15,9 @@ package starlogo.search
         /** The indices: a0, b0, a1, b1, ... The list may be longer: numbers after the last pair are left over from earlier searches. */
         public var indices:Vector.<int> = new Vector.<int>();
 
+        /** The object that keeps these pairs for the next search, or null. Whoever else writes them sets it to null. */
+        internal var keeper:Object = null;
+
         // The index of each agent in a list, by the agent's id.
         private var _byId:IdTable = new IdTable();
 
@@ -30,6 +33,7 @@ package starlogo.search
                 }
             }
             count = 0;
+            keeper = null;
             for (i = 0; i + 1 < pairs.length; i += 2)
             {
                 indices[2 * count] = _byId.valueOf(pairs[i].id);

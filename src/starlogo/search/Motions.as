@@ -58,15 +58,24 @@ package starlogo.search
             return false;
         }
 
-        /** Finds the motions of a table that has just been read. */
-        public function find(table:AgentTable, bins:Bins):void
+        /**
+         * Finds the motions of rows of a table that has just been read.
+         *
+         * @param rows the rows; those without an agent are left out
+         * @param count the number of rows
+         */
+        public function find(table:AgentTable, bins:Bins, rows:Vector.<int>, count:int):void
         {
             makeRows(table.agents.length);
             var standing:Extents = table.extents;
             var swept:Extents = extents;
-            for (var i:int = 0; i < table.count; i++)
+            for (var i:int = 0; i < count; i++)
             {
-                var row:int = table.rows[i];
+                var row:int = rows[i];
+                if (table.agents[row] == null)
+                {
+                    continue;
+                }
                 var hasMotion:Boolean = table.last.isBeginning(row, table.agents[row]);
                 var motionX:Number = hasMotion ? table.now.x[row] - table.last.x[row] : 0;
                 var motionY:Number = hasMotion ? table.now.y[row] - table.last.y[row] : 0;

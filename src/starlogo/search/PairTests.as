@@ -21,7 +21,7 @@ package starlogo.search
         /** How far away parts of the second body count in <code>findWays()</code>. */
         public var reach:Number = 0;
 
-        /** Whether two bodies touch. */
+        /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
         public function areTouching(a:Body, b:Body):Boolean
         {
             return false;

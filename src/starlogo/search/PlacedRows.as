@@ -31,6 +31,12 @@ package starlogo.search
         /** The number of rows that it has read again. The list may be longer. */
         internal var movedCount:int = 0;
 
+        /** The rows that the search before has read again, and their number. */
+        internal var movedBefore:Vector.<int> = new Vector.<int>();
+
+        /** @copy #movedBefore */
+        internal var movedBeforeCount:int = 0;
+
         // The rows that are being read. They become moved after the whole list has turned out to be valid.
         private var _reading:Vector.<int> = new Vector.<int>();
         private var _readingCount:int = 0;
@@ -103,22 +109,23 @@ package starlogo.search
             var older:RowPlaces = last;
             last = now;
             now = older;
-            var movedBefore:Vector.<int> = moved;
-            var end:int = movedCount;
+            var spare:Vector.<int> = movedBefore;
+            movedBefore = moved;
+            movedBeforeCount = movedCount;
             moved = _reading;
             movedCount = _readingCount;
-            _reading = movedBefore;
+            _reading = spare;
             if (movedCount < count)
             {
-                settle(movedBefore, end);
+                settle();
             }
         }
 
-        private function settle(rowsBefore:Vector.<int>, end:int):void
+        private function settle():void
         {
-            for (var i:int = 0; i < end; i++)
+            for (var i:int = 0; i < movedBeforeCount; i++)
             {
-                var row:int = rowsBefore[i];
+                var row:int = movedBefore[i];
                 if (now.revisions[row] < last.revisions[row])
                 {
                     now.copyRow(last, row);

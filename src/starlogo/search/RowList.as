@@ -43,11 +43,21 @@ package starlogo.search
         /** The rows of the agents of the list that was proposed last. */
         protected var proposed:Vector.<int> = new Vector.<int>();
 
+        /**
+         * The rows whose agents have left with the list that was read last, or have another place among the others in it. Two lists in which all
+         * other agents have the same order.
+         */
+        internal var left:Vector.<int> = new Vector.<int>();
+
+        /** The number of these rows. */
+        internal var leftCount:int = 0;
+
         /** Whether the list that was proposed last was accepted. */
         protected var isAccepted:Boolean = true;
 
         private var _free:Vector.<int> = new Vector.<int>();
         private var _freeCount:int = 0;
+        private var _inOrder:Vector.<int> = new Vector.<int>();
         private var _rowsById:IdTable = new IdTable();
 
         // All rows below it are in use or free.
@@ -126,6 +136,7 @@ package starlogo.search
         /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
         protected function accept(length:int):void
         {
+            listReordered(length);
             for (var i:int = 0; i < count; i++)
             {
                 ranks[rows[i]] = UNLISTED;
@@ -155,6 +166,7 @@ package starlogo.search
         {
             _rowsById.remove(agents[row].number);
             agents[row] = null;
+            leave(row);
             _free[_freeCount] = row;
             _freeCount++;
         }
@@ -199,6 +211,40 @@ package starlogo.search
             ranks[row] = UNLISTED;
             _rowsById.set (agent.number, row);
             return row;
+        }
+
+        // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
+        private function listReordered(length:int):void
+        {
+            var inOrder:Vector.<int> = _inOrder;
+            var end:int = 0;
+            for (var i:int = 0; i < length; i++)
+            {
+                var row:int = proposed[i];
+                var rank:int = ranks[row];
+                if (rank == UNLISTED)
+                {
+                    continue;
+                }
+                if (end > 0 && ranks[inOrder[int(end - 1)]] > rank)
+                {
+                    if (end > 1 && ranks[inOrder[int(end - 2)]] > rank)
+                    {
+                        leave(row);
+                        continue;
+                    }
+                    end--;
+                    leave(inOrder[end]);
+                }
+                inOrder[end] = row;
+                end++;
+            }
+        }
+
+        private function leave(row:int):void
+        {
+            left[leftCount] = row;
+            leftCount++;
         }
 
         private function freeUnlisted():void

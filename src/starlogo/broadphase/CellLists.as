@@ -1,0 +1,328 @@
+package starlogo.broadphase
+{
+    /**
+     * Finds rows near one row, among members that hardly change. Each cell has a list of its members, so a member that has moved changes two lists.
+     * The cells are those of the last search of the bins, as long as the numbers of members need no others.
+     *
+     * <p>It also has the key of a pair. Sorted by their keys, pairs are in the order in which the bins would find them.</p>
+     *
+     * @private
+     */
+    public final class CellLists
+    {
+        private static const NONE:int = -1;
+
+        // The factors of the parts of keys. There are fewer levels than LEVELS, fewer cells than CELLS, and fewer rows than ROWS.
+        private static const LEVELS:Number = 64;
+        private static const CELLS:Number = 1 << 24;
+        private static const ROWS:Number = 1 << 22;
+        private static const PLACES:Number = 64;
+
+        /** The number of members. */
+        public var count:int = 0;
+
+        /** The rows that the last <code>findNear()</code> has found. */
+        public var near:Vector.<int> = new Vector.<int>();
+
+        /** How far apart the circles of a pair of that call may be, in patches. */
+        public var slack:Number = 0;
+
+        /** The key of <code>findKey()</code>: its first part, and the second one, which counts if the first ones are equal. */
+        public var key:Number = 0;
+
+        /** @copy #key */
+        public var secondKey:Number = 0;
+
+        private var _levels:BinLevels;
+        private var _extents:Extents;
+
+        // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's number; its neighbours in the list.
+        private var _heads:Vector.<int> = new Vector.<int>();
+        private var _cells:Vector.<int> = new Vector.<int>();
+        private var _levelNumbers:Vector.<int> = new Vector.<int>();
+        private var _next:Vector.<int> = new Vector.<int>();
+        private var _previous:Vector.<int> = new Vector.<int>();
+
+        // Whether a row has come to a level without cells.
+        private var _needsCells:Boolean = false;
+
+        /** @param levels the levels of the bins */
+        public function CellLists(levels:BinLevels)
+        {
+            _levels = levels;
+        }
+
+        /**
+         * Begins with the members of the last search of the bins.
+         *
+         * @param extents the extents in that search. They are read again in each call
+         * @param rows the rows of the members
+         * @param count the number of members
+         * @param length all rows are less than this number
+         */
+        public function begin(extents:Extents, rows:Vector.<int>, count:int, length:int):void
+        {
+            _extents = extents;
+            _needsCells = false;
+            this.count = count;
+            var end:int = 0;
+            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            {
+                var level:BinLevel = _levels.byWidth[i];
+                level.isLaidOut = level.count > 0;
+                if (level.isLaidOut)
+                {
+                    end = level.base + level.mask + 1;
+                }
+            }
+            if (end > _heads.length)
+            {
+                _heads.length = end;
+            }
+            for (i = 0; i < end; i++)
+            {
+                _heads[i] = NONE;
+            }
+            _cells.length = 0;
+            makeRows(length);
+            for (i = 0; i < count; i++)
+            {
+                var row:int = rows[i];
+                level = _levels.byNumber[extents.level[row]];
+                enter(row, level, level.base + level.cellOf(extents.x[row], extents.y[row]));
+            }
+        }
+
+        /** Makes sure that there are this many rows. */
+        public function makeRows(length:int):void
+        {
+            var row:int = _cells.length;
+            if (length > row)
+            {
+                _cells.length = length;
+                for (; row < length; row++)
+                {
+                    _cells[row] = NONE;
+                }
+            }
+            if (length > _next.length)
+            {
+                _next.length = _previous.length = _levelNumbers.length = length;
+            }
+        }
+
+        /** Whether a row is a member. */
+        public function has(row:int):Boolean
+        {
+            return _cells[row] != NONE;
+        }
+
+        /** Makes a row a member at the place of its extents. */
+        public function put(row:int):void
+        {
+            var level:BinLevel = _levels.byNumber[_extents.level[row]];
+            if (!level.isLaidOut)
+            {
+                _needsCells = true;
+                return;
+            }
+            var cell:int = level.base + level.cellOf(_extents.x[row], _extents.y[row]);
+            if (_cells[row] != cell)
+            {
+                remove(row);
+                enter(row, level, cell);
+                level.count++;
+                count++;
+            }
+        }
+
+        /** From now on a row is no member. */
+        public function remove(row:int):void
+        {
+            var cell:int = _cells[row];
+            if (cell == NONE)
+            {
+                return;
+            }
+            var before:int = _previous[row];
+            var after:int = _next[row];
+            if (before == NONE)
+            {
+                _heads[cell] = after;
+            }
+            else
+            {
+                _next[before] = after;
+            }
+            if (after != NONE)
+            {
+                _previous[after] = before;
+            }
+            _cells[row] = NONE;
+            _levels.byNumber[_levelNumbers[row]].count--;
+            count--;
+        }
+
+        /** Whether the bins would give the members the same cells now. */
+        public function areCellsValid():Boolean
+        {
+            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            {
+                var level:BinLevel = _levels.byWidth[i];
+                if (level.isLaidOut && level.count > 0 && level.maskFor(level.count) != level.mask)
+                {
+                    return false;
+                }
+            }
+            return !_needsCells && _levels.byWidth.length < LEVELS && _next.length < ROWS;
+        }
+
+        /**
+         * Finds the members of a level whose circles overlap a member's circle, and writes them to <code>near</code>.
+         *
+         * @param index the level's index, from the coarsest to the finest
+         * @param marks by row; a row with the mark is left out if it is less than the member, because the pair is found from there
+         * @return the number of rows
+         */
+        public function findNear(row:int, index:int, marks:Vector.<int>, mark:int):int
+        {
+            var level:BinLevel = _levels.byWidth[index];
+            if (!level.isLaidOut || level.count == 0)
+            {
+                return 0;
+            }
+            var own:BinLevel = _levels.byNumber[_extents.level[row]];
+            slack = own.width > level.width ? own.slack : level.slack;
+            var wide:Number = own.largestHalf + level.largestHalf + slack;
+            var across:Number = 2 * wide * level.cellsPerPatch + 2;
+            if (across * across > level.mask)
+            {
+                // a cell's number may come several times in so many cells, but each of all numbers comes once
+                var all:int = 0;
+                for (var cell:int = level.base; cell <= level.base + level.mask; cell++)
+                {
+                    all = _heads[cell] == NONE ? all : collect(row, cell, all, marks, mark);
+                }
+                return all;
+            }
+            var x:Number = _extents.x[row];
+            var y:Number = _extents.y[row];
+            if (!level.isWithin(x, y))
+            {
+                return 0;
+            }
+            var found:int = 0;
+            var lastColumn:int = level.columnOf(x + wide);
+            var lastLine:int = level.columnOf(y + wide);
+            for (var line:int = level.columnOf(y - wide); line <= lastLine; line++)
+            {
+                for (var column:int = level.columnOf(x - wide); column <= lastColumn; column++)
+                {
+                    cell = level.base + level.numberOf(column, line);
+                    if (_heads[cell] != NONE)
+                    {
+                        found = keepOfCell(level, column, line, found, collect(row, cell, found, marks, mark));
+                    }
+                }
+            }
+            return found;
+        }
+
+        /** The number of levels, as <code>findNear()</code> counts them. */
+        public function get levelCount():int
+        {
+            return _levels.byWidth.length;
+        }
+
+        /**
+         * Finds the key of a pair of members.
+         *
+         * @param ranks by row: its rank, which decides in a cell
+         */
+        public function findKey(a:int, b:int, ranks:Vector.<int>):void
+        {
+            var xs:Vector.<Number> = _extents.x;
+            var ys:Vector.<Number> = _extents.y;
+            var levelA:BinLevel = _levels.byNumber[_extents.level[a]];
+            var levelB:BinLevel = _levels.byNumber[_extents.level[b]];
+            var columns:int = levelB.columnOf(xs[b]) - levelB.columnOf(xs[a]);
+            var lines:int = levelB.columnOf(ys[b]) - levelB.columnOf(ys[a]);
+            // the bins find a pair from the finer row; in a level, from the lesser line, then the lesser column, then the lesser rank
+            var isSecondFirst:Boolean = levelA.index < levelB.index;
+            if (levelA === levelB)
+            {
+                isSecondFirst = lines < 0 || lines == 0 && (columns < 0 || columns == 0 && ranks[b] < ranks[a]);
+                if (isSecondFirst)
+                {
+                    columns = -columns;
+                    lines = -lines;
+                }
+            }
+            else if (isSecondFirst)
+            {
+                columns = levelA.columnOf(xs[a]) - levelA.columnOf(xs[b]);
+                lines = levelA.columnOf(ys[a]) - levelA.columnOf(ys[b]);
+            }
+            var first:int = isSecondFirst ? b : a;
+            var second:int = isSecondFirst ? a : b;
+            var level:BinLevel = isSecondFirst ? levelB : levelA;
+            var other:BinLevel = isSecondFirst ? levelA : levelB;
+            key = (level.index * LEVELS + other.index) * CELLS + level.cellOf(xs[first], ys[first]);
+            secondKey = (ranks[first] * PLACES + (lines + 3) * 8 + columns + 3) * ROWS + ranks[second];
+        }
+
+        private function enter(row:int, level:BinLevel, cell:int):void
+        {
+            var after:int = _heads[cell];
+            _next[row] = after;
+            _previous[row] = NONE;
+            if (after != NONE)
+            {
+                _previous[after] = row;
+            }
+            _heads[cell] = row;
+            _cells[row] = cell;
+            _levelNumbers[row] = level.number;
+        }
+
+        // Adds the rows of a cell whose circles overlap a row's circle to near. Returns their number with the ones before.
+        private function collect(row:int, cell:int, found:int, marks:Vector.<int>, mark:int):int
+        {
+            var xs:Vector.<Number> = _extents.x;
+            var ys:Vector.<Number> = _extents.y;
+            var radii:Vector.<Number> = _extents.radius;
+            var next:Vector.<int> = _next;
+            var x:Number = xs[row];
+            var y:Number = ys[row];
+            var ownReach:Number = radii[row] + slack;
+            for (var other:int = _heads[cell]; other != NONE; other = next[other])
+            {
+                var distanceX:Number = xs[other] - x;
+                var distanceY:Number = ys[other] - y;
+                var reach:Number = ownReach + radii[other];
+                if (distanceX * distanceX + distanceY * distanceY <= reach * reach && other != row && (other > row || marks[other] != mark))
+                {
+                    near[found] = other;
+                    found++;
+                }
+            }
+            return found;
+        }
+
+        // Leaves out rows of other cells with the same number.
+        private function keepOfCell(level:BinLevel, column:int, line:int, first:int, end:int):int
+        {
+            var kept:int = first;
+            for (var i:int = first; i < end; i++)
+            {
+                var row:int = near[i];
+                if (level.columnOf(_extents.x[row]) == column && level.columnOf(_extents.y[row]) == line)
+                {
+                    near[kept] = row;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+    }
+}

@@ -1,0 +1,144 @@
+package benchmark
+{
+    import evaluation.Measurement;
+    import evaluation.Table;
+    import evaluation.pairs.SeededRandom;
+    import headless.Host;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+
+    /**
+     * Frames in which all agents move, some, or none: spheres of the BinCollider and turned cubes of the TightestFitCollider, one on each patch,
+     * with a handler for all pairs or for the pairs of those that move. The last row is a maze: 20,000 cubes on a ground, and 50 movers of which
+     * 10 sweep, with handlers for touches, their starts and their ends. The times are those of <code>update()</code> and of the moves.
+     */
+    public class FewMoveBenchmark
+    {
+        private static const ROUNDS:int = 9;
+        private static const SHARES:Array = [1, 0.1, 0.01, 0];
+        private static const SPEED:Number = 0.03;
+        private static const WALLS:int = 20000;
+        private static const MOVERS:int = 50;
+        private static const SWEEPERS:int = 10;
+
+        private var _greatLand:GreatLand = new GreatLand();
+        private var _calls:int = 0;
+
+        /** The table. */
+        public function run():String
+        {
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            var table:Table = new Table("agents", "all move, ms", "1 of 10", "1 of 100", "none");
+            var counts:Array = Host.player.indexOf("Ruffle") < 0 ? [1000, 10000, 100000] : [1000, 10000];
+            for each (var count:int in counts)
+            {
+                addRow(table, count + " spheres, all pairs", "sphere", count, false);
+                addRow(table, count + " spheres, movers", "sphere", count, true);
+                addRow(table, count + " cubes, all pairs", "cube", count, false);
+                addRow(table, count + " cubes, movers", "cube", count, true);
+            }
+            var maze:Measurement = mazeFrame();
+            Measurement.runAll(new <Measurement>[maze], ROUNDS);
+            table.add("a maze of " + WALLS + " cubes", "", "", ms(maze), "");
+            return String(table);
+        }
+
+        private function addRow(table:Table, name:String, shape:String, count:int, ofMovers:Boolean):void
+        {
+            var all:Vector.<Measurement> = new Vector.<Measurement>();
+            for each (var share:Number in SHARES)
+            {
+                all.push(frame(shape, count, share, ofMovers));
+            }
+            Measurement.runAll(all, ROUNDS);
+            table.add(name, ms(all[0]), ms(all[1]), ms(all[2]), ms(all[3]));
+        }
+
+        private function frame(shape:String, count:int, share:Number, ofMovers:Boolean):Measurement
+        {
+            var random:SeededRandom = new SeededRandom(count);
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            var movers:Vector.<Agent> = new Vector.<Agent>();
+            var side:Number = Math.sqrt(count);
+            for (var i:int = 0; i < count; i++)
+            {
+                var moves:Boolean = int((i + 1) * share) > int(i * share);
+                agents.push(scattered(random, shape, ofMovers && moves ? "movers" : "walls", side));
+                if (moves)
+                {
+                    movers.push(agents[i]);
+                }
+            }
+            var collision:Collision = new Collision(shape == "cube" ? new TightestFitCollider(_greatLand) : new BinCollider(_greatLand));
+            collision.onCollision(ofMovers ? "movers" : Collision.ANY_BREED, Collision.ANY_BREED, call);
+            return measure(collision, agents, movers);
+        }
+
+        private function mazeFrame():Measurement
+        {
+            var random:SeededRandom = new SeededRandom(WALLS);
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            var side:Number = Math.sqrt(2 * WALLS);
+            for (var i:int = 0; i < WALLS; i++)
+            {
+                agents.push(scattered(random, "cube", "walls", side));
+            }
+            var movers:Vector.<Agent> = new Vector.<Agent>();
+            for (i = 0; i < MOVERS; i++)
+            {
+                var mover:Agent = scattered(random, "cube", "movers", side);
+                mover.sweeps = i < SWEEPERS;
+                movers.push(mover);
+                agents.push(mover);
+            }
+            var collision:Collision = new Collision(new TightestFitCollider(_greatLand));
+            var cells:int = Math.ceil(side) + 2;
+            collision.terrain = new Terrain(cells, cells, 1, -side / 2, -side / 2);
+            collision.onCollision("movers", "walls", call);
+            collision.onCollision("movers", Collision.TERRAIN, call);
+            collision.onCollisionStart("movers", Collision.ANY_BREED, call);
+            collision.onCollisionEnd("movers", Collision.ANY_BREED, call);
+            return measure(collision, agents, movers);
+        }
+
+        private static function scattered(random:SeededRandom, shape:String, breed:String, side:Number):Agent
+        {
+            var agent:Agent = new Agent(shape, breed);
+            agent.moveTo((random.next() - 0.5) * side, (random.next() - 0.5) * side, 0);
+            agent.heading = 360 * random.next();
+            return agent;
+        }
+
+        // The movers go to and fro.
+        private function measure(collision:Collision, agents:Vector.<Agent>, movers:Vector.<Agent>):Measurement
+        {
+            var frames:int = 0;
+            return new Measurement("frame", function():void
+                {
+                    frames++;
+                    var by:Number = (frames & 8) == 0 ? SPEED : -SPEED;
+                    for each (var mover:Agent in movers)
+                    {
+                        mover.moveTo(mover.x + by, mover.y, mover.z);
+                    }
+                    collision.update(agents);
+                }, 1);
+        }
+
+        private function call(collider:Agent, collidee:Agent):void
+        {
+            _calls++;
+        }
+
+        private static function ms(measurement:Measurement):String
+        {
+            return (measurement.nanoseconds / 1e6).toFixed(2);
+        }
+    }
+}

@@ -1,0 +1,14 @@
+/** Some of the games of kept.mjs; that command plays more. */
+import assert from "node:assert/strict";
+import test from "node:test";
+import { play } from "./kept.mjs";
+
+test("a frame in which few agents have changed makes the calls of a frame that tests all agents, in their order", () => {
+	let calls = 0, partial = 0;
+	for (let seed = 1; seed <= 25; seed++) {
+		const game = play(seed);
+		calls += game.calls;
+		partial += game.partial;
+	}
+	assert.ok(calls > 100000 && partial > 300, `${calls} calls, and ${partial} frames with fewer candidates`);
+});

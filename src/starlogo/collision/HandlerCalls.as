@@ -95,7 +95,8 @@ package starlogo.collision
             }
         }
 
-        // The try is here and not around each call, because Adobe's VM makes an object for each call of a method with a try.
+        // The try is here and not around each call, because a method with a try makes an object for each of its calls in Adobe's VM, and takes
+        // longer than most handlers.
         private function takeTurnsBefore(end:int, errors:Vector.<Error>):void
         {
             while (_turn < end)

@@ -42,8 +42,8 @@ package starlogo.search
         public var deciding:int = 0;
 
         // The pushes. The length of one that was taken is Infinity. The current one is -1 at first.
-        private var _pushes:Vector.<Number> = new Vector.<Number>(STRIDE * MOST, true);
-        private var _deciding:Vector.<int> = new Vector.<int>(MOST, true);
+        private var _pushes:Vector.<Number> = new Vector.<Number>();
+        private var _deciding:Vector.<int> = new Vector.<int>();
         private var _count:int = 0;
         private var _current:int = -1;
 
@@ -159,6 +159,12 @@ package starlogo.search
 
         private function keep():void
         {
+            if (_count == _deciding.length)
+            {
+                // most bodies need few pushes, so MOST would be much memory for each collider
+                _deciding.length = 2 * _count + 4;
+                _pushes.length = STRIDE * _deciding.length;
+            }
             var at:int = STRIDE * _count;
             _pushes[at] = _bestX;
             _pushes[int(at + 1)] = _bestY;

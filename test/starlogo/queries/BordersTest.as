@@ -33,6 +33,7 @@ package starlogo.queries
             var several:int = 0;
             for each (var name:String in ["bins", "tightest fits"])
             {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
                 for (var i:int = 0; i < 1000; i++)
                 {
                     var agents:Vector.<Agent> = new Vector.<Agent>();
@@ -40,7 +41,6 @@ package starlogo.queries
                     {
                         agents.push(agentAt("sphere", random.between(-1, 1), random.between(-1, 1), random.between(-1.5, 0.5)));
                     }
-                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
                     queries.update(agents);
                     var way:Vector3D = new Vector3D(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
                     // a sphere goes into another if their middles come nearer

@@ -17,7 +17,7 @@ package starlogo.queries
     /** Questions allocate nothing once they have been asked, if out is given; nor do updates. As AllocationTest. */
     public class QueriesAllocationTest
     {
-        private static const AGENTS:int = 60;
+        private static const AGENTS:int = 40;
         private static const ASK_EVERY:int = 8;
         // frames in which all turn about once, an even number: then they are where they were
         private static const TURN:int = 6;

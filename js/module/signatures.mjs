@@ -35,8 +35,13 @@ function readType(source, qname) {
 	return type;
 }
 
-function memberOf([, doc = "", modifiers, keyword, accessor, name, parameters, result = "*", initial = null], type) {
+/** A parameter that only the engine's own classes pass, as its documentation says. It comes last. */
+const INNER = /@param (\w+) for the engine alone: (?:(?!\n\s*\* @)[\s\S])*\n\s*\* (?=@)/;
+
+function memberOf([, given = "", modifiers, keyword, accessor, name, parameters, result = "*", initial = null], type) {
 	const words = modifiers.trim().split(/\s+/);
+	const doc = given.replace(INNER, "");
+	const inner = INNER.exec(given)?.[1];
 	return {
 		name,
 		doc: textOf(doc),
@@ -46,7 +51,7 @@ function memberOf([, doc = "", modifiers, keyword, accessor, name, parameters, r
 		isStatic: words.includes("static"),
 		isOverride: words.includes("override"),
 		kind: keyword !== "function" ? keyword : accessor ?? (name === type.name ? "constructor" : "method"),
-		parameters: parameters ? parametersOf(parameters) : [],
+		parameters: parameters ? parametersOf(parameters).filter((each) => each.name !== inner) : [],
 		result,
 		initial,
 	};

@@ -337,9 +337,7 @@ package starlogo.queries
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
-            var distances:DistanceQuestions = ask.distances;
-            distances.find(a, b, pointA, pointB);
-            return distances.closest.distance;
+            return ask.distances.find(a, b, pointA, pointB);
         }
 
         /**
@@ -357,9 +355,7 @@ package starlogo.queries
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
         {
             requirePoint(point);
-            var distances:DistanceQuestions = ask.distances;
-            distances.findToPoint(agent, point, out);
-            return distances.closest.distance;
+            return ask.distances.findToPoint(agent, point, out);
         }
 
         /**

@@ -111,16 +111,6 @@ package starlogo.queries
             count = _admittedCount = 0;
         }
 
-        /** Excludes one more row. */
-        public function except(row:int):void
-        {
-            if (row >= 0)
-            {
-                filters = true;
-                _excepted[row] = _question;
-            }
-        }
-
         /** Whether a row counts. The filter's <code>accepts</code> is not asked here. */
         public function admits(row:int):Boolean
         {
@@ -328,7 +318,12 @@ package starlogo.queries
             var except:Vector.<Agent> = filter == null ? null : filter.except;
             for (var i:int = 0; except != null && i < except.length; i++)
             {
-                this.except(except[i] == null ? -1 : _seen.table.rowOf(except[i]));
+                var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);
+                if (row >= 0)
+                {
+                    filters = true;
+                    _excepted[row] = _question;
+                }
             }
         }
 

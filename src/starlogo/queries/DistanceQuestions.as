@@ -23,7 +23,7 @@ package starlogo.queries
      */
     public final class DistanceQuestions
     {
-        /** The last distance, and the closest points in the world. */
+        /** What <code>measure()</code> found last: the distance, and the closest points in the world. */
         public var closest:ClosestPair = new ClosestPair();
 
         private var _seen:SeenAgents;
@@ -36,12 +36,12 @@ package starlogo.queries
         }
 
         /**
-         * Finds the distance between two agents, and writes it to <code>closest</code>. See AgentQueries.distance.
+         * The distance between two agents. See AgentQueries.distance.
          *
          * @param pointA receives the first agent's nearest point; or null
          * @param pointB receives the second agent's nearest point; or null
          */
-        public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):void
+        public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
         {
             Collider.requireTwo(a, b);
             if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
@@ -51,23 +51,23 @@ package starlogo.queries
             var rowB:int = _seen.rowOf(b);
             if (rowB >= 0 && _seen.table.shapes[rowB] == null)
             {
-                closest.distance = Infinity;
-                return;
+                return Infinity;
             }
-            answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _seen.other) : _seen.table.bodyOf(rowB), pointA, pointB);
+            return answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _seen.other) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
-        /** Finds the distance between an agent and a point, and writes it to <code>closest</code>. See AgentQueries.distanceToPoint. */
-        public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):void
+        /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
+        public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
         {
             _point.center.setTo(point.x, point.y, point.z);
             _seen.other.readStructure(_point);
-            answer(_seen.bodyOf(agent), _seen.other, out, null);
-            if (closest.distance == 0)
+            var distance:Number = answer(_seen.bodyOf(agent), _seen.other, out, null);
+            if (distance == 0)
             {
                 // without the rounding of the point that was found
                 write(out, point.x, point.y, point.z);
             }
+            return distance;
         }
 
         /**
@@ -107,15 +107,16 @@ package starlogo.queries
             pairs.testsOf(a, b).findClosest(a, b, areTouching, closest);
         }
 
-        private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):void
+        private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
         {
-            closest.distance = Infinity;
-            if (a.shape != null && b.shape != null)
+            if (a.shape == null || b.shape == null)
             {
-                measure(_seen.pairs, a, b, pointA != null || pointB != null);
-                write(pointA, closest.aX, closest.aY, closest.aZ);
-                write(pointB, closest.bX, closest.bY, closest.bZ);
+                return Infinity;
             }
+            measure(_seen.pairs, a, b, pointA != null || pointB != null);
+            write(pointA, closest.aX, closest.aY, closest.aZ);
+            write(pointB, closest.bX, closest.bY, closest.bZ);
+            return closest.distance;
         }
 
         private static function write(out:Vector3D, x:Number, y:Number, z:Number):void

@@ -137,25 +137,14 @@ package starlogo.queries
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
         }
 
-        // The next row that counts and that the ray meets, or -1.
-        private function next():int
-        {
-            var row:int = _found.nextOf(_search);
-            while (row >= 0 && !_rays.meets(row))
-            {
-                row = _found.nextOf(_search);
-            }
-            return row;
-        }
-
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect():void
         {
             var ray:Ray = _ray;
             var numbers:Vector.<Number> = _hits.numbers;
-            for (var row:int = next(); row >= 0; row = next())
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_found.add(row, ray.from))
+                if (_rays.meets(row) && _found.add(row, ray.from))
                 {
                     var at:int = _hits.put(row);
                     numbers[at] = ray.from;

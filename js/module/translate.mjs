@@ -520,6 +520,7 @@ export class Program {
 		const type = vectorType(node.callee);
 		if (type === null) return null;
 		if (node.arguments.length === 0) return "[]";
+		if (type === "Number") return `${this.#helper("doubles")}(${this.#text(node.arguments[0])})`;
 		return `${this.#helper("vector")}(${this.#text(node.arguments[0])}, ${this.#zeroOf(type)})`;
 	}
 

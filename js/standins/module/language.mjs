@@ -10,6 +10,13 @@ export function $vector(length, zero) {
 	return new Array(length).fill(zero);
 }
 
+/** `new Vector.<Number>(length)`. It begins as an array of doubles, because V8 copies an array of small integers when the first double comes. */
+export function $doubles(length) {
+	const numbers = new Array(length);
+	if (length > 0) numbers[0] = 0.5;
+	return numbers.fill(0);
+}
+
 /** `vector.length = length`. As an expression it is the new length. */
 export function $resize(vector, length, zero) {
 	const before = vector.length;

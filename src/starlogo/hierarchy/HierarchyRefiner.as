@@ -14,7 +14,7 @@ package starlogo.hierarchy
      */
     public final class HierarchyRefiner extends StepSequence
     {
-        private static const LEAF_SIZE:int = 4;
+        private static const LEAF_SIZE:int = 8;
         private static const ITEMS_PER_STEP:int = 1000;
 
         private var _hierarchy:Hierarchy;

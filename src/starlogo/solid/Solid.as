@@ -69,13 +69,11 @@ package starlogo.solid
         private var _axisB:int;
         private var _axisC:int;
 
-        // The current ray: its origin along these axes; and how far a box may be off, towards the larger and the smaller coordinates.
+        // The current ray: its origin along these axes, and whether it goes towards the smaller coordinates.
         private var _a:Number;
         private var _b:Number;
         private var _c:Number;
         private var _isBackward:Boolean;
-        private var _above:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _below:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * @param root the node around all triangles
@@ -137,13 +135,13 @@ package starlogo.solid
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _axis == 0 ? x < root.x : (_axis == 1 ? y < root.y : z < root.z);
             var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                _above[axis] = margin;
-                _below[axis] = margin;
-            }
-            var unbounded:Vector.<Number> = _isBackward ? _below : _above;
-            unbounded[_axis] = Infinity;
+            // how far a box may be off, towards the larger and the smaller coordinates
+            var aboveX:Number = _axis == 0 && !_isBackward ? Infinity : margin;
+            var aboveY:Number = _axis == 1 && !_isBackward ? Infinity : margin;
+            var aboveZ:Number = _axis == 2 && !_isBackward ? Infinity : margin;
+            var belowX:Number = _axis == 0 && _isBackward ? Infinity : margin;
+            var belowY:Number = _axis == 1 && _isBackward ? Infinity : margin;
+            var belowZ:Number = _axis == 2 && _isBackward ? Infinity : margin;
             var stack:Vector.<HierarchyNode> = _stack;
             stack[0] = root;
             var top:int = 1;
@@ -151,7 +149,21 @@ package starlogo.solid
             {
                 top--;
                 var node:HierarchyNode = stack[top];
-                if (!meetsBox(node, node.x - x, node.y - y, node.z - z))
+                var away:Number = node.x - x;
+                var half:Number = node.halfX;
+                if (away > half + aboveX || -away > half + belowX)
+                {
+                    continue;
+                }
+                away = node.y - y;
+                half = node.halfY;
+                if (away > half + aboveY || -away > half + belowY)
+                {
+                    continue;
+                }
+                away = node.z - z;
+                half = node.halfZ;
+                if (away > half + aboveZ || -away > half + belowZ)
                 {
                     continue;
                 }
@@ -186,12 +198,6 @@ package starlogo.solid
                 windings[wound[i]] = 0;
             }
             woundCount = 0;
-        }
-
-        private function meetsBox(node:HierarchyNode, x:Number, y:Number, z:Number):Boolean
-        {
-            return x <= node.halfX + _above[0] && -x <= node.halfX + _below[0] && y <= node.halfY + _above[1] && -y <= node.halfY + _below[1]
-                && z <= node.halfZ + _above[2] && -z <= node.halfZ + _below[2];
         }
 
         // Adds a triangle to its piece's winding number if the ray crosses it.

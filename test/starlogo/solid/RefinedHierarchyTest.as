@@ -22,7 +22,7 @@ package starlogo.solid
     {
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/fortress.obj", "/assets/dragon.dae"];
 
-        private static const MOST:int = 4;
+        private static const MOST:int = 8;
 
         [Test]
         public function aClientSeesTheSameTree():void
@@ -68,7 +68,7 @@ package starlogo.solid
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
-            assertEquals(13, check(hierarchy.root, hierarchy.solid.extents));
+            assertEquals(8, check(hierarchy.root, hierarchy.solid.extents));
         }
 
         [Test]

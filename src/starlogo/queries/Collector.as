@@ -12,7 +12,7 @@ package starlogo.queries
      * or a time. Rows with the same key are in the order of the list. The limit is the largest key that still counts. It shrinks when enough
      * rows are found, so the search visits less.
      *
-     * <p>A search asks <code>admits()</code> about each row before it tests the row. A filter's own function, <code>accepts</code>, is called
+     * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. It may ask questions itself. These have
      * another Collector (QuestionSet).</p>
      *
@@ -111,13 +111,10 @@ package starlogo.queries
             count = _admittedCount = 0;
         }
 
-        /** Whether a row counts. The filter's <code>accepts</code> is not asked here. */
-        public function admits(row:int):Boolean
-        {
-            return row != skipped && (!filters || admitsMarked(row));
-        }
-
-        /** Whether a row counts, if it is not one that is skipped. Ask only if <code>filters</code> is true. */
+        /**
+         * Whether a row counts, if it is not the one that is skipped. Ask only if <code>filters</code> is true. The filter's <code>accepts</code>
+         * is not asked here.
+         */
         public function admitsMarked(row:int):Boolean
         {
             return (_breeds[_agents[row].breedNumber] == _question) == _breedsCount && _excepted[row] != _question;
@@ -127,7 +124,7 @@ package starlogo.queries
         public function nextOf(search:WaySearch):int
         {
             var row:int = search.next();
-            while (row >= 0 && (_seen.table.shapes[row] == null || !admits(row)))
+            while (row >= 0 && (row == skipped || _seen.table.shapes[row] == null || filters && !admitsMarked(row)))
             {
                 row = search.next();
             }
@@ -297,6 +294,11 @@ package starlogo.queries
         {
             _question++;
             cone = null;
+            filters = false;
+            if (filter == null)
+            {
+                return;
+            }
             if (_breeds.length < Breeds.count)
             {
                 _breeds.length = Breeds.count;
@@ -305,7 +307,7 @@ package starlogo.queries
             {
                 _excepted.length = _agents.length;
             }
-            filters = filter != null && (filter.breeds != null || filter.exceptBreeds != null);
+            filters = filter.breeds != null || filter.exceptBreeds != null;
             _breedsCount = filters && filter.breeds != null;
             if (_breedsCount)
             {
@@ -315,7 +317,7 @@ package starlogo.queries
             {
                 markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
             }
-            var except:Vector.<Agent> = filter == null ? null : filter.except;
+            var except:Vector.<Agent> = filter.except;
             for (var i:int = 0; except != null && i < except.length; i++)
             {
                 var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);

@@ -26,7 +26,7 @@ package starlogo.terrain
         protected var _tree:SolidHierarchy;
         protected var _structure:BoundingStructure;
         private var _depth:int;
-        protected var _isExact:Boolean;
+        private var _isExact:Boolean;
 
         // The model's place, and where it stands at the current time relative to that place.
         protected var _origin:Placement = new Placement();

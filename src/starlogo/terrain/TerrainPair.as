@@ -63,8 +63,8 @@ package starlogo.terrain
                     {
                         return true;
                     }
-                    // a corner of a triangle may be on the surface
-                    _point = _isExact ? null : _point;
+                    // the point of a flat piece may be on the surface
+                    _point = _tree == null ? _point : null;
                 }
             }
             return _isUnder;

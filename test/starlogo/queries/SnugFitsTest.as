@@ -6,6 +6,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -69,6 +70,31 @@ package starlogo.queries
                         var u:Agent = aroundAPost(system, heading, 1);
                         go(u, _random.pick([-2, -0.3, 0, 0.3, 2]), _random.pick([-2, -0.3, 0, 0.3, 2]), _random.pick([0, 0, -0.4, 0.4]));
                         expectAround(system, heading, u, HAIR);
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function aUAroundAColumnOfTheGroundNeverGoesThroughIt():void
+        {
+            var terrain:Terrain = new Terrain(9, 9, 1, -4, -4);
+            terrain.isBlocky = true;
+            terrain.setHeight(4, 4, 1.5);
+            for each (var system:String in SYSTEMS)
+            {
+                for (var i:int = 0; i < Effort.choose(40, 2000); i++)
+                {
+                    var u:Agent = agentAt("u", 0, 0, _random.pick([0.1, 0.25, 1e-6]));
+                    u.hierarchical = true;
+                    _queries = new AgentQueries(EachCollider.make(system, sGreatLand));
+                    _queries.terrain = terrain;
+                    _queries.update(new <Agent>[u]);
+                    go(u, _random.pick([-2, -0.3, 0, 0.3, 2]), _random.pick([-2, -0.3, 0, 0.3, 2]), _random.pick([0, 0.2]));
+                    if (Math.abs(u.x) > HAIR || u.y > HAIR)
+                    {
+                        _wrong.add(system, u.x + ", " + u.y);
                     }
                 }
             }

@@ -5,7 +5,7 @@ import { fileURLToPath } from "node:url";
 import v8 from "node:v8";
 
 /** Bytes that each of some calls leaves, in the best of several rounds: in others the compiler has worked too. */
-export function garbageOf(call, { warm = 60, calls = 20, rounds = 5 } = {}) {
+export function garbageOf(call, { warm = 100, calls = 50, rounds = 5 } = {}) {
 	for (let i = 0; i < warm; i++) call();
 	const left = [];
 	for (let round = 0; round < rounds; round++) {

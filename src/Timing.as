@@ -1,5 +1,14 @@
 package
 {
+    import evaluation.GameTask;
+    import evaluation.GroundView;
+    import evaluation.ModelFiles;
+    import evaluation.MonitorTask;
+    import evaluation.Plan;
+    import evaluation.Progress;
+    import evaluation.Results;
+    import evaluation.Settings;
+    import evaluation.Task;
     import flash.display.Sprite;
     import flash.display.StageAlign;
     import flash.display.StageScaleMode;
@@ -10,15 +19,6 @@ package
     import flash.utils.getDefinitionByName;
     import flash.utils.getTimer;
     import headless.Host;
-    import evaluation.GameTask;
-    import evaluation.GroundView;
-    import evaluation.ModelFiles;
-    import evaluation.MonitorTask;
-    import evaluation.Plan;
-    import evaluation.Progress;
-    import evaluation.Results;
-    import evaluation.Settings;
-    import evaluation.Task;
 
     /**
      * The timing harness: the thesis's evaluation (§6), one step per player frame. The measurements go to the runner as results.json, and

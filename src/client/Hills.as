@@ -5,8 +5,8 @@ package client
     import flash.utils.Dictionary;
     import starlogo.agents.Agent;
     import starlogo.away3d.Away3dTerrain;
-    import starlogo.collision.CombinationCollider;
     import starlogo.collision.Collision;
+    import starlogo.collision.CombinationCollider;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.Footing;
     import starlogo.queries.WalkOptions;

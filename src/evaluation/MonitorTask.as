@@ -1,9 +1,9 @@
 package evaluation
 {
-    import flash.display.Stage;
-    import flash.events.Event;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
+    import flash.display.Stage;
+    import flash.events.Event;
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;

@@ -1,8 +1,8 @@
 package evaluation
 {
-    import flash.display.Stage;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
+    import flash.display.Stage;
     import starlogo.GreatLand;
 
     /** The tasks that the settings ask for, in the order of the thesis's section 6. */

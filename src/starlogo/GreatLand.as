@@ -6,10 +6,10 @@ package starlogo
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.ModelBuild;
+    import starlogo.libraries.ModelResultsBuilder;
     import starlogo.libraries.ShapeEntry;
     import starlogo.libraries.ShapeTable;
-    import starlogo.libraries.StructuresBuild;
+    import starlogo.libraries.StructuresBuilder;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.argumentsFingerprint;
@@ -138,7 +138,7 @@ package starlogo
          */
         public function receive(model:Model):Steps
         {
-            var build:ModelBuild = newBuild(model, fitStore);
+            var build:ModelResultsBuilder = newBuild(model, fitStore);
             return new StepSequence().add(build).call(function():void
                 {
                     // null if there is none, because the entry's old data belong to another model
@@ -162,7 +162,7 @@ package starlogo
          */
         public function bake(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
-            var build:ModelBuild = newBuild(model, null);
+            var build:ModelResultsBuilder = newBuild(model, null);
             finish(build);
             return build.toCooked(argumentsFingerprint(upAxis, model.source.scaling, usesTransforms));
         }
@@ -243,7 +243,7 @@ package starlogo
         }
 
         /** @private The work that computes the results that the flags ask for. None of its steps is done yet. The results are not added. */
-        engine function newBuild(model:Model, fitStore:FitStore):ModelBuild
+        engine function newBuild(model:Model, fitStore:FitStore):ModelResultsBuilder
         {
             if (model == null)
             {
@@ -251,8 +251,8 @@ package starlogo
             }
             var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
             var hierarchy:SolidHierarchyBuilder = loadHierarchies ? _hierarchies.builderOf(model.vertices, model.triangles) : null;
-            var structures:StructuresBuild = loadTightestFit ? _boundingStructures.newBuild(model.name, model.vertices) : null;
-            return new ModelBuild(model, structures, hierarchy, settings, fitStore);
+            var structures:StructuresBuilder = loadTightestFit ? _boundingStructures.newBuild(model.name, model.vertices) : null;
+            return new ModelResultsBuilder(model, structures, hierarchy, settings, fitStore);
         }
     }
 }

@@ -1,10 +1,12 @@
 package benchmark
 {
-    import flash.geom.Matrix3D;
-    import flash.geom.Vector3D;
+    import evaluation.Measurement;
+    import evaluation.Table;
     import evaluation.literal.LiteralTightestFitCollider;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
@@ -15,8 +17,6 @@ package benchmark
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
     import support.Fixtures;
-    import evaluation.Measurement;
-    import evaluation.Table;
 
     /**
      * The thesis's crowd (§6.1): 100 agents in one bin, all colliding, all moved in each frame. With bears, the

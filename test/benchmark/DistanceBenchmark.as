@@ -7,7 +7,7 @@ package benchmark
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.intersection.intersects;
     import starlogo.libraries.HierarchiesLibrary;
@@ -15,7 +15,7 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.TreePair;
+    import starlogo.solid.TreePairQuery;
     import support.Fixtures;
 
     use namespace engine;
@@ -36,8 +36,8 @@ package benchmark
         private static const KINDS:Array = ["sphere", "capsule", "box"];
 
         private var _random:SeededRandom = new SeededRandom(2210);
-        private var _pair:TreePair = new TreePair();
-        private var _closest:ClosestPair = new ClosestPair();
+        private var _pair:TreePairQuery = new TreePairQuery();
+        private var _closest:DistanceResult = new DistanceResult();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];
 

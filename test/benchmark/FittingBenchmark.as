@@ -1,8 +1,8 @@
 package benchmark
 {
-    import flash.utils.getTimer;
     import evaluation.literal.BulkOrientedBoxFit;
     import evaluation.literal.LiteralOrientedBoxFit;
+    import flash.utils.getTimer;
     import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.MinimalCapsuleFitter;

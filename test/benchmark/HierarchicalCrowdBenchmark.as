@@ -1,5 +1,7 @@
 package benchmark
 {
+    import evaluation.Measurement;
+    import evaluation.Table;
     import evaluation.literal.LiteralHierarchicalCollider;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
@@ -12,8 +14,6 @@ package benchmark
     import starlogo.models.ColladaModel;
     import starlogo.models.ObjModel;
     import support.Fixtures;
-    import evaluation.Measurement;
-    import evaluation.Table;
 
     /**
      * The thesis's crowd of 100 bears, all colliding (§6.1), by hierarchies (§6.3.4) and with one hierarchical main character

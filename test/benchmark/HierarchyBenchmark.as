@@ -1,13 +1,13 @@
 package benchmark
 {
+    import evaluation.Measurement;
+    import evaluation.Table;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import support.Fixtures;
-    import evaluation.Measurement;
-    import evaluation.Table;
 
     /** The time to build the hierarchy of each model, beside the thesis's (Figure 6-5, whose other models are not public). */
     public class HierarchyBenchmark

@@ -1,11 +1,11 @@
 package benchmark
 {
-    import headless.Host;
     import evaluation.Colliders;
     import evaluation.Settings;
     import evaluation.Table;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
+    import headless.Host;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;

@@ -17,7 +17,7 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.TreePair;
+    import starlogo.solid.TreePairQuery;
     import support.Fixtures;
 
     use namespace engine;
@@ -36,7 +36,7 @@ package benchmark
         private static const PAIRS:int = 400;
         private static const DEPTH:int = 5;
 
-        private var _pair:TreePair = new TreePair();
+        private var _pair:TreePairQuery = new TreePairQuery();
         private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:SolidHierarchy;

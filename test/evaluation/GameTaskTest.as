@@ -1,9 +1,9 @@
 package evaluation
 {
-    import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertTrue;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.collision.BinCollider;
     import starlogo.models.BuiltInModel;

@@ -1,5 +1,6 @@
 package standins
 {
+    import evaluation.pairs.SeededRandom;
     import flash.errors.IllegalOperationError;
     import flash.events.ErrorEvent;
     import flash.events.Event;
@@ -11,7 +12,6 @@ package standins
     import flash.events.TimerEvent;
     import flash.utils.Timer;
     import flash.utils.getQualifiedClassName;
-    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;

@@ -1,9 +1,9 @@
 package standins
 {
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
-    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import standin.SinglePrecision;

@@ -13,10 +13,10 @@ package starlogo
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
-    import starlogo.collision.Contact;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
+    import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.fitting.AxisAlignedBoxFitter;
@@ -30,6 +30,7 @@ package starlogo
     import starlogo.fitting.OrientedBoxFitter;
     import starlogo.fitting.RitterSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
+    import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.capsuleBox;
     import starlogo.intersection.capsuleCapsule;
@@ -39,7 +40,6 @@ package starlogo
     import starlogo.intersection.sphereSphere;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;

@@ -23,7 +23,7 @@ const COLD = {
 	'starlogo.handlers.HandlerTable': 'made when handlers change',
 	'starlogo.handlers.PairHandlers': 'made when handlers change',
 	'starlogo.hierarchy.HierarchyBuilder': 'when a model loads',
-	'starlogo.hierarchy.Items': 'when a model loads',
+	'starlogo.hierarchy.TreeItems': 'when a model loads',
 	'starlogo.hierarchy.NodeDivider': 'when a model loads',
 	'starlogo.hierarchy.NodeMaker': 'when a model loads',
 	'starlogo.solid.DisjointSets': 'when a model loads',
@@ -34,7 +34,7 @@ const COLD = {
 	'starlogo.solid.SolidBuilder': 'when a model loads',
 	'starlogo.solid.SolidHierarchyBuilder': 'when a model loads',
 	'starlogo.solid.SurfaceBuilder': 'when a model loads',
-	'starlogo.solid.Surface': 'when a model loads',
+	'starlogo.solid.SurfaceTopology': 'when a model loads',
 	'starlogo.solid.Welding': 'when a model loads',
 	'starlogo.search.ModelShapes': 'when agents get other models, and when models are replaced',
 	'starlogo.search.BreedInterests': 'made when handlers change',
@@ -48,7 +48,7 @@ export const ALLOWED = {
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.search.RowList.requireAgent': { count: 2, why: 'the text of an error' },
 	'starlogo.queries.Collector.ask': { count: 1, why: 'what a finally throws again' },
-	'starlogo.collision.HandlerCalls.takeTurnsBefore': { count: 2, why: 'what a handler threw' },
+	'starlogo.collision.HandlerCalls.callUpTo': { count: 2, why: 'what a handler threw' },
 };
 
 const FEWEST_FUNCTIONS = 150;

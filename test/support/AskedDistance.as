@@ -3,12 +3,12 @@ package support
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
-    import starlogo.intersection.distance.ClosestPair;
-    import starlogo.queries.DistanceQuestions;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.queries.DistanceQueries;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShapes;
-    import starlogo.search.RowPairs;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.ShapeChoice;
 
     use namespace engine;
@@ -17,22 +17,22 @@ package support
     public final class AskedDistance
     {
         /** What was found last. */
-        public var closest:ClosestPair;
+        public var closest:DistanceResult;
 
         /** Whether the two touch. */
         public var areTouching:Boolean;
 
-        private var _pairs:RowPairs;
-        private var _distances:DistanceQuestions;
+        private var _pairs:NarrowPhase;
+        private var _distances:DistanceQueries;
         private var _table:AgentTable;
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
         /** As a collider of these shapes and these settings sees agents. */
-        public function AskedDistance(choice:ShapeChoice, pairs:RowPairs)
+        public function AskedDistance(choice:ShapeChoice, pairs:NarrowPhase)
         {
             _pairs = pairs;
-            _distances = new DistanceQuestions(null);
+            _distances = new DistanceQueries(null);
             _table = new AgentTable(new ModelShapes(choice), null);
             closest = _distances.closest;
         }

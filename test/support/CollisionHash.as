@@ -1,7 +1,7 @@
 package support
 {
-    import flash.utils.Dictionary;
     import evaluation.scenes.Scene;
+    import flash.utils.Dictionary;
     import starlogo.agents.Agent;
     import starlogo.collision.CollisionSystem;
 

@@ -7,8 +7,8 @@ package support
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.ClosestTriangles;
-    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.TrianglePairDistance;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.solid.SolidHierarchy;
 
@@ -22,7 +22,7 @@ package support
     {
         private var _greatLand:GreatLand;
         private var _hierarchies:HierarchyReference;
-        private var _pair:ClosestPair = new ClosestPair();
+        private var _pair:DistanceResult = new DistanceResult();
 
         /**
          * @param greatLand has the models
@@ -42,7 +42,7 @@ package support
         /** Of surfaces. */
         public function ofTriangles(a:Agent, b:Agent):Number
         {
-            var triangles:ClosestTriangles = new ClosestTriangles();
+            var triangles:TrianglePairDistance = new TrianglePairDistance();
             var cornersA:Vector.<Number> = cornersOf(a, b);
             var cornersB:Vector.<Number> = cornersOf(b, b);
             for (var i:int = 0; i < cornersA.length; i += 9)
@@ -64,7 +64,7 @@ package support
         /** Of a point and an agent's surface. */
         public function fromTriangles(agent:Agent, point:Vector3D):Number
         {
-            var triangles:ClosestTriangles = new ClosestTriangles();
+            var triangles:TrianglePairDistance = new TrianglePairDistance();
             var corners:Vector.<Number> = cornersOf(agent, agent);
             var x:Number = point.x - agent.x;
             var y:Number = point.y - agent.y;

@@ -3,7 +3,7 @@ package support
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.ClosestTriangles;
+    import starlogo.intersection.TrianglePairDistance;
     import starlogo.intersection.triangleTriangle;
     import starlogo.models.Model;
 
@@ -14,7 +14,7 @@ package support
     {
         private static var sCornersA:Vector.<Number> = new Vector.<Number>();
         private static var sCornersB:Vector.<Number> = new Vector.<Number>();
-        private static var sClosest:ClosestTriangles = new ClosestTriangles();
+        private static var sClosest:TrianglePairDistance = new TrianglePairDistance();
 
         /** Whether the models of two agents meet where these stand. */
         public static function meet(a:Agent, modelA:Model, b:Agent, modelB:Model):Boolean

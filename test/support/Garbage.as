@@ -1,7 +1,7 @@
 package support
 {
-    import org.hamcrest.object.equalTo;
     import org.flexunit.assumeThat;
+    import org.hamcrest.object.equalTo;
 
     /** What the player that tests run in can tell of allocations. The test SWF sets it before any test. */
     public final class Garbage

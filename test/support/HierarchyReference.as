@@ -4,8 +4,8 @@ package support
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.intersection.intersects;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.intersects;
 
     use namespace engine;
 

@@ -1,8 +1,8 @@
 package support
 {
+    import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.steps.Steps;
-    import starlogo.models.Model;
 
     /** Receives models in ten steps that each take their time. */
     public class SlowReceiver implements ModelReceiver

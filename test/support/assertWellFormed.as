@@ -25,8 +25,8 @@ import org.flexunit.asserts.assertTrue;
 import org.flexunit.asserts.fail;
 import starlogo.bounding.BoundingStructure;
 import starlogo.bounding.Box;
-import starlogo.libraries.HierarchiesLibrary;
 import starlogo.hierarchy.HierarchyNode;
+import starlogo.libraries.HierarchiesLibrary;
 
 class WellFormedCheck
 {

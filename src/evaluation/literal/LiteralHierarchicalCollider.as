@@ -2,8 +2,8 @@ package evaluation.literal
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
-    import starlogo.libraries.HierarchiesLibrary;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.libraries.HierarchiesLibrary;
 
     /**
      * The HierarchicalCollider as the thesis describes it (§4.5, §4.6). For each visited pair of nodes, both boxes are copied, scaled,

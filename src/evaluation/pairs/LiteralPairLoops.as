@@ -1,12 +1,12 @@
 package evaluation.pairs
 {
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import evaluation.literal.boxBox;
     import evaluation.literal.capsuleBox;
     import evaluation.literal.capsuleCapsule;
     import evaluation.literal.sphereBox;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
 
     /** Runs the thesis's own pair tests over a set of pairs. Each method returns the number of hits. */
     public final class LiteralPairLoops

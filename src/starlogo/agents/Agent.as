@@ -100,7 +100,7 @@ package starlogo.agents
         engine var structureKind:int = ANY_KIND;
 
         /** @private What the agent stands on since its last walk. It is null before the first walk that ends on an agent. */
-        engine var standing:Standing = null;
+        engine var standing:PlatformLink = null;
 
         /** The agent's colour, with the client's colour numbers. It has no effect on collisions. */
         public var color:Number = 0;

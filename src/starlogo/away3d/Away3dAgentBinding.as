@@ -25,7 +25,7 @@ package starlogo.away3d
      */
     public final class Away3dAgentBinding
     {
-        private static var sTurn:SwappedTurn = new SwappedTurn();
+        private static var sTurn:SwappedRotation = new SwappedRotation();
         private static var sTraits:Vector.<Number> = new Vector.<Number>(12, true);
 
         private var _agent:Agent;
@@ -88,7 +88,7 @@ package starlogo.away3d
             var drawn:Object3D = _object;
             var scale:Number = _agent.size / _width;
             var pivot:Vector3D = drawn.pivotPoint;
-            var turn:SwappedTurn = sTurn;
+            var turn:SwappedRotation = sTurn;
             turn.setAngles(_agent.heading, _agent.pitch, _agent.roll);
             // unlike moveTo, rotateTo always causes the matrix to be computed again
             if (differ(turn.roll, drawn.rotationX) || differ(turn.pitch, drawn.rotationY) || differ(turn.heading, drawn.rotationZ))
@@ -119,7 +119,7 @@ package starlogo.away3d
             var pivot:Vector3D = drawn.pivotPoint;
             var scale:Number = drawn.scaleX;
             checkScale();
-            var turn:SwappedTurn = sTurn;
+            var turn:SwappedRotation = sTurn;
             turn.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
             var offset:Vector3D = turn.turn(scale * _originX - pivot.x, scale * _originY - pivot.y, scale * _originZ - pivot.z);
             var x:Number = drawn.x + pivot.x + offset.x;

@@ -15,7 +15,6 @@ package starlogo.away3d
         private static var sPlacement:Placement = new Placement();
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        /** Has only static members. */
         public function NodeTransform()
         {
         }

@@ -212,9 +212,9 @@ package starlogo.bounding
          *     extentsInto, except for the rounding of the position
          * @private
          */
-        engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
-            throw missing("turnedExtentsInto");
+            throw missing("rotatedExtentsInto");
         }
 
         /**

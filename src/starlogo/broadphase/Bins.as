@@ -40,11 +40,7 @@ package starlogo.broadphase
 
         /** By slot: the middle of its extents. */
         public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
         /** By slot: the radius of its circle. */

@@ -29,8 +29,6 @@ package starlogo.broadphase
 
         /** The key of <code>findKey()</code>: its first part, and the second one, which counts if the first ones are equal. */
         public var key:Number = 0;
-
-        /** @copy #key */
         public var secondKey:Number = 0;
 
         private var _levels:BinLevels;

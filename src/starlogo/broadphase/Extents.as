@@ -10,11 +10,7 @@ package starlogo.broadphase
     {
         /** By row: the middle. */
         public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
         /** Half the length along x. */

@@ -95,10 +95,10 @@ package starlogo.collision
         }
 
         /** @private The engine's collider that this one is or contains, or null. It belongs to one Collision at most. */
-        engine function get innermost():Collider
+        engine function get ownedCollider():Collider
         {
             var inside:BaseCollider = _collisionSystem as BaseCollider;
-            return inside == null ? null : inside.innermost;
+            return inside == null ? null : inside.ownedCollider;
         }
 
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */

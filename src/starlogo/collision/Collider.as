@@ -7,7 +7,7 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
-    import starlogo.search.RowPairs;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.ShapeChoice;
 
     use namespace engine;
@@ -32,7 +32,7 @@ package starlogo.collision
         engine var choice:ShapeChoice;
 
         /** @private Tests pairs of agents, for questions too. */
-        engine var pairs:RowPairs;
+        engine var pairs:NarrowPhase;
 
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
@@ -56,7 +56,7 @@ package starlogo.collision
         public function Collider(choice:ShapeChoice)
         {
             super();
-            pairs = new RowPairs(choice);
+            pairs = new NarrowPhase(choice);
             search = new CollisionSearch(choice, pairs);
             this.choice = choice;
         }
@@ -134,7 +134,7 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function get innermost():Collider
+        override engine function get ownedCollider():Collider
         {
             return this;
         }

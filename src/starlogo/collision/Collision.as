@@ -91,7 +91,7 @@ package starlogo.collision
         // or -1.
         private var _isLent:Boolean = false;
         private var _listNumber:int = -1;
-        private var _asked:AskedList = new AskedList();
+        private var _asked:FilteredList = new FilteredList();
 
         /**
          * Creates a Collision without handlers.
@@ -123,7 +123,7 @@ package starlogo.collision
                 throw new ArgumentError("collisionSystem must not be null");
             }
             var system:BaseCollider = BaseCollider.of(value);
-            var owned:Collider = system.innermost;
+            var owned:Collider = system.ownedCollider;
             if (owned != null)
             {
                 owned.owner = this;
@@ -236,7 +236,7 @@ package starlogo.collision
             _touchesAreStale = true;
             _isRefused = false;
             _searched = null;
-            var owned:Collider = _system.innermost;
+            var owned:Collider = _system.ownedCollider;
             if (owned != null)
             {
                 owned.search.table.forgetMotions();
@@ -273,7 +273,7 @@ package starlogo.collision
             var system:BaseCollider = _system;
             _handlers.begin();
             var asked:AgentPredicate = filter;
-            var collider:Collider = system.innermost;
+            var collider:Collider = system.ownedCollider;
             _updating = system;
             try
             {
@@ -285,7 +285,7 @@ package starlogo.collision
                 if (collider != null)
                 {
                     // contacts that handlers ask for are contacts of the frame, also after a handler has changed the ground or the edges
-                    collider.search.holdFixtures();
+                    collider.search.holdWorld();
                 }
                 _calls.make(system, _handlers, _lastAgents, agents, _handlerErrors);
             }
@@ -295,7 +295,7 @@ package starlogo.collision
                 if (collider != null)
                 {
                     collider.isInFrame = false;
-                    collider.search.releaseFixtures();
+                    collider.search.releaseWorld();
                 }
                 release(system);
             }
@@ -376,8 +376,8 @@ package starlogo.collision
         // Lets another Collision have a system's collider, unless this one still needs it.
         private function release(system:BaseCollider):void
         {
-            var collider:Collider = system == null ? null : system.innermost;
-            if (collider != null && collider !== _system.innermost && (_updating == null || collider !== _updating.innermost))
+            var collider:Collider = system == null ? null : system.ownedCollider;
+            if (collider != null && collider !== _system.ownedCollider && (_updating == null || collider !== _updating.ownedCollider))
             {
                 collider.owner = null;
             }
@@ -394,7 +394,7 @@ package starlogo.collision
                     // the game's own list, from now on
                     _lastAgents = new Vector.<Agent>();
                 }
-                AskedList.copyInto(_lastAgents, agents);
+                FilteredList.copyInto(_lastAgents, agents);
             }
             _listNumber = number;
             _searched = searched;

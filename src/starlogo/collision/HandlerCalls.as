@@ -32,8 +32,8 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _table:HandlerTable = null;
 
-        // The list as it was searched, and the same list, which handlers may change. Until an agent is not at its index any more, all are in
-        // place. Then _places has, by index in the searched list, the last known index in the other list, or -1 once the agent was missing.
+        // The list as it was searched, and the game's own list, which handlers may change. While every agent is at its index, _areInPlace is
+        // true. Afterwards _places has, by index in the searched list, the last known index in the game's list, or -1 once the agent was missing.
         private var _listed:Vector.<Agent> = null;
         private var _agents:Vector.<Agent> = null;
         private var _areInPlace:Boolean;
@@ -42,9 +42,9 @@ package starlogo.collision
         // For each pair: its touch, or null.
         private var _touches:Vector.<Touch> = new Vector.<Touch>();
 
-        // The turn under way: negative for ended touches, from 0 on for pairs. Its handlers, and the number of the next one. After an error the
-        // calls go on from here.
-        private var _turn:int;
+        // What is being called: a negative number for an ended touch, from 0 on a pair. Its handlers, and the index of the next one. After an
+        // error the calls go on from here.
+        private var _step:int;
         private var _handlers:PairHandlers;
         private var _next:int;
 
@@ -54,7 +54,7 @@ package starlogo.collision
          * @param system has found the pairs
          * @param table the handlers of each pair of breeds
          * @param listed the list as it was searched; it does not change
-         * @param agents the same list, which handlers may change
+         * @param agents the game's own list, which handlers may change
          * @param errors receives the errors that handlers throw
          */
         public function make(system:BaseCollider, table:HandlerTable, listed:Vector.<Agent>, agents:Vector.<Agent>, errors:Vector.<Error>):void
@@ -63,18 +63,18 @@ package starlogo.collision
             _listed = listed;
             _agents = agents;
             _areInPlace = true;
-            _turn = _next = count = 0;
+            _step = _next = count = 0;
             if (!table.isPlain || tracker.count > 0)
             {
                 _contacts.begin(system, pairs.count);
                 tracker.frame++;
                 findTouches();
-                tracker.separateEnded();
-                _turn = -tracker.endedCount;
-                takeTurnsBefore(0, errors);
+                tracker.collectEnded();
+                _step = -tracker.endedCount;
+                callUpTo(0, errors);
                 tracker.forgetEnded();
             }
-            takeTurnsBefore(pairs.count, errors);
+            callUpTo(pairs.count, errors);
             _contacts.end();
             _listed = _agents = null;
         }
@@ -97,14 +97,14 @@ package starlogo.collision
 
         // The try is here and not around each call, because a method with a try makes an object for each of its calls in Adobe's VM, and takes
         // longer than most handlers.
-        private function takeTurnsBefore(end:int, errors:Vector.<Error>):void
+        private function callUpTo(end:int, errors:Vector.<Error>):void
         {
-            while (_turn < end)
+            while (_step < end)
             {
                 var calls:int = count;
                 try
                 {
-                    takeTurns(end);
+                    callThrough(end);
                 }
                 catch (error:*)
                 {
@@ -118,23 +118,23 @@ package starlogo.collision
             }
         }
 
-        private function takeTurns(end:int):void
+        private function callThrough(end:int):void
         {
-            for (; _turn < end; _turn++)
+            for (; _step < end; _step++)
             {
-                if (_turn < 0)
+                if (_step < 0)
                 {
-                    endTouch(tracker.ended[tracker.endedCount + _turn]);
+                    endTouch(tracker.ended[tracker.endedCount + _step]);
                 }
                 else
                 {
-                    takePair(pairs.indices[int(2 * _turn)], pairs.indices[int(2 * _turn + 1)]);
+                    takePair(pairs.indices[int(2 * _step)], pairs.indices[int(2 * _step + 1)]);
                 }
                 _next = 0;
             }
         }
 
-        // takePair() has a loop of its own, because one more call for each pair takes a tenth of a frame in Adobe's VM.
+        // takePair() has a loop of its own, because one more call for each pair costs a frame in Adobe's VM.
         // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
         private function endTouch(touch:Touch):void
         {
@@ -169,7 +169,7 @@ package starlogo.collision
             }
         }
 
-        // A touch that begins now has handlers for starts. They are called before the others.
+        // In the first frame of a touch, its handlers for starts are called before those for every frame.
         private function takePair(firstAt:int, secondAt:int):void
         {
             var listed:Vector.<Agent> = _listed;
@@ -187,14 +187,14 @@ package starlogo.collision
             var isStarting:Boolean = false;
             if (tracksTouches)
             {
-                var touch:Touch = _touches[_turn];
+                var touch:Touch = _touches[_step];
                 if (touch == null)
                 {
                     if (!areListed(firstAt, secondAt))
                     {
                         return;
                     }
-                    touch = _touches[_turn] = tracker.start(first, second, first.breedNumber, second.breedNumber);
+                    touch = _touches[_step] = tracker.start(first, second, first.breedNumber, second.breedNumber);
                 }
                 isStarting = touch.beganIn == tracker.frame;
             }
@@ -224,7 +224,7 @@ package starlogo.collision
                 var collidee:Agent = isBack ? first : second;
                 if (handler.takesContact)
                 {
-                    toCall(collider, collidee, _contacts.contactFor(_turn, first, second, isBack));
+                    toCall(collider, collidee, _contacts.contactFor(_step, first, second, isBack));
                 }
                 else
                 {

@@ -2,7 +2,7 @@ package starlogo.collision
 {
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
-    import starlogo.agents.Standing;
+    import starlogo.agents.PlatformLink;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.isInWorld;
@@ -30,7 +30,7 @@ package starlogo.collision
             bytes.writeInt(0);
             for (var i:int = 0; i < agents.length; i++)
             {
-                var standing:Standing = agents[i].standing;
+                var standing:PlatformLink = agents[i].standing;
                 if (standing == null || !standing.isValid || table.rowOf(standing.on) < RowList.LISTED)
                 {
                     continue;
@@ -88,7 +88,7 @@ package starlogo.collision
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
             {
                 var walker:Agent = agents[bytes.readUnsignedInt()];
-                var standing:Standing = walker.standing ||= new Standing(walker);
+                var standing:PlatformLink = walker.standing ||= new PlatformLink(walker);
                 standing.on = agents[bytes.readUnsignedInt()];
                 standing.revision = standing.on.revision;
                 standing.at.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());

@@ -10,10 +10,10 @@ package starlogo.collision
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
-    import starlogo.search.KeptPlaces;
     import starlogo.search.CollisionSearch;
-    import starlogo.terrain.FixtureAgent;
+    import starlogo.search.KeptPlaces;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 
@@ -44,8 +44,9 @@ package starlogo.collision
 
         private var _who:SnapshotAgents = new SnapshotAgents();
 
-        // The ground's and the edges' agents that were exchanged before the last snapshot; others stand for them in another Collision.
-        private var _former:Vector.<Agent> = new <Agent>[new FixtureAgent(Breeds.TERRAIN), new FixtureAgent(Breeds.EDGE)];
+        // The agents of the ground and the edges that were exchanged before the last snapshot. In a Collision that has taken none, new agents
+        // stand for them.
+        private var _former:Vector.<Agent> = new <Agent>[new WorldAgent(Breeds.TERRAIN), new WorldAgent(Breeds.EDGE)];
 
         // Of the snapshot that is read: what is in it, the names, and where its parts begin.
         private var _contents:int = 0;

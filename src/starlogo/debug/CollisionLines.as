@@ -14,7 +14,7 @@ package starlogo.debug
     import starlogo.search.ModelShape;
     import starlogo.search.ShapeChoice;
     import starlogo.search.TightestFits;
-    import starlogo.search.TreePairs;
+    import starlogo.search.TreePairTests;
 
     use namespace engine;
 
@@ -97,7 +97,7 @@ package starlogo.debug
         }
 
         // In exact mode all levels, because the triangles decide.
-        private static function levelOf(agent:Agent, trees:TreePairs):int
+        private static function levelOf(agent:Agent, trees:TreePairTests):int
         {
             if (trees.exact)
             {

@@ -24,7 +24,7 @@ package starlogo.diagnostics
      * trace(recorder.toText());
      * </listing>
      *
-     * <p>A frame is one call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers are counted only in findCollisions.
+     * <p>A frame is a frame of a Collision, or a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers are counted only in findCollisions.
      * The cost is proportional to the number of collisions: some ten-thousandths of a millisecond for each.</p>
      */
     public final class CollisionRecorder extends BaseCollider

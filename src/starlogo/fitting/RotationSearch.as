@@ -30,7 +30,7 @@ package starlogo.fitting
 
         private var _session:FitSession;
         private var _hull:ConvexHull;
-        private var _turned:Vector.<Number>;
+        private var _rotated:Vector.<Number>;
         private var _rotation:Placement = new Placement();
 
         // The extreme corners found last: four for a rotation near the first one about z, and four for a rotation about 45 degrees
@@ -71,11 +71,11 @@ package starlogo.fitting
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
         private function tryNext():Boolean
         {
-            turn(_aboutX, _aboutY);
+            rotateHull(_aboutX, _aboutY);
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
-            var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
+            var thickness:Number = _rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2];
             // The order alternates, because the corners found last are then close to the next ones.
             _isForth = !_isForth;
             var count:int = _sines.length;
@@ -115,7 +115,7 @@ package starlogo.fitting
         private function prepare():void
         {
             _hull = _session.hull;
-            _turned = new Vector.<Number>(_hull.points.length);
+            _rotated = new Vector.<Number>(_hull.points.length);
             _enough = _hull.volume * (1 + Tolerances.FIT_TIE);
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
@@ -138,7 +138,7 @@ package starlogo.fitting
         }
 
         // Rotates the hull about x, then about y.
-        private function turn(aboutX:Number, aboutY:Number):void
+        private function rotateHull(aboutX:Number, aboutY:Number):void
         {
             _rotation.setRotation(0, aboutY, aboutX);
             var xx:Number = _rotation.r00;
@@ -150,16 +150,16 @@ package starlogo.fitting
             var zy:Number = _rotation.r21;
             var zz:Number = _rotation.r22;
             var points:Vector.<Number> = _hull.points;
-            var turned:Vector.<Number> = _turned;
+            var rotated:Vector.<Number> = _rotated;
             var end:int = points.length;
             for (var i:int = 0; i < end; i += 3)
             {
                 var x:Number = points[i];
                 var y:Number = points[i + 1];
                 var z:Number = points[i + 2];
-                turned[i] = xx * x + xy * y + xz * z;
-                turned[i + 1] = yy * y + yz * z;
-                turned[i + 2] = zx * x + zy * y + zz * z;
+                rotated[i] = xx * x + xy * y + xz * z;
+                rotated[i + 1] = yy * y + yz * z;
+                rotated[i + 2] = zx * x + zy * y + zz * z;
             }
         }
 
@@ -169,7 +169,7 @@ package starlogo.fitting
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
             var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);
-            return (_turned[3 * high] - _turned[3 * low]) * alongX + (_turned[3 * high + 1] - _turned[3 * low + 1]) * alongY;
+            return (_rotated[3 * high] - _rotated[3 * low]) * alongX + (_rotated[3 * high + 1] - _rotated[3 * low + 1]) * alongY;
         }
 
         private function remember(corners:Vector.<int>, aboutZ:Number):void
@@ -200,7 +200,7 @@ package starlogo.fitting
         // The area of the landmarks' box in the plane. The hull's box is at least as large.
         private function areaOfLandmarks(cosine:Number, sine:Number):Number
         {
-            var turned:Vector.<Number> = _turned;
+            var rotated:Vector.<Number> = _rotated;
             var lowX:Number = Infinity;
             var highX:Number = -Infinity;
             var lowY:Number = Infinity;
@@ -208,8 +208,8 @@ package starlogo.fitting
             for (var i:int = 0; i < 8; i++)
             {
                 var at:int = 3 * _landmarks[i];
-                var fromX:Number = turned[at];
-                var fromY:Number = turned[at + 1];
+                var fromX:Number = rotated[at];
+                var fromY:Number = rotated[at + 1];
                 var x:Number = cosine * fromX - sine * fromY;
                 var y:Number = sine * fromX + cosine * fromY;
                 lowX = x < lowX ? x : lowX;
@@ -224,18 +224,18 @@ package starlogo.fitting
         // search spends nearly all its time here.
         private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
-            var turned:Vector.<Number> = _turned;
+            var rotated:Vector.<Number> = _rotated;
             var neighbors:Vector.<int> = _hull.neighbors;
             var firstNeighbor:Vector.<int> = _hull.firstNeighbor;
             var at:int = 3 * corner + plane;
-            var best:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
+            var best:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
             var end:int = firstNeighbor[corner + 1];
             var i:int = firstNeighbor[corner];
             while (i < end)
             {
                 var neighbor:int = neighbors[i];
                 at = 3 * neighbor + plane;
-                var value:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
+                var value:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
                 if (value > best)
                 {
                     // Continues from this neighbour at once, because looking for a better one costs more than it gains.

@@ -45,7 +45,6 @@ package starlogo.handlers
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
-        /** Creates the handler of a pair of breeds. */
         public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function, order:int)
         {
             this.kind = kind;

@@ -39,7 +39,6 @@ package starlogo.handlers
         private var _count:int = 0;
         private var _knownCount:int = 0;
 
-        /** Creates an empty table. */
         public function HandlerTable()
         {
             fill(new Vector.<PairHandlers>(), LEAST_SLOTS);

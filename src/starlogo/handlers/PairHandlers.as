@@ -32,7 +32,6 @@ package starlogo.handlers
         /** Whether any handler is for starts or ends of touches. */
         public var tracksTouches:Boolean;
 
-        /** Creates a pair of two breeds without handlers. */
         public function PairHandlers(breed:int, otherBreed:int)
         {
             this.breed = breed;

@@ -94,7 +94,7 @@ package starlogo.handlers
         }
 
         /** Moves the pairs that do not touch in this frame into <code>ended</code>. */
-        public function separateEnded():void
+        public function collectEnded():void
         {
             var kept:int = 0;
             endedCount = 0;

@@ -122,8 +122,8 @@ package starlogo.hierarchy
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.cutoffLevel >= depthA;
-                    var bEnds:Boolean = b.cutoffLevel >= depthB;
+                    var aEnds:Boolean = a.stopDepth >= depthA;
+                    var bEnds:Boolean = b.stopDepth >= depthB;
                     if (aEnds && bEnds)
                     {
                         if (leaves != null)

@@ -24,7 +24,7 @@ package starlogo.hierarchy
         private var _minVerticesToSplit:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
-        private var _items:Items;
+        private var _items:TreeItems;
         private var _tree:StoredTree = null;
         private var _maker:NodeMaker;
 
@@ -60,7 +60,7 @@ package starlogo.hierarchy
 
         private function beginItems():void
         {
-            _items = new Items(_hierarchy.vertices, _hierarchy.triangles);
+            _items = new TreeItems(_hierarchy.vertices, _hierarchy.triangles);
             _hierarchy.order = _items.order;
             if (_tree == null)
             {

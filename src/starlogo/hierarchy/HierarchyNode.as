@@ -40,7 +40,7 @@ package starlogo.hierarchy
          * @private The largest depth limit for which a visit does not go below this node: the node's level; LARGEST_DEPTH for a leaf of the
          *     thesis; int.MAX_VALUE without children.
          */
-        engine var cutoffLevel:int = int.MAX_VALUE;
+        engine var stopDepth:int = int.MAX_VALUE;
 
         /** @private The index of the node's first item in the hierarchy's order. */
         engine var first:int;
@@ -100,7 +100,7 @@ package starlogo.hierarchy
         /** Whether the node has no children that clients see. */
         public function get isLeaf():Boolean
         {
-            return cutoffLevel >= LARGEST_DEPTH;
+            return stopDepth >= LARGEST_DEPTH;
         }
 
         /**

@@ -18,7 +18,7 @@ package starlogo.hierarchy
         private static const ITEMS_PER_STEP:int = 1000;
 
         private var _hierarchy:Hierarchy;
-        private var _items:Items;
+        private var _items:TreeItems;
 
         /**
          * @param hierarchy a finished hierarchy of triangles; its leaves receive children, and the triangles a new order
@@ -28,7 +28,7 @@ package starlogo.hierarchy
             _hierarchy = hierarchy;
             if (hasLargeLeaf())
             {
-                _items = new Items(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
+                _items = new TreeItems(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
                 slices(_items.count, ITEMS_PER_STEP, _items.measure).begin(newDivider);
             }
         }

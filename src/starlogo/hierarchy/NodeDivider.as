@@ -41,7 +41,7 @@ package starlogo.hierarchy
          */
         public var leafSize:int = 0;
 
-        private var _items:Items;
+        private var _items:TreeItems;
         private var _maker:NodeMaker;
 
         // The nodes still to visit, the next one last. Whether the next one is being divided, and whether along the axis of the largest
@@ -61,7 +61,7 @@ package starlogo.hierarchy
          * @param items the items to divide
          * @param maker makes the nodes
          */
-        public function NodeDivider(root:HierarchyNode, items:Items, maker:NodeMaker)
+        public function NodeDivider(root:HierarchyNode, items:TreeItems, maker:NodeMaker)
         {
             _waiting = new <HierarchyNode>[root];
             _items = items;

@@ -79,11 +79,11 @@ package starlogo.hierarchy
          * @param axis the axis along which it is split
          * @param low the child on the low side
          * @param high the child on the high side
-         * @param cutoffLevel the largest depth limit at which a visit ends at the node
+         * @param stopDepth the largest depth limit at which a visit ends at the node
          */
-        public function divide(node:HierarchyNode, axis:int, low:HierarchyNode, high:HierarchyNode, cutoffLevel:int):void
+        public function divide(node:HierarchyNode, axis:int, low:HierarchyNode, high:HierarchyNode, stopDepth:int):void
         {
-            node.cutoffLevel = cutoffLevel;
+            node.stopDepth = stopDepth;
             node.splitAxis = axis;
             node.low = low;
             node.high = high;

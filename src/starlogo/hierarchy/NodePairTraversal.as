@@ -30,8 +30,6 @@ package starlogo.hierarchy
 
         /** The best pair of nodes. Undefined if none is found. */
         public var firstA:HierarchyNode = null;
-
-        /** @copy #firstA */
         public var firstB:HierarchyNode = null;
 
         /** The pose of the second tree's nodes in the first model's space. */
@@ -75,8 +73,8 @@ package starlogo.hierarchy
             {
                 if (bound < least)
                 {
-                    var aEnds:Boolean = a.cutoffLevel >= depthA;
-                    var bEnds:Boolean = b.cutoffLevel >= depthB;
+                    var aEnds:Boolean = a.stopDepth >= depthA;
+                    var bEnds:Boolean = b.stopDepth >= depthB;
                     if (!aEnds || !bEnds)
                     {
                         // The better of the two pairs with a child comes first.

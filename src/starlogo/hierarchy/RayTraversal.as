@@ -62,7 +62,7 @@ package starlogo.hierarchy
                 {
                     entered = node;
                 }
-                if (node.cutoffLevel >= depth)
+                if (node.stopDepth >= depth)
                 {
                     if (!isHit || ray.from < _best)
                     {

@@ -28,7 +28,6 @@ package starlogo.hierarchy
         /** The second model's motion from its pose, from time 0 to time 1, if the models move. Its start is 0. */
         public var motion:RelativeMotion = new RelativeMotion();
 
-        /** Creates a pose in which both models are in one place. */
         public function RelativePose()
         {
             placement.isIdentity = false;

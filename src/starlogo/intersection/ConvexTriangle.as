@@ -8,13 +8,13 @@ package starlogo.intersection
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactFeature;
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.contact.Polygon;
-    import starlogo.intersection.contact.SegmentSum;
-    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.contact.Zonotope;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.TriangleOverlap;
+    import starlogo.intersection.sweep.TriangleContactFinder;
     import starlogo.intersection.sweep.TriangleSweep;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
@@ -78,14 +78,14 @@ package starlogo.intersection
         private var _edge:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
 
         private var _box:TriangleBox = new TriangleBox();
-        private var _closest:ClosestTriangles = new ClosestTriangles();
+        private var _closest:TrianglePairDistance = new TrianglePairDistance();
         private var _sweep:TriangleSweep = new TriangleSweep();
-        private var _overlap:TriangleOverlap = new TriangleOverlap();
+        private var _overlap:TriangleContactFinder = new TriangleContactFinder();
         private var _finder:ContactFinder = new ContactFinder();
         private var _tried:ContactPoint = new ContactPoint();
-        private var _sum:SegmentSum = new SegmentSum();
-        private var _feature:Polygon = new Polygon();
-        private var _otherFeature:Polygon = new Polygon();
+        private var _sum:Zonotope = new Zonotope();
+        private var _feature:ContactFeature = new ContactFeature();
+        private var _otherFeature:ContactFeature = new ContactFeature();
         private var _corner:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
         private var _deepest:DeepestPoint = new DeepestPoint();
@@ -267,7 +267,7 @@ package starlogo.intersection
         }
 
         /** Writes the closest points of the shape and of the nearest triangle that was measured. */
-        public function writeClosest(out:ClosestPair):void
+        public function writeClosest(out:DistanceResult):void
         {
             out.copyPoints(_closest.points);
             out.gapX = out.aX - out.bX;
@@ -336,7 +336,7 @@ package starlogo.intersection
             }
             var p:Vector.<Number> = _triangle;
             var at:int = _at;
-            _face.setAcross(p, at);
+            _face.setTriangleNormal(p, at);
             if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * _face.squared * _face.squared))
             {
                 _face.setNormal(NaN, NaN, NaN);

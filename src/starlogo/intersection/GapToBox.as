@@ -16,8 +16,6 @@ package starlogo.intersection
     {
         /** The box: its least corner and its greatest corner. */
         public var low:Vector3D = new Vector3D();
-
-        /** @copy #low */
         public var high:Vector3D = new Vector3D();
 
         /** How far the two are apart along the direction; less than 0 if no such direction was found. */

@@ -2,7 +2,7 @@ package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
@@ -43,7 +43,7 @@ package starlogo.intersection
          * @param b of the pair's second kind, in the same space
          * @param out receives the distance and the points
          */
-        public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
+        public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
         {
         }
     }

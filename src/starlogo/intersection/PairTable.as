@@ -11,8 +11,8 @@ package starlogo.intersection
          * The kernels, by three times the first structure's kind plus the second's. The first kind must not be higher than the second.
          */
         public static const KERNELS:Vector.<PairKernel> = new <PairKernel>[
-                new PointPoint(), new PointSegment(), new PointBox(),
-                null, new SegmentSegment(), new SegmentBox(),
-                null, null, new BoxPair()];
+                new SphereSphereKernel(), new SphereCapsuleKernel(), new SphereBoxKernel(),
+                null, new CapsuleCapsuleKernel(), new CapsuleBoxKernel(),
+                null, null, new BoxBoxKernel()];
     }
 }

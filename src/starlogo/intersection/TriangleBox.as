@@ -39,7 +39,7 @@ package starlogo.intersection
             project(corners, at, box.axisX, 0);
             project(corners, at, box.axisY, 1);
             project(corners, at, box.axisZ, 2);
-            return !isBeyond(0) && !isBeyond(1) && !isBeyond(2) && !isNormal() && !isAcrossEdges();
+            return !isSeparatedByFace(0) && !isSeparatedByFace(1) && !isSeparatedByFace(2) && !isSeparatedByNormal() && !isSeparatedAcrossEdges();
         }
 
         // Computes one coordinate of the corners and of the edges in the box's space.
@@ -60,7 +60,7 @@ package starlogo.intersection
         }
 
         // Whether the triangle is on one side of the box, seen along one of the box's axes.
-        private function isBeyond(axis:int):Boolean
+        private function isSeparatedByFace(axis:int):Boolean
         {
             var half:Number = axis == 0 ? box.halfX : (axis == 1 ? box.halfY : box.halfZ);
             var first:Number = _corners[axis];
@@ -70,16 +70,16 @@ package starlogo.intersection
             return first > far && second > far && third > far || first < -far && second < -far && third < -far;
         }
 
-        private function isNormal():Boolean
+        private function isSeparatedByNormal():Boolean
         {
             var e:Vector.<Number> = _edges;
             _axisX = e[1] * e[5] - e[2] * e[4];
             _axisY = e[2] * e[3] - e[0] * e[5];
             _axisZ = e[0] * e[4] - e[1] * e[3];
-            return isAxis();
+            return isSeparatedOnAxis();
         }
 
-        private function isAcrossEdges():Boolean
+        private function isSeparatedAcrossEdges():Boolean
         {
             for (var i:int = 0; i < 9; i += 3)
             {
@@ -89,21 +89,21 @@ package starlogo.intersection
                 _axisX = 0;
                 _axisY = z;
                 _axisZ = -y;
-                if (isAxis())
+                if (isSeparatedOnAxis())
                 {
                     return true;
                 }
                 _axisX = -z;
                 _axisY = 0;
                 _axisZ = x;
-                if (isAxis())
+                if (isSeparatedOnAxis())
                 {
                     return true;
                 }
                 _axisX = y;
                 _axisY = -x;
                 _axisZ = 0;
-                if (isAxis())
+                if (isSeparatedOnAxis())
                 {
                     return true;
                 }
@@ -112,7 +112,7 @@ package starlogo.intersection
         }
 
         // Whether the axis separates the triangle from the box. The axis may have any length.
-        private function isAxis():Boolean
+        private function isSeparatedOnAxis():Boolean
         {
             var x:Number = _axisX;
             var y:Number = _axisY;

@@ -6,7 +6,7 @@ package starlogo.intersection
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findBoxImpact;
 
-    // This function repeats the arithmetic of the kernel BoxPair, because a call through the kernel takes about three times as long.
+    // This function repeats the arithmetic of the kernel BoxBoxKernel, because a call through the kernel takes about three times as long.
     // KernelsAgreeTest checks that both agree.
 
     /**
@@ -161,7 +161,7 @@ package starlogo.intersection
                 return true;
             }
             // The sweep's axes do not cancel.
-            var standing:RelativeMotion = RelativeMotion.turned(RelativeMotion.NONE);
+            var standing:RelativeMotion = RelativeMotion.reversed(RelativeMotion.NONE);
             findBoxImpact(a, b, standing);
             return standing.time == 0;
         }

@@ -4,7 +4,7 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
 
-    // This function includes the same text as the kernel SegmentSegment, because a call through the kernel takes about twice as long.
+    // This function includes the same text as the kernel CapsuleCapsuleKernel, because a call through the kernel takes about twice as long.
 
     /**
      * Whether two capsules touch or overlap: compares the distance of their segments with the sum of the radii (thesis §3.6.3). Touching

@@ -20,7 +20,7 @@ package starlogo.intersection
      *     errors; Tolerances.SURFACES of the coordinates' size is large enough
      * @private
      */
-    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, closest:ClosestTriangles):Boolean
+    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, closest:TrianglePairDistance):Boolean
     {
         var limit:Number = closest.reach * closest.reach;
 

@@ -96,7 +96,7 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            var build:StructuresBuild = newBuild(name, vertices);
+            var build:StructuresBuilder = newBuild(name, vertices);
             finish(build);
             shapes.made(name).setStructures(build.structures);
         }
@@ -168,7 +168,7 @@ package starlogo.libraries
             var shape:ShapeStructures = find(name);
             if (shape.smallest[kind] == null)
             {
-                var build:StructuresBuild = new StructuresBuild(name, vertices, fitters, true);
+                var build:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, true);
                 finish(build);
                 shape.addMissing(build.structures);
             }
@@ -184,10 +184,10 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function newBuild(name:String, vertices:Vector.<Number>):StructuresBuild
+        engine function newBuild(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
             ShapeTable.checkName(name);
-            return new StructuresBuild(name, vertices, fitters, keepAll);
+            return new StructuresBuilder(name, vertices, fitters, keepAll);
         }
 
         private function find(name:String):ShapeStructures

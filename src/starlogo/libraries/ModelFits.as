@@ -14,7 +14,7 @@ package starlogo.libraries
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.Surface;
+    import starlogo.solid.SurfaceTopology;
 
     use namespace engine;
 
@@ -46,7 +46,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine var surface:Surface = null;
+        engine var surface:SurfaceTopology = null;
 
         /** Empty. GreatLand and FitStore make them. */
         public function ModelFits()
@@ -120,7 +120,7 @@ package starlogo.libraries
                 return;
             }
             var bytes:ByteArray = file.section(CookedFile.SURFACE, settings.hierarchy);
-            var read:Surface = bytes == null ? null : Surface.read(bytes, model.triangles == null ? 0 : model.triangles.length / 3);
+            var read:SurfaceTopology = bytes == null ? null : SurfaceTopology.read(bytes, model.triangles == null ? 0 : model.triangles.length / 3);
             if (tree == null || surface == null && read != null)
             {
                 tree = file.section(CookedFile.HIERARCHY, settings.hierarchy);

@@ -17,7 +17,6 @@ package starlogo.libraries
         private var _entries:Object = {};
         private var _unknown:ShapeEntry;
 
-        /** Creates an empty table. */
         public function ShapeTable()
         {
             _unknown = new ShapeEntry(this);

@@ -41,12 +41,12 @@ package starlogo.models
             var encoding:String = encodingOf(bytes);
             if (encoding == UTF_16_LOW_FIRST || encoding == UTF_16_HIGH_FIRST)
             {
-                return WideText.utf16(bytes, encoding == UTF_16_LOW_FIRST);
+                return NonUtf8Text.utf16(bytes, encoding == UTF_16_LOW_FIRST);
             }
             checkText(name, bytes, format);
             if (encoding != UTF_8)
             {
-                return WideText.latin(bytes, encoding == WINDOWS);
+                return NonUtf8Text.latin(bytes, encoding == WINDOWS);
             }
             bytes.position = 0;
             return bytes.readUTFBytes(bytes.length);

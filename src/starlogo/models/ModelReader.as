@@ -43,8 +43,6 @@ package starlogo.models
 
         /** When all is read: the file's cooked results and the model's place in its source, of a file that has them. */
         protected var cooked:CookedFile = null;
-
-        /** @copy #cooked */
         protected var frame:SourceFrame = null;
 
         private var _shape:NormalisedShape = null;

@@ -9,11 +9,7 @@ package starlogo.models
     {
         /** The names of the axes. */
         public static const X:String = "x";
-
-        /** @copy #X */
         public static const Y:String = "y";
-
-        /** @copy #X */
         public static const Z:String = "z";
 
         /** The axis that points up. "z" for a ModelTransform, which leaves the file as it is. Null if the file says it itself. */

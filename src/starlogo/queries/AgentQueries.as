@@ -18,7 +18,7 @@ package starlogo.queries
      * Answers questions about agents in space: which agents are near, which is the nearest, which touch, what a ray meets, and how far an agent
      * can go. It sees agents as a collision system does: as spheres of their sizes, tightest fits, trees or triangles.
      *
-     * <p>Call <code>update()</code> once a frame. Questions see the agents of that call, as they were then. <code>moved()</code> reads one agent
+     * <p>Call <code>update()</code> once a frame. Questions see the agents of that call, as they were then. <code>refresh()</code> reads one agent
      * again. The agent that asks is always seen where it is now. It need not be in the list, and it is never in its own answer. A question
      * changes nothing in a Collision or a collision system.</p>
      *
@@ -39,10 +39,10 @@ package starlogo.queries
      */
     public class AgentQueries
     {
-        private var _seen:SeenAgents;
+        private var _seen:QueryWorld;
 
         // By the number of questions under way that call accepts.
-        private var _sets:Vector.<QuestionSet> = new Vector.<QuestionSet>();
+        private var _sets:Vector.<QuerySet> = new Vector.<QuerySet>();
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask.
@@ -53,8 +53,8 @@ package starlogo.queries
          */
         public function AgentQueries(collisionOrSystem:Object)
         {
-            _seen = new SeenAgents(collisionOrSystem);
-            _sets.push(new QuestionSet(_seen));
+            _seen = new QueryWorld(collisionOrSystem);
+            _sets.push(new QuerySet(_seen));
         }
 
         /**
@@ -96,9 +96,15 @@ package starlogo.queries
          *     Questions then see it as before
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
-        public function moved(agent:Agent):void
+        public function refresh(agent:Agent):void
         {
             _seen.moved(agent);
+        }
+
+        /** An older name of <code>refresh()</code>. */
+        public function moved(agent:Agent):void
+        {
+            refresh(agent);
         }
 
         /**
@@ -159,11 +165,17 @@ package starlogo.queries
          * @throws ArgumentError if the agent is null
          * @throws RangeError if count or radius is negative or not a number
          */
-        public function nearestOf(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            QuestionSet.requirePositive("count", count);
+            QuerySet.requirePositive("count", count);
             var at:Placement = _seen.placeOf(agent);
             return ask.near(agent, at.x, at.y, at.z, radius, count, filter).list(out);
+        }
+
+        /** An older name of <code>nearestFew()</code>. */
+        public function nearestOf(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return nearestFew(agent, count, radius, filter, out);
         }
 
         /**
@@ -224,7 +236,7 @@ package starlogo.queries
          */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            QuestionSet.requirePositive("degrees", degrees);
+            QuerySet.requirePositive("degrees", degrees);
             var at:Placement = _seen.placeOf(agent);
             return ask.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, degrees).list(out);
         }
@@ -288,10 +300,16 @@ package starlogo.queries
          * @throws ArgumentError if the agent is null, or if its model is unknown or lacks data that the collision system needs
          * @throws RangeError if the place is not in the world
          */
-        public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
+        public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
             requireInWorld("a place", x, y, z);
             return ask.touching(agent, _seen.bodyAt(agent, x, y, z), 1, filter).end() > 0;
+        }
+
+        /** An older name of <code>wouldTouchAt()</code>. */
+        public function overlapsAgent(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
+        {
+            return wouldTouchAt(agent, x, y, z, filter);
         }
 
         /**
@@ -318,7 +336,7 @@ package starlogo.queries
          * greater depth never gives a smaller distance. Exact mode never gives a smaller distance than another system, except the
          * BinCollider.</p>
          *
-         * <p>The first agent is seen where it is now. The second is seen as of the last update, or of its last <code>moved()</code>. If it is
+         * <p>The first agent is seen where it is now. The second is seen as of the last update, or of its last <code>refresh()</code>. If it is
          * not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b, a)</code> is the same number.</p>
          *
          * <p>The distance is exact, except for rounding errors: 1e-12 of the agents' sizes, and the precision of Numbers at the coordinates. It
@@ -508,12 +526,12 @@ package starlogo.queries
         }
 
         /**
-         * Moves an agent along a straight line until it touches another agent. Then it calls <code>moved()</code> for the agent.
+         * Moves an agent along a straight line until it touches another agent. Then it calls <code>refresh()</code> for the agent.
          *
          * <p>The agent ends in the touch, no deeper than 1e-9 of the larger extent. It may touch another agent at the beginning. The other
          * agent does not stop it if the motion leaves that agent or runs along it. If the agent overlaps another at the beginning, it can
          * only move in a direction that does not make the overlap deeper: not against the normal of their contact. Otherwise it stays. The
-         * other agents are seen as of the last update, or of their last <code>moved()</code>.</p>
+         * other agents are seen as of the last update, or of their last <code>refresh()</code>.</p>
          *
          * <p>The free part is never greater than it would be in exact mode, except with the BinCollider, or if the agent overlaps another at the
          * beginning.</p>
@@ -540,8 +558,8 @@ package starlogo.queries
         /**
          * Moves an agent, and lets it slide along what it touches. It begins like <code>moveUntilTouch()</code>. When the agent touches another,
          * the rest of the motion is projected on the plane of the contact, or on the line where two such planes meet. All contacts of this
-         * motion count, so the agent stops in a corner. If there is room, it ends half a hair (1e-11 of the larger extent) away from what it
-         * touches, so that the next motion along it is free.
+         * motion count, so the agent stops in a corner. If there is room, it ends a clearance (1e-10 of its extent) away from what it touches,
+         * so that the next motion along it is free.
          *
          * @param agent the agent that moves
          * @param dx how far along x, in patches
@@ -569,7 +587,8 @@ package starlogo.queries
          * <p>An agent that stands can climb, and it stays on the ground. An agent that does not stand goes straight on and falls, as far as
          * the options say. If something too steep stops its fall, it slides down there. On the ground plane the way is never longer than
          * <code>dx</code> and <code>dy</code>, except for a slide after a fall. Such a slide goes only down, where the way is steeper than
-         * <code>slopeDegrees</code>, and at most half as far sideways as the agent may fall. The agent ends a hair above the ground, as with <code>slide()</code>.</p>
+         * <code>slopeDegrees</code>, and at most half as far sideways as the agent may fall, or half its size. The agent ends a clearance
+         * above the ground, as with <code>slide()</code>.</p>
          *
          * <p>A walk that is longer than the agent goes in pieces of the agent's size, 64 at most.</p>
          *
@@ -589,11 +608,11 @@ package starlogo.queries
             return ask.walks.walk(agent, dx, dy, options, out);
         }
 
-        private function get ask():QuestionSet
+        private function get ask():QuerySet
         {
             if (_seen.asking == _sets.length)
             {
-                _sets.push(new QuestionSet(_seen));
+                _sets.push(new QuerySet(_seen));
             }
             return _sets[_seen.asking];
         }

@@ -3,7 +3,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
-    import starlogo.search.KeyOrder;
+    import starlogo.search.KeySort;
 
     use namespace engine;
 
@@ -14,7 +14,7 @@ package starlogo.queries
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. It may ask questions itself. These have
-     * another Collector (QuestionSet).</p>
+     * another Collector (QuerySet).</p>
      *
      * @private
      */
@@ -65,10 +65,10 @@ package starlogo.queries
         /** By row: the index of its agent in the list. */
         public var ranks:Vector.<int>;
 
-        private var _seen:SeenAgents;
+        private var _seen:QueryWorld;
         private var _agents:Vector.<Agent>;
         private var _accepts:Function = null;
-        private var _order:KeyOrder = new KeyOrder();
+        private var _order:KeySort = new KeySort();
 
         // The rows that accepts has admitted, in order.
         private var _admitted:Vector.<int> = new Vector.<int>();
@@ -82,7 +82,7 @@ package starlogo.queries
         private var _breedsCount:Boolean = false;
 
         /** @param seen the agents that questions are about */
-        public function Collector(seen:SeenAgents)
+        public function Collector(seen:QueryWorld)
         {
             _seen = seen;
         }
@@ -121,7 +121,7 @@ package starlogo.queries
         }
 
         /** The next row of a search that counts and has a shape, or -1. */
-        public function nextOf(search:WaySearch):int
+        public function nextOf(search:SweptBoxSearch):int
         {
             var row:int = search.next();
             while (row >= 0 && (row == skipped || _seen.table.shapes[row] == null || filters && !admitsMarked(row)))

@@ -7,10 +7,10 @@ package starlogo.queries
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
-    import starlogo.search.GroundPairs;
+    import starlogo.search.GroundPairTests;
     import starlogo.search.ModelShape;
-    import starlogo.search.RowPairs;
-    import starlogo.search.Separation;
+    import starlogo.search.NarrowPhase;
+    import starlogo.search.PenetrationSearch;
 
     use namespace engine;
 
@@ -33,7 +33,7 @@ package starlogo.queries
         // The least half-extent of the row loses a slop, and the others lose in proportion. For a slim row, a tenth of its largest half-extent
         // takes the place of the least one. So no half-extent loses more than ten slops. The row loses at most half of its size.
         private static const SLIMMEST:Number = 10;
-        private static const MOST_SHARE:Number = 0.5;
+        private static const MOST_SHRINK:Number = 0.5;
 
         // An overlap is shallow if it is at most this part of the larger extent.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
@@ -44,11 +44,11 @@ package starlogo.queries
         // A time after the end of the motion.
         private static const AFTER:Number = 1 + 1e-15;
 
-        /** The width of the margin that the core does not have, in patches. */
+        /** The slop: how much smaller than the row the core is on each side, in patches. <code>narrowFor()</code> makes it smaller still. */
         public var slop:Number = 0;
 
         /** How far before a touch a slide ends, in patches. It is less than the slop, so the row can enter a place as wide as itself. */
-        public var gap:Number = 0;
+        public var clearance:Number = 0;
 
         /** When the core meets the first row that was found, as a part of the motion. If none was found, it is greater than 1. */
         public var time:Number = 0;
@@ -56,17 +56,17 @@ package starlogo.queries
         /** The contact at that time. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** A row that the moving one, in its whole size too, touches nowhere on the motion; -1 if none is known. */
+        /** A row that the moving row does not touch anywhere on the motion, not even in its whole size; -1 if none is known. */
         public var clearRow:int = -1;
 
         /** When the row in its whole size touches the row of <code>findWhole()</code>. */
         public var wholeTime:Number = 0;
 
-        private var _pairs:RowPairs;
-        private var _separation:Separation;
+        private var _pairs:NarrowPhase;
+        private var _separation:PenetrationSearch;
         private var _table:AgentTable;
 
-        // The body that moves; the same where the last test had it, in its whole size or as its core; and another row, made smaller.
+        // The body that moves; a copy of it where the last test had it, whole or as the core; and a smaller copy of another row.
         private var _body:Body;
         private var _moving:Body = new Body();
         private var _standing:Body = new Body();
@@ -75,14 +75,14 @@ package starlogo.queries
         private var _at:Vector3D = new Vector3D();
         private var _taken:Number = 0;
 
-        // The largest extent of the row and those near it, and the greatest size of a cell of the ground.
+        // The largest extent of the row and those near it, and half of the width of a cell of the ground.
         private var _largest:Number = 0;
         private var _cell:Number = 0;
 
         // How much smaller the core is on each side, in patches, and the part of its size that the row loses. The width is more than a slop for a
         // motion that begins in a shallow overlap.
         private var _width:Number = 0;
-        private var _share:Number = 0;
+        private var _shrink:Number = 0;
 
         // The motion, and the row's places at its beginning and at its end.
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -91,10 +91,10 @@ package starlogo.queries
         private var _tried:ContactPoint = new ContactPoint();
 
         /** @param pairs decides which rows touch */
-        public function CoreSweep(pairs:RowPairs)
+        public function CoreSweep(pairs:NarrowPhase)
         {
             _pairs = pairs;
-            _separation = new Separation(pairs);
+            _separation = new PenetrationSearch(pairs);
         }
 
         /** Begins with the body that moves, and the table of the rows in its way. */
@@ -127,12 +127,12 @@ package starlogo.queries
             slop = OF_EXTENT * 2 * _body.largestHalf + OF_OTHERS * _largest
                 + OF_PLACES * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z) + _cell)
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            gap = slop / 4;
+            clearance = slop / 4;
             setWidth(slop);
         }
 
         /** Whether the row touches another when it stands at a place. */
-        public function touchesAt(other:int, at:Vector3D):Boolean
+        public function wholeTouchesAt(other:int, at:Vector3D):Boolean
         {
             put(at, 0);
             return touches(_table.bodyOf(other));
@@ -141,18 +141,19 @@ package starlogo.queries
         /** Whether the row may touch another when it stands at a place: whether their extents come near each other. */
         public function isNearAt(other:int, at:Vector3D):Boolean
         {
-            put(at, _share);
+            put(at, _shrink);
             return isNear(_table.bodyOf(other), RelativeMotion.NONE, slop + SLIMMEST * _width);
         }
 
-        /** Whether the core touches another row when it stands at a place. Most rows are free even in their whole size, which they mostly have. */
-        public function meetsAt(other:int, at:Vector3D):Boolean
+        /** Whether the core touches another row when it stands at a place. The whole row is tested first: mostly it does not
+         * touch either, and the copy mostly has the whole size already. */
+        public function coreTouchesAt(other:int, at:Vector3D):Boolean
         {
-            if (!touchesAt(other, at))
+            if (!wholeTouchesAt(other, at))
             {
                 return false;
             }
-            put(at, _share);
+            put(at, _shrink);
             return _pairs.areTouching(_moving, _table.bodyOf(other));
         }
 
@@ -167,20 +168,20 @@ package starlogo.queries
             put(at, 0);
             if (body.form == ModelShape.GROUND)
             {
-                return GroundPairs(_pairs.testsOf(_moving, body)).isDeeper(_moving, body, slop);
+                return GroundPairTests(_pairs.testsOf(_moving, body)).isDeeper(_moving, body, slop);
             }
-            _standing.readPart(body, null, shareOf(body, slop));
+            _standing.readShrunk(body, null, shrinkOf(body, slop));
             return touches(_standing);
         }
 
-        /** Whether the row at a place is deep in another, and can leave it by a short way. Writes their contact, whose depth has a gap added. */
+        /** Whether the row at a place is deep in another, and can leave it by a short way. Writes their contact, whose depth has the clearance added. */
         public function isDeepIn(other:int, at:Vector3D, out:ContactPoint):Boolean
         {
-            if (!meetsAt(other, at) || findContact(other, at, out, true) || !overlapsAt(other, at))
+            if (!coreTouchesAt(other, at) || findContact(other, at, out, true) || !overlapsAt(other, at))
             {
                 return false;
             }
-            out.depth += gap;
+            out.depth += clearance;
             return _table.forms[other] != ModelShape.TREE || out.depth <= Math.abs(out.normalX) * _body.halfX + Math.abs(out.normalY) * _body.halfY
                 + Math.abs(out.normalZ) * _body.halfZ;
         }
@@ -188,13 +189,13 @@ package starlogo.queries
         /**
          * Makes the core narrower for this motion, by SHALLOW of the largest extent, if it does not touch another row then.
          *
-         * @return whether it does not
+         * @return whether the narrower core does not touch it
          */
         public function narrowFor(other:int, at:Vector3D):Boolean
         {
             var width:Number = _width;
             setWidth(slop + SHALLOW * _largest);
-            var isFree:Boolean = !meetsAt(other, at);
+            var isFree:Boolean = !coreTouchesAt(other, at);
             if (!isFree)
             {
                 setWidth(width);
@@ -205,8 +206,8 @@ package starlogo.queries
         /**
          * Finds the contact of the row at a place with another row that it touches there.
          *
-         * @param isSure whether the contact has to separate the two rows. Otherwise, a shallow contact of two of their parts may do, because the
-         *     ground can be a floor and a wall, and the contact with one of them does not lead away from the other
+         * @param isSure true: the contact separates the two rows. False: a shallow contact of two of their parts is enough. The ground can be
+         *     floor and wall at once, and a contact with one does not lead away from the other
          * @return whether the contact is shallow
          */
         public function findContact(other:int, at:Vector3D, out:ContactPoint, isSure:Boolean = false):Boolean
@@ -241,7 +242,7 @@ package starlogo.queries
                 clearRow = other;
                 return false;
             }
-            put(_end, _share);
+            put(_end, _shrink);
             if (!isNear(_table.bodyOf(other), _motion, slop))
             {
                 return false;
@@ -250,7 +251,7 @@ package starlogo.queries
             if (met == RelativeMotion.NEVER && _table.forms[other] == ModelShape.GROUND)
             {
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                met = meetsAt(other, _start) ? 0 : met;
+                met = coreTouchesAt(other, _start) ? 0 : met;
             }
             if (!(met < time))
             {
@@ -292,7 +293,7 @@ package starlogo.queries
         public function findWhole(other:int, along:Number, touch:ContactPoint):void
         {
             put(_end, 0);
-            var skin:Number = _share * (touch.normalX * (_moving.x - (1 - time) * _motion.x - touch.x)
+            var skin:Number = _shrink * (touch.normalX * (_moving.x - (1 - time) * _motion.x - touch.x)
                     + touch.normalY * (_moving.y - (1 - time) * _motion.y - touch.y)
                     + touch.normalZ * (_moving.z - (1 - time) * _motion.z - touch.z));
             var early:Number = Math.max(0, Math.min(1, time + skin / along));
@@ -301,7 +302,7 @@ package starlogo.queries
         }
 
         /** Half of the gap across which the row and another still touch, at a place. It does not apply to spheres and points. */
-        public function marginAt(other:int, at:Vector3D):Number
+        public function halfToleranceAt(other:int, at:Vector3D):Number
         {
             return Tolerances.SURFACES / 4 * extentWith(other) + Tolerances.PLACES / 2 * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
         }
@@ -317,7 +318,7 @@ package starlogo.queries
         {
             if (share != _taken || at.x != _at.x || at.y != _at.y || at.z != _at.z)
             {
-                _moving.readPart(_body, at, share);
+                _moving.readShrunk(_body, at, share);
                 _at.copyFrom(at);
                 _taken = share;
             }
@@ -346,13 +347,13 @@ package starlogo.queries
         private function setWidth(width:Number):void
         {
             _width = width;
-            _share = shareOf(_body, width);
+            _shrink = shrinkOf(_body, width);
         }
 
-        private static function shareOf(body:Body, width:Number):Number
+        private static function shrinkOf(body:Body, width:Number):Number
         {
             var share:Number = width / Math.max(body.leastHalf, body.largestHalf / SLIMMEST);
-            return share < MOST_SHARE ? share : MOST_SHARE;
+            return share < MOST_SHRINK ? share : MOST_SHRINK;
         }
     }
 }

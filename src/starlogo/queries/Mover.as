@@ -6,7 +6,7 @@ package starlogo.queries
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
-    import starlogo.search.RowPairs;
+    import starlogo.search.NarrowPhase;
 
     use namespace engine;
 
@@ -25,7 +25,7 @@ package starlogo.queries
         /** An ending of a motion: the row touches the other row. */
         public static const TOUCH:int = 0;
 
-        /** An ending: a gap before the touch. */
+        /** An ending: the clearance before the touch. */
         public static const SHORT:int = 1;
 
         /** An ending: the row slides along what it meets. */
@@ -38,7 +38,7 @@ package starlogo.queries
         // If the next row is met within this many slops, this is the same corner.
         private static const NEXT:Number = 4;
 
-        // A contact is upright if the horizontal part of its normal is shorter than the square root of this. The rest is a rounding error.
+        // A contact is upright if the horizontal fraction of its normal is shorter than the square root of this. The rest is a rounding error.
         private static const UPRIGHT:Number = 1e-20;
 
         // Between two walls the row may be lifted to and fro. After this many rounds it stays where it is.
@@ -47,34 +47,35 @@ package starlogo.queries
         // From this round on the contact has to separate the two rows. Contacts of parts of a row may point sideways, round after round.
         private static const SURE_ROUND:int = 2;
 
-        // A motion ends after this many turns.
-        private static const MOST_TURNS:int = 8;
+        // A motion ends after this many iterations.
+        private static const MOST_ITERATIONS:int = 8;
 
         /** Tests which rows touch. */
-        public var pairs:RowPairs;
+        public var pairs:NarrowPhase;
 
         /** Whether the last slide met a wall: a surface that was too steep for it. */
         public var metWall:Boolean = false;
 
-        /** The part of its motion that the last row has gone. */
-        public var part:Number = 1;
+        /** The fraction of its motion that the row has gone, from 0 to 1. */
+        public var fraction:Number = 1;
 
         /** Whether the last motion began deep in another row. */
         public var isDeep:Boolean = false;
 
-        /** Whether another row stopped the last row that did not slide. */
+        /** Whether another row stopped the last motion. After a slide it is false. */
         public var hasContact:Boolean = false;
 
         /** The other row. */
         public var contactRow:int = -1;
 
         /** Whether no contact showed what stops the motion, so that the normal is just the opposite of the motion. */
-        public var isMadeUp:Boolean = false;
+        public var isNormalFallback:Boolean = false;
 
         /** The contact with that row. The next motion overwrites it. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** The most level contact that the last slide has met: the one with the greatest z of its normal. It is -2 if there is none. */
+        /** The most level contact that the last slide has met: the one with the greatest z of its normal. If there is none, its
+         * normalZ is -2. */
         public var floor:ContactPoint = new ContactPoint();
 
         /** The other row of that contact. */
@@ -91,7 +92,7 @@ package starlogo.queries
 
         private var _sweep:CoreSweep;
         private var _rest:SlidePlanes = new SlidePlanes();
-        private var _lifts:LastLifts = new LastLifts();
+        private var _lifts:EndClearance = new EndClearance();
         private var _others:Vector.<int> = new Vector.<int>();
         private var _count:int = 0;
         private var _all:int = 0;
@@ -106,7 +107,7 @@ package starlogo.queries
         private var _standing:ContactPoint = new ContactPoint();
 
         /** @param pairs tests which rows touch */
-        public function Mover(pairs:RowPairs)
+        public function Mover(pairs:NarrowPhase)
         {
             this.pairs = pairs;
             _sweep = new CoreSweep(pairs);
@@ -150,7 +151,7 @@ package starlogo.queries
             _rest.begin(motion, widest, steepness);
             hasContact = metWall = isDeep = false;
             contact.setNormal(0, 0, 0);
-            part = 1;
+            fraction = 1;
             _sweep.beginMotion(at, motion);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
@@ -172,7 +173,7 @@ package starlogo.queries
             }
         }
 
-        // Lifts the row out of rows that it overlaps a little at its place. If that does not free it, it is back at its place in the last round.
+        // Lifts the row out of rows that it overlaps a little at its place. If no round frees it, the last round puts it back at its place.
         private function liftOut():void
         {
             var isFree:Boolean = false;
@@ -185,7 +186,7 @@ package starlogo.queries
                 }
                 for (var i:int = _count - 1; i >= 0; i--)
                 {
-                    if (_sweep.meetsAt(_others[i], at))
+                    if (_sweep.coreTouchesAt(_others[i], at))
                     {
                         isFree = false;
                         liftOutOf(i, round);
@@ -194,14 +195,14 @@ package starlogo.queries
             }
         }
 
-        // If the row overlaps another more deeply, the contact's plane stands for that one.
+        // Lifts the row out of another. If the overlap is deeper, the contact's plane replaces the other row.
         private function liftOutOf(i:int, round:int):void
         {
             var other:int = _others[i];
             var isShallow:Boolean = _sweep.findContact(other, at, _standing, round >= SURE_ROUND);
             if (isShallow && round < LIFTING_ROUNDS)
             {
-                _standing.push(at, _standing.depth + _sweep.gap);
+                _standing.push(at, _standing.depth + _sweep.clearance);
                 return;
             }
             if (!_sweep.narrowFor(other, at) && _sweep.overlapsAt(other, at))
@@ -248,7 +249,7 @@ package starlogo.queries
                 contact.copyFrom(crossed);
                 contactRow = _rest.crossedRow;
                 hasContact = true;
-                part = 0;
+                fraction = 0;
             }
             else if (findFirst())
             {
@@ -257,18 +258,18 @@ package starlogo.queries
                 _lift.copyFrom(at);
                 _lift.decrementBy(_before);
                 var time:Number = _sweep.wholeTime + contact.along(_lift) / _along;
-                part = time > 0 ? (time < 1 ? time : 1) : 0;
-                if (-part * _along < _sweep.slop && _sweep.touchesAt(contactRow, _before))
+                fraction = time > 0 ? (time < 1 ? time : 1) : 0;
+                if (-fraction * _along < _sweep.slop && _sweep.wholeTouchesAt(contactRow, _before))
                 {
-                    part = 0;
+                    fraction = 0;
                 }
                 hasContact = true;
                 contact.depth = 0;
             }
-            if (!hasContact || part == 0)
+            if (!hasContact || fraction == 0)
             {
                 at.copyFrom(_before);
-                _rest.advance(at, part);
+                _rest.advance(at, fraction);
             }
             else if (ending == TOUCH)
             {
@@ -277,7 +278,7 @@ package starlogo.queries
             else
             {
                 at.copyFrom(_before);
-                _rest.advance(at, Math.max(0, part + _sweep.gap / _along));
+                _rest.advance(at, Math.max(0, fraction + _sweep.clearance / _along));
             }
         }
 
@@ -288,7 +289,7 @@ package starlogo.queries
             var motion:Vector3D = _rest.motion;
             _lift.setTo(at.x + _sweep.time * motion.x, at.y + _sweep.time * motion.y, at.z + _sweep.time * motion.z);
             at.copyFrom(_before);
-            _rest.advance(at, part);
+            _rest.advance(at, fraction);
             if (!stepIntoTouch())
             {
                 at.copyFrom(_lift);
@@ -299,17 +300,17 @@ package starlogo.queries
         // they touch at one of the places.
         private function stepIntoTouch():Boolean
         {
-            var margin:Number = _sweep.marginAt(contactRow, at);
+            var margin:Number = _sweep.halfToleranceAt(contactRow, at);
             contact.push(at, margin);
             for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
             {
-                if (_sweep.touchesAt(contactRow, at))
+                if (_sweep.wholeTouchesAt(contactRow, at))
                 {
                     return true;
                 }
                 contact.push(at, -margin);
             }
-            return _sweep.touchesAt(contactRow, at);
+            return _sweep.wholeTouchesAt(contactRow, at);
         }
 
         private function slide(steepest:Number):void
@@ -317,7 +318,7 @@ package starlogo.queries
             var whole:Number = _rest.length;
             var gone:Number = 0;
             floor.setNormal(0, 0, -2);
-            for (var turns:int = 0; turns < MOST_TURNS && _rest.project(); turns++)
+            for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
             {
                 if (!findFirst())
                 {
@@ -329,8 +330,8 @@ package starlogo.queries
                     _rest.beginCorner();
                 }
                 _sweep.findWhole(contactRow, _along, contact);
-                gone += _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.gap / _along, 0));
-                if (!isMadeUp && contact.normalZ > floor.normalZ)
+                gone += _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.clearance / _along, 0));
+                if (!isNormalFallback && contact.normalZ > floor.normalZ)
                 {
                     floor.copyFrom(contact);
                     floorRow = contactRow;
@@ -342,10 +343,10 @@ package starlogo.queries
                 _rest.add(contact, contactRow);
                 dropNeedless();
             }
-            part = gone < whole ? gone / whole : 1;
+            fraction = gone < whole ? gone / whole : 1;
         }
 
-        // If a contact is too steep, this turns it into an upright wall. The rest of the motion becomes level, because the slope would stop
+        // If a contact is too steep, this iterations it into an upright wall. The rest of the motion becomes level, because the slope would stop
         // a motion up or down.
         private function standUp():void
         {
@@ -354,7 +355,7 @@ package starlogo.queries
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
-                _rest.level();
+                _rest.makeHorizontal();
             }
         }
 
@@ -382,9 +383,9 @@ package starlogo.queries
          *
          * @param isAtEnd whether the row is where the last motion has ended, so that it does not touch what the sweep has found clear
          */
-        public function leaveTouches(isAtEnd:Boolean):void
+        public function restoreClearance(isAtEnd:Boolean):void
         {
-            _lifts.leave(_sweep, at, _others, _count, isAtEnd ? _sweep.clearRow : -1);
+            _lifts.restoreClearance(_sweep, at, _others, _count, isAtEnd ? _sweep.clearRow : -1);
         }
 
         // Finds the row that the rest of the motion meets first. Returns whether there is one.
@@ -405,8 +406,8 @@ package starlogo.queries
             }
             contact.copyFrom(_sweep.contact);
             _along = contact.along(motion);
-            isMadeUp = !(_along < -SlidePlanes.LEVEL * _rest.length);
-            if (isMadeUp)
+            isNormalFallback = !(_along < -SlidePlanes.PARALLEL_SINE * _rest.length);
+            if (isNormalFallback)
             {
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();

@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.intersection.ray.rayStructure;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.solid.SolidRay;
+    import starlogo.solid.ModelRayQuery;
     import starlogo.terrain.HeightGrid;
 
     use namespace engine;
@@ -33,23 +33,23 @@ package starlogo.queries
         public var triangle:int = -1;
 
         /**
-         * The ray in the world. Its part begins where it meets the last row that it met: at 0 if its origin is inside. It has the normal there.
-         * A row at exactly the part's end is met. You may make the end smaller between rows.
+         * The ray in the world. After a hit, <code>from</code> is the hit's distance, 0 if the origin is inside, and the ray has the normal
+         * there. A row at exactly <code>to</code> is met. You may make <code>to</code> smaller between rows.
          */
         public var ray:Ray = new Ray();
 
-        private var _seen:SeenAgents;
+        private var _seen:QueryWorld;
         private var _line:Ray = new Ray();
         private var _inModel:Ray = new Ray();
-        private var _solid:SolidRay = new SolidRay();
+        private var _solid:ModelRayQuery = new ModelRayQuery();
 
         /** @param seen has the rows */
-        public function RowRays(seen:SeenAgents)
+        public function RowRays(seen:QueryWorld)
         {
             _seen = seen;
         }
 
-        /** Whether the ray meets a row that has a shape. If it does, its part begins there. */
+        /** Whether the ray meets a row that has a shape. If it does, <code>ray.from</code> is the distance to the hit. */
         public function meets(row:int):Boolean
         {
             var shape:ModelShape = _seen.table.shapes[row];
@@ -78,7 +78,7 @@ package starlogo.queries
             found.bringInto(placement, line);
             var start:Number = -ahead / size;
             found.from = start;
-            // this end is too large by rounding errors; rows beyond the exact end are left out below
+            // because of rounding this end is a little too far; hits beyond the exact end are refused below
             found.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
             found.faceBack();
             if (!found.isFinite || !meetsShape(body, found))

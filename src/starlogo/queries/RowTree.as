@@ -44,11 +44,7 @@ package starlogo.queries
 
         /** By slot: the middle of the row's box. */
         public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
         /** By slot: the row's box, with a margin larger than its rounding errors. Not used for places. */

@@ -13,7 +13,7 @@ package starlogo.queries
     public final class SlidePlanes
     {
         /** A motion runs along a plane if the sine of the angle between them is at most this. */
-        public static const LEVEL:Number = 1e-12;
+        public static const PARALLEL_SINE:Number = 1e-12;
 
         // STUCK: a motion shorter than this fraction of the whole counts as none. SAME: two planes are the same if the cosine of the angle
         // between them is greater than this.
@@ -21,7 +21,7 @@ package starlogo.queries
         private static const SAME:Number = 1 - 1e-14;
 
         // A slope may be less steep than a fall needs by this fraction, because its normal has rounding errors.
-        private static const LEVELLER:Number = 1e-6;
+        private static const STEEPNESS_ROUNDING:Number = 1e-6;
 
         /** The rest of the motion. */
         public var motion:Vector3D = new Vector3D();
@@ -119,7 +119,7 @@ package starlogo.queries
         }
 
         /** Makes the rest of the motion level. */
-        public function level():void
+        public function makeHorizontal():void
         {
             motion.z = _whole.z = 0;
             length = motion.length;
@@ -137,7 +137,7 @@ package starlogo.queries
         public function findCrossed():ContactPoint
         {
             var crossed:ContactPoint = null;
-            var least:Number = -LEVEL * length;
+            var least:Number = -PARALLEL_SINE * length;
             for (var i:int = 0; i < count; i++)
             {
                 var along:Number = _planes[i].along(motion);
@@ -184,11 +184,11 @@ package starlogo.queries
             return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
         }
 
-        // Returns whether the motion is steep enough for a fall.
+        // Shortens the motion to how far it may still go on the ground plane. Returns false if it is not steep enough for a fall.
         private function keepWithinWidest():Boolean
         {
             var wide:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y);
-            if (_steepness >= 0 && -motion.z < _steepness * wide * (1 - LEVELLER))
+            if (_steepness >= 0 && -motion.z < _steepness * wide * (1 - STEEPNESS_ROUNDING))
             {
                 return false;
             }
@@ -226,7 +226,7 @@ package starlogo.queries
             {
                 return;
             }
-            var least:Number = -LEVEL * long;
+            var least:Number = -PARALLEL_SINE * long;
             for (var i:int = 0; i < count; i++)
             {
                 if (i != _without && _planes[i].along(_tried) < least)

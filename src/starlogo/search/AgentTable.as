@@ -115,7 +115,7 @@ package starlogo.search
         }
 
         /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
-        public function readFixture(row:int, agent:Agent):void
+        public function readWorldAgent(row:int, agent:Agent):void
         {
             if (agents[row] !== agent)
             {

@@ -46,11 +46,7 @@ package starlogo.search
 
         /** Half of the length of the extents along x. */
         public var halfX:Number = 0;
-
-        /** @copy #halfX */
         public var halfY:Number = 0;
-
-        /** @copy #halfX */
         public var halfZ:Number = 0;
 
         // The way from the place to the middle of the extents.
@@ -70,7 +66,6 @@ package starlogo.search
         private var _ownShapes:Vector.<ModelShape> = null;
         private var _worlds:Vector.<BoundingStructure> = null;
 
-        /** Begins without a shape. */
         public function Body()
         {
             _kept = placement;
@@ -100,7 +95,7 @@ package starlogo.search
             takeShape(shape);
             placement.copyRotation(shape.isUpright ? UPRIGHT : agent.worldPlacement());
             placement.size = size;
-            shape.structure.turnedExtentsInto(placement, sExtents);
+            shape.structure.rotatedExtentsInto(placement, sExtents);
             takeExtents();
         }
 
@@ -128,7 +123,7 @@ package starlogo.search
         {
             requireStructure(structure);
             var found:Vector.<Number> = sExtents;
-            structure.turnedExtentsInto(UPRIGHT, found);
+            structure.rotatedExtentsInto(UPRIGHT, found);
             requireInWorld("half of a structure's length", found[3], found[4], found[5]);
             requireInWorld("a structure's middle", found[0], found[1], found[2]);
             takeStructure(structure);
@@ -139,7 +134,7 @@ package starlogo.search
         {
             _worlds ||= new Vector.<BoundingStructure>(3, true);
             var world:BoundingStructure = _worlds[whole.form] = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
-            world.turnedExtentsInto(UPRIGHT, sExtents);
+            world.rotatedExtentsInto(UPRIGHT, sExtents);
             takeStructure(world);
         }
 
@@ -165,7 +160,7 @@ package starlogo.search
             placement.z = found[2];
             takeShape(own);
             order = depth = 0;
-            own.structure.turnedExtentsInto(placement, found);
+            own.structure.rotatedExtentsInto(placement, found);
             takeExtents();
             settle();
         }
@@ -177,7 +172,7 @@ package starlogo.search
          * @param place where the other body's place would be; null for where it is
          * @param share the part of the size that is taken off, from 0 to 1
          */
-        public function readPart(whole:Body, place:Vector3D, share:Number):void
+        public function readShrunk(whole:Body, place:Vector3D, share:Number):void
         {
             var factor:Number = 1 - share;
             takeShape(whole.shape);

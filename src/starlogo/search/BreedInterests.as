@@ -10,7 +10,7 @@ package starlogo.search
      * The pairs of breeds whose collisions a collision system should find. It skips all other pairs of breeds. The order within a pair does not
      * matter.
      *
-     * <p>A breed has the same number in all objects. All breeds that no pair names have one number together, so that the search can look up a pair
+     * <p>A breed has the same number in all objects. All breeds that no pair names share one number, so that the search can look up a pair
      * in a small table.</p>
      */
     public final class BreedInterests

@@ -14,7 +14,7 @@ package starlogo.search
 
     /**
      * Finds the pairs of agents that touch: the search that all colliders share. It reads the agents into a table. The bins find the pairs of
-     * rows that are near each other (thesis §3.7). RowPairs tests which of them touch. Agents that sweep are tested along their motions since
+     * rows that are near each other (thesis §3.7). NarrowPhase tests which of them touch. Agents that sweep are tested along their motions since
      * the last search.
      *
      * <p>A question about two agents makes bodies of them as they are now, so it does not change anything that a search keeps.</p>
@@ -26,11 +26,11 @@ package starlogo.search
         /** The agents of the last search. */
         public var table:AgentTable;
 
-        private var _pairs:RowPairs;
+        private var _pairs:NarrowPhase;
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
-        private var _motions:Motions;
-        private var _held:HeldFixtures = new HeldFixtures();
+        private var _motions:SweptPairs;
+        private var _held:HeldWorld = new HeldWorld();
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
         private var _isSwept:Boolean = false;
@@ -63,18 +63,18 @@ package starlogo.search
         /** If an agent sweeps: the time of each pair. */
         internal var times:Vector.<Number> = new Vector.<Number>();
 
-        private var _order:KeyOrder = new KeyOrder();
+        private var _order:KeySort = new KeySort();
 
         /**
          * @param choice finds the shapes of agents
          * @param pairs tests which of them touch
          */
-        public function CollisionSearch(choice:ShapeChoice, pairs:RowPairs)
+        public function CollisionSearch(choice:ShapeChoice, pairs:NarrowPhase)
         {
             _pairs = pairs;
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins);
-            _motions = new Motions(pairs);
+            _motions = new SweptPairs(pairs);
             _kept = new KeptPairs(this, _bins, _motions, pairs);
         }
 
@@ -105,10 +105,10 @@ package starlogo.search
             table.read(agents);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                table.readFixture(row, fixtures == null ? null : fixtures[row]);
+                table.readWorldAgent(row, fixtures == null ? null : fixtures[row]);
             }
             areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
-            _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
+            _isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
             _interests = interests == null || interests.areAll ? null : interests;
             _areBreedsRead = interests != null && interests.areBreedsNeeded(table);
             _skippedPairs = 0;
@@ -222,17 +222,17 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            return _motions.findStanding(bodyA, bodyB, out);
+            return _motions.findStaticContact(bodyA, bodyB, out);
         }
 
         /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */
-        public function holdFixtures():void
+        public function holdWorld():void
         {
             _held.hold(table.agents[RowList.GROUND], table.agents[RowList.EDGES]);
         }
 
         /** From now on the ground and the edges count as they are. */
-        public function releaseFixtures():void
+        public function releaseWorld():void
         {
             _held.release();
         }

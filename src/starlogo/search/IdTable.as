@@ -58,7 +58,7 @@ package starlogo.search
                 return;
             }
             _count--;
-            // The ids behind the gap move up into it. An id stays if it would come to stand before its own slot
+            // The ids behind the gap move up into it, except an id whose own slot is behind the gap.
             for (var slot:int = (gap + 1) & mask; ids[slot] != 0; slot = (slot + 1) & mask)
             {
                 var other:int = ids[slot];

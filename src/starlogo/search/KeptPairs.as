@@ -4,7 +4,7 @@ package starlogo.search
     import starlogo.broadphase.CellLists;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.terrain.FixtureAgent;
+    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 
@@ -27,8 +27,8 @@ package starlogo.search
         private var _search:CollisionSearch;
         private var _table:AgentTable;
         private var _bins:Bins;
-        private var _motions:Motions;
-        private var _pairsOf:RowPairs;
+        private var _motions:SweptPairs;
+        private var _pairsOf:NarrowPhase;
 
         // The pairs, and whether they are those of the last search.
         private var _pairs:OrderedPairs;
@@ -66,7 +66,7 @@ package starlogo.search
          * @param motions of the rows
          * @param pairs has the settings of the tests
          */
-        public function KeptPairs(search:CollisionSearch, bins:Bins, motions:Motions, pairs:RowPairs)
+        public function KeptPairs(search:CollisionSearch, bins:Bins, motions:SweptPairs, pairs:NarrowPhase)
         {
             _search = search;
             _table = search.table;
@@ -104,7 +104,7 @@ package starlogo.search
             _takePart = takePart;
             var isSame:Boolean = interests === _interests;
             _interests = interests;
-            var trees:TreePairs = _pairsOf.trees;
+            var trees:TreePairTests = _pairsOf.trees;
             var maxDepth:int = trees == null ? 0 : trees.maxDepth;
             isSame = isStill(0, interests.revision) && isSame;
             isSame = isStill(1, areBreedsRead ? 1 : 0) && isSame;
@@ -187,7 +187,7 @@ package starlogo.search
 
         private function hasFixtureChanged(row:int):Boolean
         {
-            var agent:FixtureAgent = _table.agents[row] as FixtureAgent;
+            var agent:WorldAgent = _table.agents[row] as WorldAgent;
             var state:Object = null;
             var revision:int = _groundRevision;
             if (agent != null && row == RowList.GROUND)

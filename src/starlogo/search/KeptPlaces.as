@@ -26,7 +26,7 @@ package starlogo.search
             for (var i:int = 0; i < list.length; i++)
             {
                 var row:int = table.rows[i];
-                bytes.writeBoolean(keepsMotions && table.shapes[row] != null && places.isBeginning(row, list[i])
+                bytes.writeBoolean(keepsMotions && table.shapes[row] != null && places.isMotionStart(row, list[i])
                         && table.shapes[row].model == list[i].shape);
                 bytes.writeDouble(places.x[row]);
                 bytes.writeDouble(places.y[row]);

@@ -3,7 +3,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.terrain.FixtureAgent;
+    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 
@@ -47,7 +47,7 @@ package starlogo.search
         engine var isUpright:Boolean = false;
 
         /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
-        engine var fixture:FixtureAgent = null;
+        engine var fixture:WorldAgent = null;
 
         /**
          * For colliders only.

@@ -8,8 +8,8 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
-    import starlogo.terrain.FixtureAgent;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 
@@ -31,8 +31,8 @@ package starlogo.search
         private static const PREFIX:String = ":";
         private static const MOST_RECENT:int = 8;
 
-        // The shapes of each model, by its name, as a chain; and a few that were needed last, without making a key. Of these, the
-        // shapes that are needed often move to the front.
+        // The shapes of each model, by its name, as a chain. _recent has a few shapes that were needed last: finding one there needs no key. A
+        // shape that is found there moves towards the front.
         private var _ofModels:Object = {};
         private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
 
@@ -103,7 +103,7 @@ package starlogo.search
         private static function requireExtents(shape:ModelShape, agent:Agent):void
         {
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
-            shape.structure.turnedExtentsInto(new Placement(), extents);
+            shape.structure.rotatedExtentsInto(new Placement(), extents);
             requireInWorld(agent + ": the middle of its model's structure", extents[0], extents[1], extents[2]);
             requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
         }
@@ -111,7 +111,7 @@ package starlogo.search
         // The shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: one cell, or nothing.
         private static function shapeOfFixture(agent:Agent):ModelShape
         {
-            var fixture:FixtureAgent = FixtureAgent(agent);
+            var fixture:WorldAgent = WorldAgent(agent);
             var ground:Terrain = fixture.terrain;
             var half:Number = ground == null ? 0 : ground.cellWidth / 2;
             var shape:ModelShape = new ModelShape(agent.shape, Agent.ANY_KIND, 0);

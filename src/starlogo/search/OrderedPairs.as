@@ -28,7 +28,7 @@ package starlogo.search
         private var _found:Vector.<int> = new Vector.<int>();
         private var _turns:Vector.<int> = new Vector.<int>();
         private var _keys:Vector.<Number> = new Vector.<Number>();
-        private var _order:KeyOrder = new KeyOrder();
+        private var _order:KeySort = new KeySort();
         private var _early:int = 0;
 
         // Whether the last renewal has changed the pairs. The list with whose ranks they were written last.

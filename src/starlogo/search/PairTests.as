@@ -2,23 +2,23 @@ package starlogo.search
 {
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
     /**
-     * Tests two bodies: whether they touch, when they touch, and how. RowPairs has an object of a subclass for each kind of pairs. The ground or
+     * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs. The ground or
      * the edges of the world are always the second of two bodies.
      *
      * @private
      */
     public class PairTests
     {
-        /** The length that any way out of the last contact has at least; 0 if it is not known. */
-        public var needed:Number = 0;
+        /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
+        public var leastDepth:Number = 0;
 
-        /** How far away parts of the second body count in <code>findWays()</code>. */
+        /** The search distance of <code>findExits()</code>: parts of the second body farther away do not count. */
         public var reach:Number = 0;
 
         /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
@@ -74,7 +74,7 @@ package starlogo.search
          * Finds the time and the contact of the first touch of two bodies. They must not touch at the beginning of the motion.
          *
          * @param motion as in findTime. But a touch that rounding errors hide at its end may be missing
-         * @param out receives the contact, as in findContact; null if only the time is needed
+         * @param out receives the contact, as in findContact; null if only the time is leastDepth
          */
         public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -101,18 +101,18 @@ package starlogo.search
          * @param ways receives the contacts, each with another direction
          * @return their number
          */
-        public function findWays(a:Body, b:Body, ways:Vector.<ContactPoint>):int
+        public function findExits(a:Body, b:Body, ways:Vector.<ContactPoint>):int
         {
             return 0;
         }
 
         /**
-         * Finds the distance between two bodies. RowPairs.isSecondFirst is false for the two.
+         * Finds the distance between two bodies. NarrowPhase.isSecondFirst is false for the two.
          *
          * @param areTouching whether the two touch
          * @param out receives the distance and the closest points, in the world
          */
-        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPair):void
+        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
         {
         }
 

@@ -33,8 +33,6 @@ package starlogo.search
 
         /** The rows that the search before has read again, and their number. */
         internal var movedBefore:Vector.<int> = new Vector.<int>();
-
-        /** @copy #movedBefore */
         internal var movedBeforeCount:int = 0;
 
         // The rows that are being read. They become moved after the whole list has turned out to be valid.

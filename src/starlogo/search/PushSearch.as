@@ -3,36 +3,32 @@ package starlogo.search
     import starlogo.intersection.contact.ContactPoint;
 
     /**
-     * Finds the shortest push that leads out of several parts of a body, one after the other. Each part can be left by one of several
-     * contacts: a contact asks for a push of at least its depth along its normal.
+     * Finds the shortest push that leads out of several contacts. A contact requires a push of at least its depth along its normal.
      *
-     * <p>Take the shortest push that is left, and add the pushes that also lead out of the contacts after it, until a push leads out of all parts.
-     * The pushes that are left are not shorter (branch and bound).</p>
+     * <p>In each step it tries the shortest push in its list. If the body still touches something there, pushes are added that also lead out
+     * of this contact. When a push frees the body, no push in the list is shorter (branch and bound).</p>
      */
     internal final class PushSearch
     {
         // The most pushes that are kept.
         private static const MOST:int = 256;
 
-        // What a push has: itself, its length, and for each contact that decides about it the normal, and how far the push has to go along that.
-        // Three contacts at most decide.
+        // The numbers of a push: its vector, its length, and for each contact that decides it the normal and the depth along it. Three contacts
+        // at most decide.
         private static const LENGTH:int = 3;
         private static const FIRST:int = 4;
         private static const STRIDE:int = 16;
 
-        // Two planes are parallel if the squared sine of their angle is less than this. Three meet in no point if their volume is.
+        // Two planes are parallel if the squared sine of their angle is less than this. Three have no common point if the
+        // squared volume of their normals is.
         private static const PARALLEL:Number = 1e-6;
 
-        // How much less than asked a push may be along a normal, as a fraction of the lengths, because of rounding.
+        // How much shorter than required a push may be along a normal, as a fraction of its length, because of rounding.
         private static const ROUNDING:Number = 1e-12;
 
         /** The current push. */
         public var x:Number = 0;
-
-        /** @copy #x */
         public var y:Number = 0;
-
-        /** @copy #x */
         public var z:Number = 0;
 
         /** Its length. */

@@ -17,11 +17,7 @@ package starlogo.search
 
         /** The agent's place. */
         public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
         /** The agent's revision at that place. */
@@ -43,7 +39,7 @@ package starlogo.search
         }
 
         /** Whether a motion of an agent may begin at its place: the search has seen the agent there, and it has not jumped since. */
-        public function isBeginning(row:int, agent:Agent):Boolean
+        public function isMotionStart(row:int, agent:Agent):Boolean
         {
             return agent.jumpRevision <= revisions[row];
         }

@@ -20,9 +20,9 @@ package starlogo.search
         }
 
         /** @private */
-        override engine function prepare(pairs:RowPairs):void
+        override engine function prepare(pairs:NarrowPhase):void
         {
-            pairs.trees = new TreePairs();
+            pairs.trees = new TreePairTests();
         }
 
         /** @inheritDoc */

@@ -61,7 +61,7 @@ package starlogo.solid
 
         private function isSolid(piece:int):Boolean
         {
-            return piece >= 0 && _solid.shells[piece] == Surface.SOLID;
+            return piece >= 0 && _solid.shells[piece] == SurfaceTopology.SOLID;
         }
 
         private function pieceOf(triangle:int):int
@@ -91,7 +91,7 @@ package starlogo.solid
                     _boxes[at] = isFirst ? extents[6 * i + axis] : Math.min(_boxes[at], extents[6 * i + axis]);
                     _boxes[at + 3] = isFirst ? extents[6 * i + axis + 3] : Math.max(_boxes[at + 3], extents[6 * i + axis + 3]);
                 }
-                _face.setAcross(corners, 9 * i);
+                _face.setTriangleNormal(corners, 9 * i);
                 if (_face.length > 0)
                 {
                     var from:int = _corners[piece] - 1;

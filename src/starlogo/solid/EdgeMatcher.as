@@ -14,7 +14,7 @@ package starlogo.solid
     {
         private static const TRIANGLES_PER_STEP:int = 1000;
         private static const EDGES_PER_STEP:int = 3000;
-        private static const CROWDS_PER_STEP:int = 100;
+        private static const NON_MANIFOLD_PER_STEP:int = 100;
         private static const MOST_LOOKS:int = 8;
 
         // Which edges a pass may match: opposite edges of different triangles, opposite edges, or any.
@@ -41,7 +41,7 @@ package starlogo.solid
         private var _lasts:Vector.<int>;
 
         // The last edges of those between vertices that have more than two. The triangles that are connected.
-        private var _crowds:Vector.<int> = new Vector.<int>();
+        private var _nonManifold:Vector.<int> = new Vector.<int>();
         private var _sets:DisjointSets;
 
         /**
@@ -108,7 +108,7 @@ package starlogo.solid
             _lows = new Vector.<int>(_places.length, true);
             _lasts = new Vector.<int>(_places.length, true);
             slices(partners.length / 3, TRIANGLES_PER_STEP, place).slices(edges, EDGES_PER_STEP, link).slices(edges, EDGES_PER_STEP, match)
-                .call(beginCrowds);
+                .call(beginNonManifold);
         }
 
         private function place(first:int, end:int):void
@@ -157,7 +157,7 @@ package starlogo.solid
                 }
                 else
                 {
-                    _crowds.push(edge);
+                    _nonManifold.push(edge);
                 }
             }
         }
@@ -168,13 +168,13 @@ package starlogo.solid
             partners[b] = a + 1;
         }
 
-        private function beginCrowds():void
+        private function beginNonManifold():void
         {
             _order = _lows = _lasts = _places = null;
-            if (_crowds.length > 0)
+            if (_nonManifold.length > 0)
             {
                 _sets = new DisjointSets(partners.length / 3);
-                slices(partners.length, EDGES_PER_STEP, join).slices(_crowds.length, CROWDS_PER_STEP, matchCrowds);
+                slices(partners.length, EDGES_PER_STEP, join).slices(_nonManifold.length, NON_MANIFOLD_PER_STEP, matchNonManifolds);
             }
         }
 
@@ -189,17 +189,17 @@ package starlogo.solid
             }
         }
 
-        private function matchCrowds(first:int, end:int):void
+        private function matchNonManifolds(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                matchCrowd(_crowds[i]);
+                matchNonManifold(_nonManifold[i]);
             }
         }
 
         // Edges of connected triangles are matched first, then the others in the order of the file. Copies of a triangle are matched later,
         // and edges that run in the same direction at last.
-        private function matchCrowd(last:int):void
+        private function matchNonManifold(last:int):void
         {
             var crowd:Array = [];
             for (var edge:int = last; edge >= 0; edge = _before[edge] - 1)

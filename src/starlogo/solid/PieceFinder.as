@@ -13,7 +13,7 @@ package starlogo.solid
         /** For each piece, the number of its triangles that are not turned, minus the number of those that are. */
         public var balances:Vector.<int> = new Vector.<int>();
 
-        private var _surface:Surface;
+        private var _surface:SurfaceTopology;
         private var _edges:EdgeMatcher;
         private var _first:int = 0;
 
@@ -25,7 +25,7 @@ package starlogo.solid
          * @param surface receives the pieces
          * @param edges matched before the first step
          */
-        public function PieceFinder(surface:Surface, edges:EdgeMatcher)
+        public function PieceFinder(surface:SurfaceTopology, edges:EdgeMatcher)
         {
             _surface = surface;
             _edges = edges;
@@ -49,7 +49,7 @@ package starlogo.solid
                 {
                     if (sides[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.shells.push(Surface.SOLID);
+                        _surface.shells.push(SurfaceTopology.SOLID);
                         balances.push(0);
                         add(_first, balances.length);
                     }
@@ -75,7 +75,7 @@ package starlogo.solid
                 var partner:int = _edges.partners[edge] - 1;
                 if (partner < 0)
                 {
-                    shells[piece] = Surface.OPEN;
+                    shells[piece] = SurfaceTopology.OPEN;
                     continue;
                 }
                 var side:int = _surface.sides[triangle];
@@ -88,9 +88,9 @@ package starlogo.solid
                 {
                     add(neighbour, side);
                 }
-                else if (_surface.sides[neighbour] != side && shells[piece] == Surface.SOLID)
+                else if (_surface.sides[neighbour] != side && shells[piece] == SurfaceTopology.SOLID)
                 {
-                    shells[piece] = Surface.ONE_SIDED;
+                    shells[piece] = SurfaceTopology.ONE_SIDED;
                 }
             }
         }

@@ -31,10 +31,10 @@ package starlogo.solid
         /** The triangles' corners where seams were welded. The same list as <code>corners</code> if there is no gap. */
         public var places:Vector.<Number>;
 
-        /** For each triangle, the number that <code>Surface.sides</code> has. */
+        /** For each triangle, the number that <code>SurfaceTopology.sides</code> has. */
         public var sides:Vector.<int>;
 
-        /** For each piece, what <code>Surface.shells</code> has. */
+        /** For each piece, what <code>SurfaceTopology.shells</code> has. */
         public var shells:Vector.<int> = null;
 
         /** Whether a piece of the surface is closed, so that it has an inside. */
@@ -117,7 +117,7 @@ package starlogo.solid
         /** Whether the point of the last <code>wind()</code> is inside of a piece, and not in a cavity of it. */
         public function isAround(piece:int):Boolean
         {
-            return shells[piece] == Surface.SOLID ? windings[piece] != 0 : shells[piece] == Surface.ONE_SIDED && (windings[piece] & 1) != 0;
+            return shells[piece] == SurfaceTopology.SOLID ? windings[piece] != 0 : shells[piece] == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
         }
 
         /**

@@ -20,7 +20,7 @@ package starlogo.solid
         private var _hierarchy:SolidHierarchy;
         private var _order:Vector.<int>;
         private var _solid:Solid;
-        private var _surface:Surface;
+        private var _surface:SurfaceTopology;
         private var _extremes:PartExtremes;
 
         // Null if the surface is known already.
@@ -79,13 +79,13 @@ package starlogo.solid
                 add(_welding);
             }
             sliced(useSides);
-            _extremes = new PartExtremes(_solid, _surface.partCount);
+            _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
             if (_builder != null)
             {
                 _partOf = new Vector.<int>(_surface.shells.length, true);
-                _sets = new DisjointSets(_surface.partCount);
+                _sets = new DisjointSets(_surface.partNumberEnd);
                 begin(newCavities);
-                sliced(measure).slices(_solid.isClosed && _surface.partCount > 1 ? _surface.partCount : 0, PARTS_PER_STEP, joinParts).call(beginAgain);
+                sliced(measure).slices(_solid.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts).call(beginAgain);
                 sliced(numberParts);
             }
             sliced(measure).call(conclude);
@@ -116,7 +116,7 @@ package starlogo.solid
 
         private function beginAgain():void
         {
-            _extremes = new PartExtremes(_solid, _surface.partCount);
+            _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
         }
 
         private function numberParts(first:int, end:int):void

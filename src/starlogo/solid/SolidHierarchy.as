@@ -15,7 +15,7 @@ package starlogo.solid
     public final class SolidHierarchy extends Hierarchy
     {
         /** @private The surface, or null if nothing is known of it. */
-        engine var surface:Surface = null;
+        engine var surface:SurfaceTopology = null;
 
         /** The value of <code>solid</code>, or null if it is not prepared yet. */
         internal var prepared:Solid = null;
@@ -23,9 +23,8 @@ package starlogo.solid
         /** The value of <code>facets</code>, or null if it is not prepared yet. */
         internal var placed:Solid = null;
 
-        private var _open:OpenSides = null;
+        private var _open:AxisEscapeTest = null;
 
-        /** Not to be called: a SolidHierarchyBuilder makes it. */
         public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
             super(vertices, triangles);
@@ -62,7 +61,7 @@ package starlogo.solid
             if (!isOutside && prepared == null)
             {
                 placeTriangles(); // with them the tree has small boxes
-                _open ||= new OpenSides();
+                _open ||= new AxisEscapeTest();
                 isOutside = _open.areAt(middle, root);
             }
             return !isOutside && solid.isInside(middle);

@@ -49,7 +49,7 @@ package starlogo.solid
          * @param tree how the items were divided; not begun yet
          * @param surface null if nothing is known of it
          */
-        public function useStored(tree:StoredTree, surface:Surface):void
+        public function useStored(tree:StoredTree, surface:SurfaceTopology):void
         {
             _builder.useStored(tree);
             _hierarchy.surface = surface;

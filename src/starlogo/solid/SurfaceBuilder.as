@@ -3,7 +3,7 @@ package starlogo.solid
     import starlogo.steps.StepSequence;
 
     /**
-     * Computes a model's Surface, in steps: which vertices are at the same place, to within Tolerances.WELDING, which pieces the triangles
+     * Computes a model's SurfaceTopology, in steps: which vertices are at the same place, to within Tolerances.WELDING, which pieces the triangles
      * form, and which pieces are connected. A CavityFinder and a SolidBuilder complete the surface.
      */
     internal final class SurfaceBuilder extends StepSequence
@@ -11,7 +11,7 @@ package starlogo.solid
         private static const TRIANGLES_PER_STEP:int = 400;
 
         /** The result. Complete after the last step. */
-        public var surface:Surface;
+        public var surface:SurfaceTopology;
 
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
@@ -28,7 +28,7 @@ package starlogo.solid
         public function SurfaceBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
             var count:int = triangles.length / 3;
-            surface = new Surface(count);
+            surface = new SurfaceTopology(count);
             _triangles = triangles;
             _welding = new Welding(vertices);
             _sets = new DisjointSets(vertices.length / 3);
@@ -62,7 +62,7 @@ package starlogo.solid
                 var root:int = _sets.rootOf(_welding.welded[_triangles[3 * i]]);
                 if (_numbers[root] == 0)
                 {
-                    _numbers[root] = ++surface.partCount;
+                    _numbers[root] = ++surface.partNumberEnd;
                 }
                 surface.parts[i] = _numbers[root] - 1;
             }

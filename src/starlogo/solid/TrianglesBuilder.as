@@ -2,7 +2,7 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyRefiner;
-    import starlogo.hierarchy.Items;
+    import starlogo.hierarchy.TreeItems;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.steps.StepSequence;
 
@@ -36,7 +36,7 @@ package starlogo.solid
             {
                 var corner:int = 3 * _hierarchy.order[i];
                 _hierarchy.writeCorners(corner, null, _solid.corners, 9 * i);
-                Items.writeExtents(_hierarchy.vertices, _hierarchy.triangles, corner, _solid.extents, 6 * i);
+                TreeItems.writeExtents(_hierarchy.vertices, _hierarchy.triangles, corner, _solid.extents, 6 * i);
                 placePlane(i);
             }
         }
@@ -47,7 +47,7 @@ package starlogo.solid
             var planes:Vector.<Number> = _solid.planes;
             var at:int = 9 * triangle;
             var to:int = 5 * triangle;
-            _face.setAcross(corners, at);
+            _face.setTriangleNormal(corners, at);
             if (!(_face.length > 0))
             {
                 planes[to] = planes[to + 1] = planes[to + 2] = planes[to + 3] = 0;

@@ -4,7 +4,7 @@ package starlogo.terrain
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.TriangleRay;
+    import starlogo.intersection.ray.RayTriangleTest;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -19,11 +19,10 @@ package starlogo.terrain
         // Longer than any way between two places of the world.
         private static const FARTHEST:Number = 4 * Agent.LARGEST_COORDINATE;
 
-        private var _faces:GroundFaces = new GroundFaces();
-        private var _triangles:TriangleRay = new TriangleRay();
+        private var _faces:GroundTriangles = new GroundTriangles();
+        private var _triangles:RayTriangleTest = new RayTriangleTest();
         private var _outside:ContactPoint = new ContactPoint();
 
-        /** Creates a finder that has found nothing yet. */
         public function GroundRay()
         {
             _faces.way = new RelativeMotion();
@@ -59,7 +58,7 @@ package starlogo.terrain
                 {
                     isHit = true;
                     _faces.limit = _triangles.at;
-                    _outside.setAcross(_faces.corners, 0);
+                    _outside.setTriangleNormal(_faces.corners, 0);
                 }
             }
             if (isHit)

@@ -36,7 +36,7 @@ package starlogo.terrain
         // The current piece and the triangles near it. The nodes that are still to be visited, and their number. The triangles of the last node
         // that are still to be tested.
         protected var _piece:ConvexTriangle = new ConvexTriangle();
-        protected var _faces:GroundFaces = new GroundFaces();
+        protected var _faces:GroundTriangles = new GroundTriangles();
         private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _nodeCount:int = 0;
         private var _triangle:int = 0;
@@ -51,7 +51,6 @@ package starlogo.terrain
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        /** Creates a search without a model. */
         public function GroundSearch()
         {
             _piece.isOneSided = true;
@@ -165,7 +164,7 @@ package starlogo.terrain
         private function visit(node:HierarchyNode):void
         {
             node.writeBox(_box);
-            if (node.cutoffLevel < _depth)
+            if (node.stopDepth < _depth)
             {
                 beginFaces(_box, _faces.middle);
                 if (_faces.next())
@@ -211,7 +210,7 @@ package starlogo.terrain
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
             var margin:Number = _piece.margin;
-            structure.turnedExtentsInto(_placed, _extents);
+            structure.rotatedExtentsInto(_placed, _extents);
             middle.x = _extents[0] + _placed.x;
             middle.y = _extents[1] + _placed.y;
             middle.z = _extents[2] + _placed.z;

@@ -25,8 +25,6 @@ package starlogo.terrain
 
         /** Where the first height is. */
         public var x:Number;
-
-        /** @copy #x */
         public var y:Number;
 
         /** Whether the surface is upright columns; otherwise it is slopes. */
@@ -45,14 +43,14 @@ package starlogo.terrain
         /** By level: where its squares begin in <code>bounds</code>. Level 0 is the heights, which have no bounds. */
         public var begins:Vector.<int> = new <int>[0];
 
-        /** The last level. */
+        /** The number of the last level. */
         public var levels:int = 0;
 
         /** Tests models against the ground. It is here, so that a bundle without a Terrain has none of these tests. */
         public var pair:TerrainPair = new TerrainPair();
 
         /** Decides quickly about shapes that are clearly above or in the ground. */
-        public var look:QuickLook = new QuickLook();
+        public var earlyOut:GroundEarlyOut = new GroundEarlyOut();
 
         /** Finds where rays meet the ground. */
         public var rays:GroundRay = new GroundRay();
@@ -69,23 +67,22 @@ package starlogo.terrain
         /** How far it falls along y. */
         public var fallY:Number = 0;
 
-        /** The greatest height that <code>findRange()</code> has found, and the least one. */
+        /** The greatest height that <code>findRange()</code> has found. */
         public var greatest:Number = 0;
 
-        /** @copy #greatest */
+        /** The least height that it has found. */
         public var least:Number = 0;
 
-        /** The greatest difference of two neighbours along x that <code>findRange()</code> has found, and the one along y. */
+        /** The greatest difference of two neighbours along x that <code>findRange()</code> has found. */
         public var stepX:Number = 0;
 
-        /** @copy #stepX */
+        /** The greatest along y. */
         public var stepY:Number = 0;
 
         // The triangle of the last place of heightAt(): the corner of the cell with the least x and y, and the corner beside the diagonal.
         private var _corner:int = 0;
         private var _side:int = 0;
 
-        /** Creates flat ground. The caller has checked the numbers. */
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
         {
             this.columns = columns;

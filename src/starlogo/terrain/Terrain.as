@@ -26,7 +26,7 @@ package starlogo.terrain
         /** @private The heights. */
         engine var grid:HeightGrid;
 
-        private var _agent:FixtureAgent;
+        private var _agent:WorldAgent;
 
         /**
          * Flat ground of height 0.
@@ -51,7 +51,7 @@ package starlogo.terrain
             requireInWorld("a terrain's x and y", x, y, 0);
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
-            _agent = new FixtureAgent(Breeds.TERRAIN);
+            _agent = new WorldAgent(Breeds.TERRAIN);
             _agent.number = Agent.takeNumber();
             _agent.terrain = this;
             _agent.moveTo(x, y, 0);

@@ -4,7 +4,7 @@ package starlogo.terrain
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -16,32 +16,34 @@ package starlogo.terrain
      * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
      * First, each convex piece is tested against the triangles of the surface near it. Then a point of the piece is tested.</p>
      *
-     * <p>Answers are nested, because a node's piece contains the pieces of its descendants, their covers, and all its triangles.</p>
+     * <p>Answers are nested, because a node's piece contains the pieces and the triangles of all its
+     * descendants.</p>
      *
      * @private
      */
     public final class TerrainPair extends GroundSearch
     {
         // Two ways have nearly the same direction if the cosine of their angle is larger.
-        private static const SAME_WAY:Number = 0.98;
+        private static const SAME_EXIT:Number = 0.98;
 
-        // How many gaps of a triangle the part of a contact may reach before its plane, because of rounding.
+        // A part counts as behind a plane if it reaches in front of it by at most this many gaps of the triangle. The rest is rounding.
         private static const PART_GAPS:Number = 10;
 
         // The most ways that are found.
-        private static const MOST_WAYS:int = 12;
+        private static const MOST_EXITS:int = 12;
 
-        // The part of a depth that must be known to be needed.
+        // A contact is taken at once if the least length of a way out is at least this fraction of its depth.
         private static const NEEDED:Number = 0.8;
 
-        /** The length that any way out of the last contact has at least; 0 if it is not known. */
-        public var needed:Number = 0;
+        /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
+        public var leastDepth:Number = 0;
 
-        // The contact with the last triangle. The part of the ground that the last contact was with, if there was one. The number of ways. The distance of the nearest triangle so far.
+        // The contact with the last triangle; the triangle of the ground that the last contact was with, if there was one; the number of ways out;
+        // and the distance of the nearest triangle so far.
         private var _tried:ContactPoint = new ContactPoint();
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
-        private var _wayCount:int = 0;
+        private var _exitCount:int = 0;
         private var _nearest:Number = 0;
 
         /** Whether the two overlap or touch where the model stands. */
@@ -93,7 +95,7 @@ package starlogo.terrain
          * Finds when the model first touches the surface as it moves, and how.
          *
          * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
+         * @param out receives the contact, with a normal that points out of the ground; null if only the time is leastDepth
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -129,7 +131,7 @@ package starlogo.terrain
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;
-            needed = 0;
+            leastDepth = 0;
             _hasPart = false;
             if (motion.x != 0 || motion.y != 0 || motion.z != 0)
             {
@@ -143,7 +145,7 @@ package starlogo.terrain
             }
             placeAt(motion, time);
             findDeepest(out, false);
-            needed = _hasPart ? out.depth : 0;
+            leastDepth = _hasPart ? out.depth : 0;
             if (!_hasPart)
             {
                 findDeepest(out, true);
@@ -166,23 +168,23 @@ package starlogo.terrain
          * @param ways receives the contacts that lead out of the planes
          * @return their number
          */
-        public function findWays(reach:Number, ways:Vector.<ContactPoint>):int
+        public function findExits(reach:Number, ways:Vector.<ContactPoint>):int
         {
-            _wayCount = 0;
+            _exitCount = 0;
             begin(null, RelativeMotion.NONE, reach);
             while (next())
             {
                 _piece.findBehind(_tried);
                 if (_tried.depth >= -_piece.gap && (!_hasPart || isPartBehind()))
                 {
-                    addWay(ways);
+                    addExit(ways);
                 }
             }
-            for (var i:int = 0; i < _wayCount; i++)
+            for (var i:int = 0; i < _exitCount; i++)
             {
                 moveToWorld(ways[i]);
             }
-            return _wayCount;
+            return _exitCount;
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
@@ -206,7 +208,7 @@ package starlogo.terrain
          *
          * @param areTouching whether they overlap. If so, a point of both is found
          */
-        public function findClosest(areTouching:Boolean, out:ClosestPair):void
+        public function findClosest(areTouching:Boolean, out:DistanceResult):void
         {
             beginNearest();
             if (_tree == null)
@@ -255,7 +257,7 @@ package starlogo.terrain
         }
 
         // Measures the distances of all pairs of a piece and a triangle, and keeps the closest points of the nearest ones.
-        private function measure(out:ClosestPair):void
+        private function measure(out:DistanceResult):void
         {
             var isFound:Boolean = false;
             while (next())
@@ -317,12 +319,12 @@ package starlogo.terrain
         }
 
         // Adds a way out. Of ways with nearly the same direction, the shortest is kept.
-        private function addWay(ways:Vector.<ContactPoint>):void
+        private function addExit(ways:Vector.<ContactPoint>):void
         {
-            for (var i:int = 0; i < _wayCount; i++)
+            for (var i:int = 0; i < _exitCount; i++)
             {
                 var way:ContactPoint = ways[i];
-                if (_tried.normalX * way.normalX + _tried.normalY * way.normalY + _tried.normalZ * way.normalZ > SAME_WAY)
+                if (_tried.normalX * way.normalX + _tried.normalY * way.normalY + _tried.normalZ * way.normalZ > SAME_EXIT)
                 {
                     if (_tried.depth < way.depth)
                     {
@@ -331,14 +333,14 @@ package starlogo.terrain
                     return;
                 }
             }
-            if (_wayCount < MOST_WAYS)
+            if (_exitCount < MOST_EXITS)
             {
-                if (_wayCount == ways.length)
+                if (_exitCount == ways.length)
                 {
-                    ways[_wayCount] = new ContactPoint();
+                    ways[_exitCount] = new ContactPoint();
                 }
-                ways[_wayCount].copyFrom(_tried);
-                _wayCount++;
+                ways[_exitCount].copyFrom(_tried);
+                _exitCount++;
             }
         }
 

@@ -23,7 +23,7 @@ package starlogo.terrain
 
         private var _grid:HeightGrid;
         private var _revision:int = -1;
-        private var _faces:GroundFaces = new GroundFaces();
+        private var _faces:GroundTriangles = new GroundTriangles();
 
         // Half the lengths of the box whose faces are drawn.
         private var _halfX:Number;

@@ -13,7 +13,7 @@ package starlogo.terrain
      */
     public final class WorldBounds
     {
-        private var _agent:FixtureAgent = new FixtureAgent(Breeds.EDGE);
+        private var _agent:WorldAgent = new WorldAgent(Breeds.EDGE);
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.

@@ -1,11 +1,11 @@
 package starlogo.agents
 {
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import evaluation.pairs.SeededRandom;
     import starlogo.engine;
     import support.assertThrows;
 

@@ -1,11 +1,11 @@
 package starlogo.agents
 {
     import org.flexunit.asserts.assertEquals;
+    import starlogo.GreatLand;
     import starlogo.blocks.CollisionBlocks;
     import starlogo.blocks.DetectionBlocks;
     import starlogo.blocks.StructureBlocks;
     import starlogo.blocks.TraitBlocks;
-    import starlogo.GreatLand;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
     import starlogo.diagnostics.CollisionRecorder;

@@ -1,5 +1,6 @@
 package starlogo.bounding
 {
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
@@ -10,7 +11,6 @@ package starlogo.bounding
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.intersects;
-    import evaluation.pairs.SeededRandom;
     import support.Structures;
     import support.assertThrows;
 
@@ -304,7 +304,7 @@ package starlogo.bounding
                     var angles:Array = random.pick([[0, 0, 0], [random.between(0, 360), 0, 0],
                                 [random.between(0, 360), random.between(0, 360), random.between(0, 360)]]);
                     var placement:Placement = standing(random.logBetween(0.1, 10), angles, random.normal(), random.normal(), random.normal());
-                    structure.turnedExtentsInto(placement, turned);
+                    structure.rotatedExtentsInto(placement, turned);
                     structure.place(placement).extentsInto(extents);
                     var at:Array = [placement.x, placement.y, placement.z];
                     for (var axis:int = 0; axis < 3; axis++)

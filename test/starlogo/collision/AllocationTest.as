@@ -1,12 +1,12 @@
 package starlogo.collision
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
-    import evaluation.pairs.SeededRandom;
     import support.Garbage;
     import support.MemoryGrowth;
 

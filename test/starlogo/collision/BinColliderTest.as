@@ -1,16 +1,16 @@
 package starlogo.collision
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import starlogo.search.BreedInterests;
     import support.BruteForce;
     import support.Effort;
     import support.RandomWorlds;
-    import evaluation.pairs.SeededRandom;
-    import starlogo.search.BreedInterests;
     import support.agentAt;
     import support.assertThrows;
 

@@ -1,5 +1,6 @@
 package starlogo.collision
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -13,7 +14,6 @@ package starlogo.collision
     import starlogo.models.Model;
     import support.BruteForce;
     import support.HierarchyReference;
-    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class CombinationColliderTest

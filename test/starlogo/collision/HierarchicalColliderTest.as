@@ -1,5 +1,6 @@
 package starlogo.collision
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -9,7 +10,6 @@ package starlogo.collision
     import starlogo.models.Model;
     import support.HierarchyReference;
     import support.SolidAngles;
-    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class HierarchicalColliderTest

@@ -1,11 +1,11 @@
 package starlogo.collision
 {
+    import evaluation.pairs.SeededRandom;
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
-    import evaluation.pairs.SeededRandom;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.diagnostics.CollisionRecorder;
@@ -388,8 +388,8 @@ package starlogo.collision
     }
 }
 
-import flash.utils.ByteArray;
 import evaluation.pairs.SeededRandom;
+import flash.utils.ByteArray;
 import starlogo.agents.Agent;
 import starlogo.collision.Collision;
 import starlogo.collision.CollisionSystem;

@@ -1,5 +1,6 @@
 package starlogo.collision
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -10,7 +11,6 @@ package starlogo.collision
     import starlogo.models.Model;
     import support.BruteForce;
     import support.RandomWorlds;
-    import evaluation.pairs.SeededRandom;
     import support.TransformedStructure;
     import support.agentAt;
     import support.assertThrows;

@@ -1,5 +1,8 @@
 package starlogo.diagnostics
 {
+    import evaluation.EveryPairSystem;
+    import evaluation.scenes.Scene;
+    import evaluation.scenes.Scenes;
     import flash.events.Event;
     import flash.events.KeyboardEvent;
     import flash.text.TextField;
@@ -7,12 +10,9 @@ package starlogo.diagnostics
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import evaluation.scenes.Scene;
-    import evaluation.scenes.Scenes;
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.engine;
-    import evaluation.EveryPairSystem;
     import support.TestStage;
     import support.assertThrows;
 

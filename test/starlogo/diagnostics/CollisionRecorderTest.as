@@ -1,9 +1,10 @@
 package starlogo.diagnostics
 {
-    import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertTrue;
+    import evaluation.EveryPairSystem;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.BinCollider;
@@ -11,7 +12,6 @@ package starlogo.diagnostics
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
-    import evaluation.EveryPairSystem;
     import support.assertThrows;
 
     public class CollisionRecorderTest

@@ -1,9 +1,9 @@
 package starlogo.diagnostics
 {
-    import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertTrue;
     import evaluation.EveryPairSystem;
     import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;

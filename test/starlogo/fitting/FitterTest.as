@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import evaluation.literal.LiteralOrientedBoxFit;
+    import evaluation.pairs.SeededRandom;
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import flash.utils.getQualifiedClassName;
@@ -18,7 +19,6 @@ package starlogo.fitting
     import support.FitChecks;
     import support.PointSets;
     import support.RunningHash;
-    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class FitterTest

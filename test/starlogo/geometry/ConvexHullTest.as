@@ -1,12 +1,12 @@
 package starlogo.geometry
 {
+    import evaluation.pairs.SeededRandom;
     import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
     import support.Effort;
     import support.PointSets;
-    import evaluation.pairs.SeededRandom;
 
     public class ConvexHullTest
     {

@@ -1,8 +1,8 @@
 package starlogo.geometry
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import evaluation.pairs.SeededRandom;
 
     public class CubeRootTest
     {

@@ -1,10 +1,10 @@
 package starlogo.geometry
 {
+    import evaluation.pairs.SeededRandom;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import evaluation.pairs.SeededRandom;
     import support.Fixtures;
 
     public class TrigonometryTest

@@ -1,5 +1,7 @@
 package starlogo.intersection
 {
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
@@ -10,8 +12,6 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
-    import evaluation.pairs.RandomStructures;
-    import evaluation.pairs.SeededRandom;
 
     public class IntersectsTest
     {

@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
@@ -39,8 +39,8 @@ package starlogo.intersection
         private static const TIME:Number = 1e-8;
         private static const NORMAL:Number = 1e-5;
 
-        private var _pair:ClosestPair = new ClosestPair();
-        private var _turned:ClosestPair = new ClosestPair();
+        private var _pair:DistanceResult = new DistanceResult();
+        private var _turned:DistanceResult = new DistanceResult();
         private var _finder:ContactFinder = new ContactFinder();
         private var _touch:ContactPoint = new ContactPoint();
         private var _back:ContactPoint = new ContactPoint();
@@ -151,7 +151,7 @@ package starlogo.intersection
         private function checkMotion(motions:MotionVectors):void
         {
             var way:RelativeMotion = motions.way;
-            _motionBack.turn(way);
+            _motionBack.setReversed(way);
             findTimeOfImpact(motions.a, motions.b, way);
             findTimeOfImpact(motions.b, motions.a, _motionBack);
             var time:Number = way.time;
@@ -170,7 +170,7 @@ package starlogo.intersection
             note(motions.family, "time", Math.max(Math.abs(time - motions.time), Math.abs(timeBack - motions.time)), TIME);
             _finder.displacement.stopAt(way);
             _finder.find(motions.a, motions.b, _touch);
-            _motionBack.turn(way);
+            _motionBack.setReversed(way);
             _finder.displacement.stopAt(_motionBack);
             _finder.find(motions.b, motions.a, _back);
             var size:Number = halfDiagonal(motions.a) + halfDiagonal(motions.b);

@@ -1,8 +1,8 @@
 package starlogo.intersection
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import evaluation.pairs.SeededRandom;
     import starlogo.intersection.triangleTriangle;
     import support.TriangleDistance;
 
@@ -174,7 +174,7 @@ package starlogo.intersection
 
         private static function meet(a:Array, b:Array):Boolean
         {
-            var closest:ClosestTriangles = new ClosestTriangles();
+            var closest:TrianglePairDistance = new TrianglePairDistance();
             closest.reach = TOLERANCE;
             return triangleTriangle(Vector.<Number>(a), 0, Vector.<Number>([0, 0].concat(b)), 2, closest);
         }

@@ -5,10 +5,10 @@ package starlogo.libraries
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
-    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchyBuilder;
     import support.assertThrows;
     import support.assertWellFormed;
 

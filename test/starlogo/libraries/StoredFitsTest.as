@@ -338,13 +338,13 @@ package starlogo.libraries
         // Whether the structures, or the hierarchy, are taken from fits.
         private function isTaken(model:Model, baked:ByteArray, structures:Boolean):Boolean
         {
-            var build:ModelBuild = newBuild(model, baked);
+            var build:ModelResultsBuilder = newBuild(model, baked);
             return structures ? build.areStructuresRead : build.hierarchy.isTaken;
         }
 
-        private function newBuild(model:Model, baked:ByteArray):ModelBuild
+        private function newBuild(model:Model, baked:ByteArray):ModelResultsBuilder
         {
-            var build:ModelBuild = _greatLand.newBuild(baked == null ? model : CookedModel.fromBytes(model.name, baked), null);
+            var build:ModelResultsBuilder = _greatLand.newBuild(baked == null ? model : CookedModel.fromBytes(model.name, baked), null);
             finish(build);
             build.hierarchy.finished;
             return build;
@@ -352,7 +352,7 @@ package starlogo.libraries
 
         private function fitsOf(model:Model):ModelFits
         {
-            var build:ModelBuild = newBuild(model, null);
+            var build:ModelResultsBuilder = newBuild(model, null);
             var hierarchy:SolidHierarchy = build.hierarchy.finished;
             hierarchy.prepare();
             return ModelFits.of(build.structures, hierarchy);

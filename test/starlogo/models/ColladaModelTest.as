@@ -1,10 +1,10 @@
 package starlogo.models
 {
-    import starlogo.GreatLand;
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
     import support.Collada;
     import support.Failures;
     import support.Surfaces;

@@ -1,5 +1,6 @@
 package starlogo.models
 {
+    import evaluation.pairs.SeededRandom;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import org.flexunit.asserts.assertTrue;
@@ -7,7 +8,6 @@ package starlogo.models
     import support.Effort;
     import support.Gltf;
     import support.Mutations;
-    import evaluation.pairs.SeededRandom;
     import support.encoded;
 
     /** Damaged files: each loads, or fails with a ModelError, and soon. */

@@ -1,12 +1,12 @@
 package starlogo.models
 {
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import support.Failures;
-    import evaluation.pairs.SeededRandom;
     import support.Surfaces;
 
     public class ModelTest

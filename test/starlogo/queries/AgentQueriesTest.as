@@ -3,9 +3,11 @@ package starlogo.queries
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
@@ -58,6 +60,27 @@ package starlogo.queries
         public function begin():void
         {
             _answers = _empty = 0;
+        }
+
+        [Test]
+        public function olderNamesAnswerAlike():void
+        {
+            var collider:BinCollider = new BinCollider();
+            var queries:AgentQueries = new AgentQueries(collider);
+            var asker:Agent = new Agent("sphere");
+            var other:Agent = new Agent("sphere");
+            other.moveTo(3, 0, 0);
+            queries.update(new <Agent>[asker, other]);
+            assertFalse(queries.wouldTouchAt(asker, 6.5, 0, 0) || queries.overlapsAgent(asker, 6.5, 0, 0));
+            other.moveTo(7, 0, 0);
+            queries.moved(other);
+            assertTrue(queries.wouldTouchAt(asker, 6.5, 0, 0) && queries.overlapsAgent(asker, 6.5, 0, 0));
+            assertEquals(1, queries.nearestOf(asker, 2, 7.5).length);
+            assertEquals(1, queries.nearestFew(asker, 2, 7.5).length);
+            other.moveTo(8, 0, 0);
+            queries.refresh(other);
+            assertEquals(0, queries.nearestOf(asker, 2, 7.5).length);
+            assertEquals(0, queries.nearestFew(asker, 2, 7.5).length);
         }
 
         [Test]

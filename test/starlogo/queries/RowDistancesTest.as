@@ -9,7 +9,7 @@ package starlogo.queries
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.search.RowPairs;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.ShapeChoice;
     import starlogo.search.TightestFits;
     import starlogo.search.Trees;
@@ -66,7 +66,7 @@ package starlogo.queries
         {
             for each (var choice:ShapeChoice in [new UnitSpheres(sGreatLand), new TightestFits(sGreatLand)])
             {
-                var asked:AskedDistance = new AskedDistance(choice, new RowPairs(choice));
+                var asked:AskedDistance = new AskedDistance(choice, new NarrowPhase(choice));
                 for (var i:int = 0; i < Effort.choose(400, 20000); i++)
                 {
                     check(asked, agent(), agent(), "pair " + i);
@@ -79,7 +79,7 @@ package starlogo.queries
         public function trees():void
         {
             var choice:ShapeChoice = new Trees(sGreatLand);
-            var pairs:RowPairs = new RowPairs(choice);
+            var pairs:NarrowPhase = new NarrowPhase(choice);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             for (var i:int = 0; i < Effort.choose(180, 9000); i++)
@@ -110,7 +110,7 @@ package starlogo.queries
         public function triangles():void
         {
             var choice:ShapeChoice = new Trees(sGreatLand);
-            var pairs:RowPairs = new RowPairs(choice);
+            var pairs:NarrowPhase = new NarrowPhase(choice);
             pairs.trees.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);

@@ -26,10 +26,10 @@ package starlogo.queries
         private var _sizes:Extents;
         private var _rows:Vector.<int>;
         private var _tree:RowTree;
-        private var _seen:SeenAgents;
+        private var _seen:QueryWorld;
         private var _found:Collector;
         private var _near:NearSearch = new NearSearch();
-        private var _way:WaySearch = new WaySearch();
+        private var _way:SweptBoxSearch = new SweptBoxSearch();
 
         [Before]
         public function begin():void
@@ -38,7 +38,7 @@ package starlogo.queries
             _tree = new RowTree();
             var greatLand:GreatLand = new GreatLand();
             greatLand.addModel(BuiltInModel.sphere());
-            _seen = new SeenAgents(new BinCollider(greatLand));
+            _seen = new QueryWorld(new BinCollider(greatLand));
             _found = new Collector(_seen);
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < MOST_ROWS; i++)

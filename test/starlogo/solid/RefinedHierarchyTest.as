@@ -115,7 +115,7 @@ package starlogo.solid
             assertEquals(node.low.end, node.high.first);
             assertEquals(node.end, node.high.end);
             assertEquals(node.level + 1, node.low.level);
-            assertEquals(node.isLeaf ? HierarchyNode.LARGEST_DEPTH : node.level, node.cutoffLevel);
+            assertEquals(node.isLeaf ? HierarchyNode.LARGEST_DEPTH : node.level, node.stopDepth);
             assertTrue("below a leaf are leaves", !node.isLeaf || node.low.isLeaf && node.high.isLeaf);
             return check(node.low, extents) + check(node.high, extents);
         }

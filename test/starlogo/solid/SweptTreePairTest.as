@@ -33,7 +33,7 @@ package starlogo.solid
         private static var sHierarchies:Object;
         private static var sModels:Array;
 
-        private var _pair:TreePair = new TreePair();
+        private var _pair:TreePairQuery = new TreePairQuery();
         private var _random:SeededRandom;
         private var _ways:int;
         private var _misses:int;

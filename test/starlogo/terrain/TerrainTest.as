@@ -1,7 +1,7 @@
 package starlogo.terrain
 {
-    import flash.geom.Vector3D;
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;

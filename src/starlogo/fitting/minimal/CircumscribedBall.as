@@ -11,11 +11,7 @@ package starlogo.fitting.minimal
     {
         /** The centre. */
         public var x:Number;
-
-        /** @copy #x */
         public var y:Number;
-
-        /** @copy #x */
         public var z:Number;
 
         /** The square of the radius. */

@@ -14,11 +14,7 @@ package starlogo.geometry.hull
 
         /** A corner, as the index of a point. */
         public var a:int;
-
-        /** @copy #a */
         public var b:int;
-
-        /** @copy #a */
         public var c:int;
 
         /** The face across the edge from a to b. */
@@ -32,20 +28,12 @@ package starlogo.geometry.hull
 
         /** The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53. */
         public var exactX:Number;
-
-        /** @copy #exactX */
         public var exactY:Number;
-
-        /** @copy #exactX */
         public var exactZ:Number;
 
         /** The outward unit normal, rounded. */
         public var normalX:Number;
-
-        /** @copy #normalX */
         public var normalY:Number;
-
-        /** @copy #normalX */
         public var normalZ:Number;
 
         /** The plane's distance from the grid's origin along the unit normal. */
@@ -62,8 +50,6 @@ package starlogo.geometry.hull
 
         /** The faces before and after this one in a list of OutsidePoints, or null. */
         public var before:HullFace = null;
-
-        /** @copy #before */
         public var after:HullFace = null;
 
         /** Whether a vertex that was added later lies beyond this face. Then the face is no longer part of the hull. */

@@ -99,7 +99,7 @@ package starlogo.geometry.hull
         }
 
         /** Whether lists are being redistributed. */
-        public function get isDealing():Boolean
+        public function get isRedistributing():Boolean
         {
             return _lists != null;
         }
@@ -110,7 +110,7 @@ package starlogo.geometry.hull
          * @param faces the faces whose lists are redistributed
          * @param except a point to leave out
          */
-        public function deal(faces:Vector.<HullFace>, except:int):void
+        public function redistribute(faces:Vector.<HullFace>, except:int):void
         {
             _lists = faces;
             _nextList = 0;
@@ -125,7 +125,7 @@ package starlogo.geometry.hull
          * @param most the largest number of points to look at
          * @return the number of points looked at
          */
-        public function dealSome(faces:Vector.<HullFace>, most:int):int
+        public function redistributeSome(faces:Vector.<HullFace>, most:int):int
         {
             var count:int = 0;
             var point:int = _point;
@@ -202,7 +202,7 @@ package starlogo.geometry.hull
                 face.farthestDistance = distance;
                 face.farthest = point;
             }
-            else if (distance >= face.farthestDistance - CERTAIN && outness(point) > outness(face.farthest))
+            else if (distance >= face.farthestDistance - CERTAIN && squaredFromMiddle(point) > squaredFromMiddle(face.farthest))
             {
                 // If several points are equally far, they are on a side parallel to the face. Then the outermost one is taken.
                 face.farthest = point;
@@ -210,7 +210,7 @@ package starlogo.geometry.hull
         }
 
         // The squared distance from the grid's middle.
-        private function outness(point:int):Number
+        private function squaredFromMiddle(point:int):Number
         {
             var x:Number = _points[3 * point] - QuickHull.GRID / 2;
             var y:Number = _points[3 * point + 1] - QuickHull.GRID / 2;

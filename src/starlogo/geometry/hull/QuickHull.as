@@ -117,10 +117,10 @@ package starlogo.geometry.hull
             var looks:int = 0;
             while (looks <= LOOKS_PER_STEP)
             {
-                if (_outside.isDealing)
+                if (_outside.isRedistributing)
                 {
                     var most:int = (LOOKS_PER_STEP - looks) / _created.length + 1;
-                    looks += _outside.dealSome(_created, most) * _created.length;
+                    looks += _outside.redistributeSome(_created, most) * _created.length;
                     continue;
                 }
                 var face:HullFace = _outside.nextFace();
@@ -143,7 +143,7 @@ package starlogo.geometry.hull
                 created.acrossBC = next;
                 next.acrossCA = created;
             }
-            _outside.deal(_seen, eye);
+            _outside.redistribute(_seen, eye);
         }
 
         // Fills _seen with the faces that the eye sees, and _created with a face from the eye to each edge around them.

@@ -27,9 +27,8 @@ package starlogo.intersection.contact
         /** Moves the first structure from its stored place to the start of this motion. The motion's other fields must be 0. */
         public var displacement:RelativeMotion = new RelativeMotion();
 
-        private var _turned:RelativeMotion = new RelativeMotion();
+        private var _reversed:RelativeMotion = new RelativeMotion();
 
-        /** Creates a finder without a displacement. */
         public function ContactFinder()
         {
             displacement.time = 0;
@@ -46,10 +45,10 @@ package starlogo.intersection.contact
         {
             if (a.kind > b.kind)
             {
-                // The kernel takes the pair in the other order, so the contact is turned back.
-                _turned.turn(displacement);
-                PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, _turned, out);
-                out.turn(displacement);
+                // The kernel takes the pair in the other order, so the contact is swapped back.
+                _reversed.setReversed(displacement);
+                PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, _reversed, out);
+                out.swapBodies(displacement);
                 return;
             }
             PairTable.KERNELS[3 * a.kind + b.kind].findContact(a, b, displacement, out);

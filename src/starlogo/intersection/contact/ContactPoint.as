@@ -13,20 +13,12 @@ package starlogo.intersection.contact
     {
         /** The middle of the overlap, in the structures' space. */
         public var x:Number = 0;
-
-        /** @copy #x */
         public var y:Number = 0;
-
-        /** @copy #x */
         public var z:Number = 0;
 
         /** The direction that separates the first structure from the second: a unit vector. */
         public var normalX:Number = 0;
-
-        /** @copy #normalX */
         public var normalY:Number = 0;
-
-        /** @copy #normalX */
         public var normalZ:Number = 1;
 
         /** The length of the overlap along the normal, at least 0. It is 0 if the structures just touch. */
@@ -35,13 +27,11 @@ package starlogo.intersection.contact
         /** The length that the normal had before <code>normalise()</code>. */
         public var length:Number = 1;
 
-        /** The sum of the squares of two edges of the triangle of <code>setAcross()</code>. */
+        /** The sum of the squares of two edges of the triangle of <code>setTriangleNormal()</code>. */
         public var squared:Number = 0;
 
         /** The least and the greatest component along the normal that <code>measure()</code> has found. */
         public var least:Number = 0;
-
-        /** @copy #least */
         public var greatest:Number = 0;
 
         /** Input of <code>place()</code>: how far the first structure's surface is from its core. */
@@ -65,7 +55,7 @@ package starlogo.intersection.contact
          *
          * @param motion the other structure's motion; the structure is where it is at the motion's time
          */
-        public function turn(motion:RelativeMotion):void
+        public function swapBodies(motion:RelativeMotion):void
         {
             var time:Number = motion.time;
             x += motion.startX + time * motion.x;
@@ -89,7 +79,7 @@ package starlogo.intersection.contact
          * are counter-clockwise. <code>length</code> becomes twice the triangle's area, and <code>squared</code> the sum of the squares of the
          * two edges at the first corner.
          */
-        public function setAcross(p:Vector.<Number>, at:int):void
+        public function setTriangleNormal(p:Vector.<Number>, at:int):void
         {
             var ux:Number = p[int(at + 3)] - p[at];
             var uy:Number = p[int(at + 4)] - p[int(at + 1)];
@@ -151,7 +141,7 @@ package starlogo.intersection.contact
          * Replaces the normal by a unit vector perpendicular to it that points upwards as far as possible. If the normal is vertical or 0,
          * the new one points along x or z.
          */
-        public function pointAcross():void
+        public function makePerpendicular():void
         {
             var axisX:Number = normalX;
             var axisY:Number = normalY;

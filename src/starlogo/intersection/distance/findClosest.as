@@ -15,12 +15,12 @@ package starlogo.intersection.distance
      * @param out receives the distance and the points
      * @private
      */
-    public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
+    public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
     {
         if (a.kind > b.kind)
         {
             PairTable.KERNELS[3 * b.kind + a.kind].findClosest(b, a, out);
-            out.turn();
+            out.swapShapes();
         }
         else
         {

@@ -20,20 +20,12 @@ package starlogo.intersection.ray
 
         /** A point of the line. */
         public var x:Number = 0;
-
-        /** @copy #x */
         public var y:Number = 0;
-
-        /** @copy #x */
         public var z:Number = 0;
 
         /** The line's direction, of length 1. */
         public var directionX:Number = 0;
-
-        /** @copy #directionX */
         public var directionY:Number = 0;
-
-        /** @copy #directionX */
         public var directionZ:Number = 0;
 
         /** Where the part begins: on a shape's surface, or at the ray's origin. */
@@ -47,11 +39,7 @@ package starlogo.intersection.ray
          * direction.
          */
         public var normalX:Number = 0;
-
-        /** @copy #normalX */
         public var normalY:Number = 0;
-
-        /** @copy #normalX */
         public var normalZ:Number = 0;
 
         /** Where the line enters a shape. Input of narrow. */

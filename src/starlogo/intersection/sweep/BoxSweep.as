@@ -22,38 +22,18 @@ package starlogo.intersection.sweep
          * axisX.
          */
         public var xx:Number = 1;
-
-        /** @copy #xx */
         public var xy:Number = 0;
-
-        /** @copy #xx */
         public var xz:Number = 0;
-
-        /** @copy #xx */
         public var yx:Number = 0;
-
-        /** @copy #xx */
         public var yy:Number = 1;
-
-        /** @copy #xx */
         public var yz:Number = 0;
-
-        /** @copy #xx */
         public var zx:Number = 0;
-
-        /** @copy #xx */
         public var zy:Number = 0;
-
-        /** @copy #xx */
         public var zz:Number = 1;
 
         /** The motion of b from time 0 to 1 as seen from a, in a's axes. */
         public var motionX:Number = 0;
-
-        /** @copy #motionX */
         public var motionY:Number = 0;
-
-        /** @copy #motionX */
         public var motionZ:Number = 0;
 
         /** The gap across which the boxes still touch. */
@@ -61,29 +41,17 @@ package starlogo.intersection.sweep
 
         /** The vector from a's middle to b's at time 0, in a's axes. */
         public var x:Number = 0;
-
-        /** @copy #x */
         public var y:Number = 0;
-
-        /** @copy #x */
         public var z:Number = 0;
 
         /** The half-extents of a. */
         public var aX:Number = 0;
-
-        /** @copy #aX */
         public var aY:Number = 0;
-
-        /** @copy #aX */
         public var aZ:Number = 0;
 
         /** The half-extents of b. */
         public var bX:Number = 0;
-
-        /** @copy #bX */
         public var bY:Number = 0;
-
-        /** @copy #bX */
         public var bZ:Number = 0;
 
         /** The latest time to look at. */
@@ -114,7 +82,7 @@ package starlogo.intersection.sweep
         private var _rY:Number = 0;
         private var _rZ:Number = 0;
 
-        private var _times:TouchingTimes = new TouchingTimes();
+        private var _times:ContactInterval = new ContactInterval();
 
         /** Prepares what many pairs have in common. The axes of b must be set. */
         public function prepare():void
@@ -137,7 +105,7 @@ package starlogo.intersection.sweep
         public function meetFaces():void
         {
             time = RelativeMotion.NEVER;
-            var times:TouchingTimes = _times;
+            var times:ContactInterval = _times;
             times.last = latest;
             times.reset();
             times.gap = gap;
@@ -244,7 +212,7 @@ package starlogo.intersection.sweep
         // Whether the cross product of edge p of b and an edge of a separates the boxes all the time. q and r are half of b's other edges.
         private function isSeparatedAcross():Boolean
         {
-            var times:TouchingTimes = _times;
+            var times:ContactInterval = _times;
             var pX:Number = _pX;
             var pY:Number = _pY;
             var pZ:Number = _pZ;

@@ -17,24 +17,16 @@ package starlogo.intersection.sweep
         /** The motion of a structure that stands still, at time 0. Nothing writes to it. */
         public static const NONE:RelativeMotion = new RelativeMotion(0);
 
-        private static const TURNED:RelativeMotion = new RelativeMotion();
+        private static const REVERSED:RelativeMotion = new RelativeMotion();
 
         /** The vector from the structure's stored place to its place at time 0. */
         public var startX:Number = 0;
-
-        /** @copy #startX */
         public var startY:Number = 0;
-
-        /** @copy #startX */
         public var startZ:Number = 0;
 
         /** The vector from the structure's place at time 0 to its place at time 1. */
         public var x:Number = 0;
-
-        /** @copy #x */
         public var y:Number = 0;
-
-        /** @copy #x */
         public var z:Number = 0;
 
         /**
@@ -46,7 +38,6 @@ package starlogo.intersection.sweep
         /** The extra gap across which moving structures still touch, because of rounding. Set by <code>findRounding()</code>. */
         public var rounding:Number = 0;
 
-        /** Creates a motion of length 0. */
         public function RelativeMotion(time:Number = NEVER)
         {
             this.time = time;
@@ -73,7 +64,7 @@ package starlogo.intersection.sweep
         }
 
         /** Makes this the motion of the other structure while the first one stands still, with the same time. */
-        public function turn(motion:RelativeMotion):void
+        public function setReversed(motion:RelativeMotion):void
         {
             x = -motion.x;
             y = -motion.y;
@@ -85,10 +76,10 @@ package starlogo.intersection.sweep
         }
 
         /** Returns the motion of the other structure while the first one stands still. The next call overwrites it. */
-        public static function turned(motion:RelativeMotion):RelativeMotion
+        public static function reversed(motion:RelativeMotion):RelativeMotion
         {
-            TURNED.turn(motion);
-            return TURNED;
+            REVERSED.setReversed(motion);
+            return REVERSED;
         }
 
         /** Computes the rounding error of the motion. */

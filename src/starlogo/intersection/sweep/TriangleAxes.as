@@ -30,11 +30,7 @@ package starlogo.intersection.sweep
 
         /** The axis to try, of any length. Fields, because V8 would allocate objects for Numbers that are passed. */
         protected var axisX:Number = 0;
-
-        /** @copy #axisX */
         protected var axisY:Number = 0;
-
-        /** @copy #axisX */
         protected var axisZ:Number = 0;
 
         /** The place of the second triangle's middle on the axis, as seen from the first triangle's middle. */
@@ -74,7 +70,7 @@ package starlogo.intersection.sweep
         /** Tries the normals of both triangles until one separates the two. */
         protected final function areSeparatedByNormal():Boolean
         {
-            return isNormal(edgesA) || isNormal(edgesB);
+            return isSeparatedByNormal(edgesA) || isSeparatedByNormal(edgesB);
         }
 
         /** Tries the axes perpendicular to an edge of each triangle until one separates the two. */
@@ -92,7 +88,7 @@ package starlogo.intersection.sweep
                     axisX = y * b[int(k + 2)] - z * b[int(k + 1)];
                     axisY = z * b[k] - x * b[int(k + 2)];
                     axisZ = x * b[int(k + 1)] - y * b[k];
-                    if (isAxis())
+                    if (isSeparatedOnAxis())
                     {
                         return true;
                     }
@@ -111,7 +107,7 @@ package starlogo.intersection.sweep
             var x:Number = axisX;
             var y:Number = axisY;
             var z:Number = axisZ;
-            return isAcross(edgesA, x, y, z) || isAcross(edgesB, x, y, z);
+            return isSeparatedInPlane(edgesA, x, y, z) || isSeparatedInPlane(edgesB, x, y, z);
         }
 
         /** Whether the axis separates the triangles. They have been projected on it. */
@@ -138,20 +134,20 @@ package starlogo.intersection.sweep
             height = longest > 0 ? (x * x + y * y + z * z) / longest / longest : 0;
         }
 
-        private function isNormal(edges:Vector.<Number>):Boolean
+        private function isSeparatedByNormal(edges:Vector.<Number>):Boolean
         {
             setNormal(edges);
-            return isAxis();
+            return isSeparatedOnAxis();
         }
 
-        private function isAcross(edges:Vector.<Number>, nx:Number, ny:Number, nz:Number):Boolean
+        private function isSeparatedInPlane(edges:Vector.<Number>, nx:Number, ny:Number, nz:Number):Boolean
         {
             for (var i:int = 0; i < 9; i += 3)
             {
                 axisX = edges[int(i + 1)] * nz - edges[int(i + 2)] * ny;
                 axisY = edges[int(i + 2)] * nx - edges[i] * nz;
                 axisZ = edges[i] * ny - edges[int(i + 1)] * nx;
-                if (isAxis())
+                if (isSeparatedOnAxis())
                 {
                     return true;
                 }
@@ -167,7 +163,7 @@ package starlogo.intersection.sweep
         }
 
         // Projects the triangles on the axis, and tests it.
-        private function isAxis():Boolean
+        private function isSeparatedOnAxis():Boolean
         {
             var x:Number = axisX;
             var y:Number = axisY;

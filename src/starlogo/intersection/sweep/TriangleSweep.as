@@ -14,7 +14,7 @@ package starlogo.intersection.sweep
         /** The largest gap that still counts as touching. */
         public var tolerance:Number = 0;
 
-        private var _times:TouchingTimes = new TouchingTimes();
+        private var _times:ContactInterval = new ContactInterval();
         private var _motion:RelativeMotion;
 
         // The longest edges of two triangles without area. The first has the tolerance as its radius.
@@ -30,7 +30,7 @@ package starlogo.intersection.sweep
          */
         public function findTime(motion:RelativeMotion):void
         {
-            var times:TouchingTimes = _times;
+            var times:ContactInterval = _times;
             _motion = motion;
             times.last = motion.time;
             times.reset();
@@ -58,7 +58,7 @@ package starlogo.intersection.sweep
             var x:Number = axisX;
             var y:Number = axisY;
             var z:Number = axisZ;
-            var times:TouchingTimes = _times;
+            var times:ContactInterval = _times;
             times.at = at;
             times.reach = reach;
             times.speed = x * _motion.x + y * _motion.y + z * _motion.z;

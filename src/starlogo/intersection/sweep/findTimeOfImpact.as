@@ -22,9 +22,9 @@ package starlogo.intersection.sweep
     {
         if (a.kind > b.kind)
         {
-            var turned:RelativeMotion = RelativeMotion.turned(motion);
-            PairTable.KERNELS[3 * b.kind + a.kind].findTime(b, a, turned);
-            motion.time = turned.time;
+            var reversed:RelativeMotion = RelativeMotion.reversed(motion);
+            PairTable.KERNELS[3 * b.kind + a.kind].findTime(b, a, reversed);
+            motion.time = reversed.time;
             return;
         }
         PairTable.KERNELS[3 * a.kind + b.kind].findTime(a, b, motion);

@@ -5,10 +5,10 @@ package starlogo.libraries.cooked
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.Items;
     import starlogo.hierarchy.NodeMaker;
     import starlogo.hierarchy.StoredTree;
-    import starlogo.models.cooked.CookedNumbers;
+    import starlogo.hierarchy.TreeItems;
+    import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -122,7 +122,7 @@ package starlogo.libraries.cooked
             for (var i:int = 0; i < NODES_PER_STEP; i++)
             {
                 var at:int = _plan.length - NUMBERS_PER_NODE;
-                var code:int = CookedNumbers.read(_bytes);
+                var code:int = VarInt.read(_bytes);
                 if (code > 0)
                 {
                     var first:int = _plan[at];
@@ -216,7 +216,7 @@ package starlogo.libraries.cooked
                 }
                 else
                 {
-                    Items.writeExtents(_vertices, _triangles, corner, extents, one);
+                    TreeItems.writeExtents(_vertices, _triangles, corner, extents, one);
                 }
                 unite(at, i == first ? one : at, one);
             }

@@ -4,7 +4,7 @@ package starlogo.libraries.cooked
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.models.cooked.CookedNumbers;
+    import starlogo.models.cooked.VarInt;
 
     use namespace engine;
 
@@ -45,10 +45,10 @@ package starlogo.libraries.cooked
                 var node:HierarchyNode = stack.pop();
                 if (node.low == null)
                 {
-                    CookedNumbers.write(0, out);
+                    VarInt.write(0, out);
                     continue;
                 }
-                CookedNumbers.write(1 + node.splitAxis + (node.isLeaf ? 3 : 0) + 6 * (node.low.end - node.first), out);
+                VarInt.write(1 + node.splitAxis + (node.isLeaf ? 3 : 0) + 6 * (node.low.end - node.first), out);
                 stack.push(node.high, node.low);
             }
         }

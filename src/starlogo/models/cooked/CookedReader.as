@@ -97,7 +97,7 @@ package starlogo.models.cooked
 
         private function readCount(most:int):int
         {
-            var count:int = CookedNumbers.read(_bytes);
+            var count:int = VarInt.read(_bytes);
             refuseIf(count < 0 || count > most, name, "the cooked file has a wrong number: " + count);
             return count;
         }
@@ -132,9 +132,9 @@ package starlogo.models.cooked
             var last:int = 3 * end;
             for (var i:int = 3 * first; i < last; i += 3)
             {
-                x += CookedNumbers.read(bytes);
-                y += CookedNumbers.read(bytes);
-                z += CookedNumbers.read(bytes);
+                x += VarInt.read(bytes);
+                y += VarInt.read(bytes);
+                z += VarInt.read(bytes);
                 all[i] = x / divisor;
                 all[int(i + 1)] = y / divisor;
                 all[int(i + 2)] = z / divisor;
@@ -165,7 +165,7 @@ package starlogo.models.cooked
                 // Nearly all numbers have one byte. A call for each number would take most of the time.
                 if (byte > 0x7F)
                 {
-                    index += CookedNumbers.rest(bytes, byte);
+                    index += VarInt.rest(bytes, byte);
                 }
                 else
                 {

@@ -80,7 +80,7 @@ package starlogo.models.cooked
             var triangleCount:int = model.triangles == null ? 0 : model.triangles.length / 3;
             for each (var count:int in [Model.SCALINGS.indexOf(frame.scaling), form, transform == null ? 0 : 1, numbers.length / 3, triangleCount])
             {
-                CookedNumbers.write(count, out);
+                VarInt.write(count, out);
             }
             for each (var vector:Vector3D in transform == null ? [] : [transform.rotation, transform.scale, transform.translation])
             {
@@ -98,7 +98,7 @@ package starlogo.models.cooked
             {
                 if (form < SINGLE)
                 {
-                    CookedNumbers.write(Math.round(numbers[i] * divisor) - (i < 3 ? 0 : Math.round(numbers[i - 3] * divisor)), out);
+                    VarInt.write(Math.round(numbers[i] * divisor) - (i < 3 ? 0 : Math.round(numbers[i - 3] * divisor)), out);
                 }
                 else
                 {
@@ -107,7 +107,7 @@ package starlogo.models.cooked
             }
             for (i = 0; i < 3 * triangleCount; i++)
             {
-                CookedNumbers.write(model.triangles[i] - (i == 0 ? 0 : model.triangles[i - 1]), out);
+                VarInt.write(model.triangles[i] - (i == 0 ? 0 : model.triangles[i - 1]), out);
             }
             return out;
         }

@@ -91,14 +91,14 @@ package starlogo.models.gltf
                 return work;
             }
             var source:GltfAccessor = _file.accessor(position, "VEC3");
-            var hasSurface:Boolean = GltfPart.modeOf(json, primitive, place) >= GltfPart.TRIANGLES;
+            var hasSurface:Boolean = GltfTriangles.modeOf(json, primitive, place) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + _primitive);
-            var points:GltfPoints = _placed[key] ||= new GltfPoints(_file, _scene, _scene.nodes[_node], primitive, place, _weights, source,
+            var points:GltfVertices = _placed[key] ||= new GltfVertices(_file, _scene, _scene.nodes[_node], primitive, place, _weights, source,
                     hasSurface ? vertices : loosePoints);
             work.add(points);
-            return hasSurface ? work.add(new GltfPart(_file, primitive, place, points, triangles)) : work;
+            return hasSurface ? work.add(new GltfTriangles(_file, primitive, place, points, triangles)) : work;
         }
 
         private function droppingUnused():Steps

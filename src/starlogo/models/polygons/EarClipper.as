@@ -53,7 +53,7 @@ package starlogo.models.polygons
             {
                 var before:int = previous[node];
                 var after:int = next[node];
-                var area:Number = _rings.turn(before, node, after);
+                var area:Number = _rings.orient2d(before, node, after);
                 var isCut:Boolean = area == 0 || misses > 2 * count || ++_rings.work > _rings.mostWork;
                 if (isCut || area > 0 && (misses > count || isEar(before, node, after)))
                 {

@@ -163,11 +163,11 @@ package starlogo.models.polygons
         {
             var previous:int = _rings.previous[corner];
             var next:int = _rings.next[corner];
-            if (_rings.turn(previous, corner, next) > 0)
+            if (_rings.orient2d(previous, corner, next) > 0)
             {
-                return _rings.turn(corner, next, node) > 0 && _rings.turn(corner, node, previous) > 0;
+                return _rings.orient2d(corner, next, node) > 0 && _rings.orient2d(corner, node, previous) > 0;
             }
-            return _rings.turn(corner, next, node) > 0 || _rings.turn(corner, node, previous) > 0;
+            return _rings.orient2d(corner, next, node) > 0 || _rings.orient2d(corner, node, previous) > 0;
         }
     }
 }

@@ -10,8 +10,6 @@ package starlogo.models.polygons
     {
         /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
         internal var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         internal var y:Vector.<Number> = new Vector.<Number>();
 
         /** The vertex of each node. */
@@ -37,7 +35,6 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
-        /** Creates an object without rings. @param mostWork the most corners to look at */
         public function PolygonRings(mostWork:Number)
         {
             this.mostWork = mostWork;
@@ -98,17 +95,17 @@ package starlogo.models.polygons
          * Makes a ring from a loop of corners.
          *
          * @param loop the corners, in either direction
-         * @param leftTurning whether the ring is to be counter-clockwise
+         * @param counterClockwise whether the ring is to be counter-clockwise
          * @return its first node
          */
-        internal function addLoop(loop:Vector.<uint>, leftTurning:Boolean):int
+        internal function addLoop(loop:Vector.<uint>, counterClockwise:Boolean):int
         {
-            var isTurned:Boolean = doubleArea(loop, _axisX, _axisY) > 0 != leftTurning;
+            var isReversed:Boolean = doubleArea(loop, _axisX, _axisY) > 0 != counterClockwise;
             var first:int = x.length;
             var count:int = loop.length;
             for (var i:int = 0; i < count; i++)
             {
-                addNode(loop[isTurned ? count - 1 - i : i], first + (i + 1) % count, first + (i + count - 1) % count);
+                addNode(loop[isReversed ? count - 1 - i : i], first + (i + 1) % count, first + (i + count - 1) % count);
             }
             return first;
         }
@@ -134,7 +131,7 @@ package starlogo.models.polygons
         }
 
         /** Twice the area of the triangle of three nodes; positive if it is counter-clockwise. */
-        internal function turn(a:int, b:int, c:int):Number
+        internal function orient2d(a:int, b:int, c:int):Number
         {
             var ax:Number = x[a];
             var ay:Number = y[a];
@@ -144,7 +141,7 @@ package starlogo.models.polygons
         /** Whether a node is inside a triangle of three other nodes or on its edge. The triangle must be counter-clockwise. */
         internal function isInside(node:int, a:int, b:int, c:int):Boolean
         {
-            return turn(a, b, node) >= 0 && turn(b, c, node) >= 0 && turn(c, a, node) >= 0;
+            return orient2d(a, b, node) >= 0 && orient2d(b, c, node) >= 0 && orient2d(c, a, node) >= 0;
         }
 
         private function extentOf(loop:Vector.<uint>):Number

@@ -197,7 +197,7 @@ package starlogo.models.polygons
         {
             for (var i:int = 2; i < count; i++)
             {
-                if (!(_rings.turn(0, i - 1, i) > 0))
+                if (!(_rings.orient2d(0, i - 1, i) > 0))
                 {
                     return false;
                 }

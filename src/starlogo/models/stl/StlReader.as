@@ -5,8 +5,8 @@ package starlogo.models.stl
     import starlogo.geometry.PointTable;
     import starlogo.models.Decimal;
     import starlogo.models.LineReader;
-    import starlogo.models.ModelError;
     import starlogo.models.ModelBudget;
+    import starlogo.models.ModelError;
     import starlogo.models.ModelFile;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;

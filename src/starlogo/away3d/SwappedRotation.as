@@ -1,0 +1,74 @@
+package starlogo.away3d
+{
+    import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
+
+    /**
+     * Converts a rotation between the engine's space and Away3D's. Their y and z axes are swapped.
+     *
+     * <p>Both sides turn about x first, then about y, then about z. The swap mirrors, so <code>Rz(heading) Ry(pitch) Rx(roll)</code>
+     * becomes <code>Ry(-heading) Rz(-pitch) Rx(-roll)</code>. The result is then expressed as three angles in the usual order.</p>
+     */
+    internal final class SwappedRotation
+    {
+        /** The result: degrees about z, the last turn. */
+        public var heading:Number = 0;
+
+        /** The result: degrees about y. */
+        public var pitch:Number = 0;
+
+        /** The result: degrees about x, the first turn. */
+        public var roll:Number = 0;
+
+        private var _placement:Placement = new Placement();
+        private var _swapped:Placement = new Placement();
+        private var _angles:Vector3D = new Vector3D();
+        private var _point:Vector3D = new Vector3D();
+
+        public function SwappedRotation()
+        {
+        }
+
+        /** Sets the rotation by its angles on one side, in degrees. The results are the angles on the other side. */
+        public function setAngles(heading:Number, pitch:Number, roll:Number):void
+        {
+            _placement.setRotation(heading, pitch, roll);
+            // Most agents turn about one axis only. Then the angles are copied exactly, including full turns.
+            if (heading == 0 || pitch == 0 && roll == 0)
+            {
+                this.heading = 0 - pitch;
+                this.pitch = 0 - heading;
+                this.roll = 0 - roll;
+                return;
+            }
+            readRotation();
+        }
+
+        /** Turns a point. The point is in the space that the angles came from. The next call overwrites the result. */
+        public function turn(x:Number, y:Number, z:Number):Vector3D
+        {
+            _point.setTo(x, y, z);
+            _placement.turn(_point, _point);
+            return _point;
+        }
+
+        // Reads the matrix with rows and columns 1 and 2 swapped.
+        private function readRotation():void
+        {
+            _swapped.r00 = _placement.r00;
+            _swapped.r01 = _placement.r02;
+            _swapped.r02 = _placement.r01;
+            _swapped.r10 = _placement.r20;
+            _swapped.r11 = _placement.r22;
+            _swapped.r12 = _placement.r21;
+            _swapped.r20 = _placement.r10;
+            _swapped.readAngles(_angles);
+            heading = _angles.z;
+            pitch = _angles.y;
+            roll = _angles.x;
+        }
+    }
+}

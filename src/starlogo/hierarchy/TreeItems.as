@@ -1,0 +1,290 @@
+package starlogo.hierarchy
+{
+    /**
+     * The items of a hierarchy: its triangles or its vertices. Keeps their extents, and an order in which the items of each node stand side
+     * by side. Divides the items of a node in two.
+     *
+     * @private
+     */
+    public final class TreeItems
+    {
+        /** The indices of the items. */
+        public var order:Vector.<int>;
+
+        /** The number of items. */
+        public var count:int;
+
+        /** The extents of all items after <code>measure()</code>: minX, minY, minZ, maxX, maxY, maxZ. */
+        public var extents:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+
+        /** After a division, the index in the order at which the second group begins. */
+        public var middle:int;
+
+        /** The extents of the first group of the last division. */
+        public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /** The extents of the second group of the last division. */
+        public var rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /** The axis of the last division: 0, 1 or 2. */
+        public var axis:int;
+
+        private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
+
+        // An item's smallest coordinates are at item * _stride. Its largest ones are _high further on.
+        private var _extents:Vector.<Number>;
+        private var _stride:int;
+        private var _high:int;
+        private var _isOrdered:Boolean;
+
+        // The current division. The last item not looked at yet is at _last. The first one is at middle + _waiting, because the item at the
+        // middle may wait to be put last.
+        private var _last:int;
+        private var _waiting:int;
+        private var _split:Number;
+
+        /**
+         * @param vertices x, y, z of each
+         * @param triangles three vertex indices each, or null if the vertices are the items
+         * @param order an order that the items already have; null for the order of their indices
+         */
+        public function TreeItems(vertices:Vector.<Number>, triangles:Vector.<uint>, order:Vector.<int> = null)
+        {
+            _vertices = vertices;
+            _triangles = triangles;
+            count = (triangles == null ? vertices.length : triangles.length) / 3;
+            _isOrdered = order != null;
+            this.order = _isOrdered ? order : new Vector.<int>(count, true);
+            _stride = triangles == null ? 3 : 6;
+            _high = triangles == null ? 0 : 3;
+        }
+
+        /** Measures a range of items and puts them into the order. Must be called for all items before other methods. */
+        public function measure(first:int, end:int):void
+        {
+            if (_extents == null)
+            {
+                _extents = _triangles == null ? _vertices : new Vector.<Number>(6 * count, true);
+            }
+            for (var i:int = first; i < end; i++)
+            {
+                if (!_isOrdered)
+                {
+                    order[i] = i;
+                }
+                if (_triangles != null)
+                {
+                    writeExtents(_vertices, _triangles, 3 * i, _extents, 6 * i);
+                }
+            }
+            extend(first * _stride, end * _stride);
+        }
+
+        /** Adds the smallest and largest coordinates of a range of items along an axis to a number, one after the other. Returns the sum. */
+        public function sumOf(sum:Number, first:int, end:int, axis:int):Number
+        {
+            var high:int = axis + _high;
+            for (var i:int = first; i < end; i++)
+            {
+                var at:int = order[i] * _stride;
+                sum += _extents[int(at + axis)] + _extents[int(at + high)];
+            }
+            return sum;
+        }
+
+        /**
+         * Begins a division: the items whose centre is below a splitting point move before the others. The extents of both groups are
+         * computed at the same time, so that an item is read once for each level.
+         *
+         * @param first index of the first item in the order
+         * @param end index after the last item
+         * @param axis 0, 1 or 2
+         * @param split twice the coordinate of the splitting point
+         */
+        public function beginDivision(first:int, end:int, axis:int, split:Number):void
+        {
+            middle = first;
+            _last = end - 1;
+            _waiting = 0;
+            this.axis = axis;
+            _split = split;
+            write(leftExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+            write(rightExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+        }
+
+        /**
+         * Begins a division at the midpoint of the axis along which the centres of some items are spread most.
+         *
+         * @param first index of the first item in the order
+         * @param end index after the last item
+         * @return false if all centres are in one place, because then no division is possible
+         */
+        public function beginWhereCentresSpread(first:int, end:int):Boolean
+        {
+            var widest:int = 0;
+            var width:Number = 0;
+            var split:Number = 0;
+            for (var along:int = 0; along < 3; along++)
+            {
+                // twice the smallest and the largest centre
+                var least:Number = Infinity;
+                var largest:Number = -Infinity;
+                for (var i:int = first; i < end; i++)
+                {
+                    var at:int = order[i] * _stride + along;
+                    var sum:Number = _extents[at] + _extents[int(at + _high)];
+                    least = sum < least ? sum : least;
+                    largest = sum > largest ? sum : largest;
+                }
+                if (largest - least > width)
+                {
+                    widest = along;
+                    width = largest - least;
+                    split = least + 0.5 * width;
+                }
+            }
+            beginDivision(first, end, widest, split);
+            return width > 0;
+        }
+
+        /**
+         * Continues the division. The steps for an item are: its extents, the side of the splitting point on which its centre is, its
+         * place, and the extents of its group, which are kept in locals. The first item on the wrong side waits until the last item on the
+         * wrong side is found. Then the two change places. So items that are divided already keep their places.
+         *
+         * @param most the largest number of items to look at
+         * @return whether there are more items
+         */
+        public function divideSome(most:int):Boolean
+        {
+            var items:Vector.<int> = order;
+            var all:Vector.<Number> = _extents;
+            var stride:int = _stride;
+            var high:int = _high;
+            var along:int = axis;
+            var split:Number = _split;
+            var i:int = middle;
+            var last:int = _last;
+            var waiting:int = _waiting;
+            var left:int = last - i - waiting + 1 - most;
+            left = left < 0 ? 0 : left;
+            var leftMinX:Number = leftExtents[0];
+            var leftMinY:Number = leftExtents[1];
+            var leftMinZ:Number = leftExtents[2];
+            var leftMaxX:Number = leftExtents[3];
+            var leftMaxY:Number = leftExtents[4];
+            var leftMaxZ:Number = leftExtents[5];
+            var rightMinX:Number = rightExtents[0];
+            var rightMinY:Number = rightExtents[1];
+            var rightMinZ:Number = rightExtents[2];
+            var rightMaxX:Number = rightExtents[3];
+            var rightMaxY:Number = rightExtents[4];
+            var rightMaxZ:Number = rightExtents[5];
+            while (last - i - waiting >= left)
+            {
+                var place:int = waiting == 0 ? i : last;
+                var item:int = items[place];
+                var at:int = item * stride;
+                var minX:Number = all[at];
+                var minY:Number = all[int(at + 1)];
+                var minZ:Number = all[int(at + 2)];
+                at += high;
+                var maxX:Number = all[at];
+                var maxY:Number = all[int(at + 1)];
+                var maxZ:Number = all[int(at + 2)];
+                var sum:Number = along == 0 ? minX + maxX : (along == 1 ? minY + maxY : minZ + maxZ);
+                if (sum < split)
+                {
+                    if (waiting == 1)
+                    {
+                        items[last] = items[i];
+                        items[i] = item;
+                        last--;
+                        waiting = 0;
+                    }
+                    i++;
+                    leftMinX = minX < leftMinX ? minX : leftMinX;
+                    leftMaxX = maxX > leftMaxX ? maxX : leftMaxX;
+                    leftMinY = minY < leftMinY ? minY : leftMinY;
+                    leftMaxY = maxY > leftMaxY ? maxY : leftMaxY;
+                    leftMinZ = minZ < leftMinZ ? minZ : leftMinZ;
+                    leftMaxZ = maxZ > leftMaxZ ? maxZ : leftMaxZ;
+                }
+                else
+                {
+                    last -= waiting;
+                    waiting = 1;
+                    rightMinX = minX < rightMinX ? minX : rightMinX;
+                    rightMaxX = maxX > rightMaxX ? maxX : rightMaxX;
+                    rightMinY = minY < rightMinY ? minY : rightMinY;
+                    rightMaxY = maxY > rightMaxY ? maxY : rightMaxY;
+                    rightMinZ = minZ < rightMinZ ? minZ : rightMinZ;
+                    rightMaxZ = maxZ > rightMaxZ ? maxZ : rightMaxZ;
+                }
+            }
+            write(leftExtents, leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);
+            write(rightExtents, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
+            middle = i;
+            _last = last;
+            _waiting = waiting;
+            return left > 0;
+        }
+
+        /**
+         * Writes a triangle's extents: minX, minY, minZ, maxX, maxY, maxZ.
+         *
+         * @param vertices x, y, z of each
+         * @param triangles three vertex indices each
+         * @param corner index of the triangle's first one
+         * @param out receives the extents
+         * @param at index in out at which they begin
+         */
+        public static function writeExtents(vertices:Vector.<Number>, triangles:Vector.<uint>, corner:int, out:Vector.<Number>, at:int):void
+        {
+            var a:int = 3 * triangles[corner];
+            var b:int = 3 * triangles[int(corner + 1)];
+            var c:int = 3 * triangles[int(corner + 2)];
+            for (var end:int = at + 3; at < end; at++)
+            {
+                var p:Number = vertices[a++];
+                var q:Number = vertices[b++];
+                var r:Number = vertices[c++];
+                var low:Number = q < p ? q : p;
+                var high:Number = q < p ? p : q;
+                out[at] = r < low ? r : low;
+                out[int(at + 3)] = r > high ? r : high;
+            }
+        }
+
+        // Extends the extents by a range of the items' extents.
+        private function extend(from:int, to:int):void
+        {
+            for (var along:int = 0; along < 3; along++)
+            {
+                var least:Number = extents[along];
+                var largest:Number = extents[along + 3];
+                for (var i:int = from + along; i < to; i += _stride)
+                {
+                    var coordinate:Number = _extents[i];
+                    least = coordinate < least ? coordinate : least;
+                    coordinate = _extents[int(i + _high)];
+                    largest = coordinate > largest ? coordinate : largest;
+                }
+                extents[along] = least;
+                extents[along + 3] = largest;
+            }
+        }
+
+        private static function write(extents:Vector.<Number>, minX:Number, minY:Number, minZ:Number,
+                maxX:Number, maxY:Number, maxZ:Number):void
+        {
+            extents[0] = minX;
+            extents[1] = minY;
+            extents[2] = minZ;
+            extents[3] = maxX;
+            extents[4] = maxY;
+            extents[5] = maxZ;
+        }
+    }
+}

@@ -1,0 +1,289 @@
+package starlogo.intersection.contact
+{
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * The feature of a shape that touches another shape: a point, a segment or a convex polygon. Finds a point that two touching features
+     * have in common.
+     *
+     * @private
+     */
+    public final class ContactFeature
+    {
+        // Room for four corners, one more corner for each of four clips, and a spare one.
+        private static const MOST_NUMBERS:int = 3 * 9;
+
+        /** The common point. */
+        public var x:Number;
+        public var y:Number;
+        public var z:Number;
+
+        // Arguments of the next call. Fields, because V8 would allocate objects for Numbers that are passed.
+        private var _stepX:Number = 0;
+        private var _stepY:Number = 0;
+        private var _stepZ:Number = 0;
+
+        // The plane of the next clip.
+        private var _inX:Number = 0;
+        private var _inY:Number = 0;
+        private var _inZ:Number = 0;
+        private var _from:Number = 0;
+
+        private var _points:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
+        private var _end:int = 0;
+        private var _clipped:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
+
+        /** Removes all points. */
+        public function clear():void
+        {
+            _end = 0;
+        }
+
+        /**
+         * Sets the polygon to the corners of a triangle that are farthest along a contact's normal, or against it if <code>side</code> is -1: a
+         * corner, an edge or the whole triangle.
+         */
+        public function setFarthest(corners:Vector.<Number>, at:int, contact:ContactPoint, side:int):void
+        {
+            contact.measure(corners, at, at + 9);
+            var least:Number = side > 0 ? contact.greatest : -contact.least;
+            for (var i:int = 0; i < 6; i++)
+            {
+                least -= Tolerances.DIRECTION * Math.abs(corners[int(at + i + 3)] - corners[int(at + i % 3)]);
+            }
+            clear();
+            for (i = at; i < at + 9; i += 3)
+            {
+                var along:Number = contact.normalX * corners[i] + contact.normalY * corners[int(i + 1)] + contact.normalZ * corners[int(i + 2)];
+                if (side * along >= least)
+                {
+                    setStep(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
+                    add();
+                }
+            }
+        }
+
+        /** Sets the vector that the next calls use. */
+        public function setStep(x:Number, y:Number, z:Number):void
+        {
+            _stepX = x;
+            _stepY = y;
+            _stepZ = z;
+        }
+
+        /** Adds the vector's end as a corner after the others. */
+        public function add():void
+        {
+            _points[_end] = _stepX;
+            _points[int(_end + 1)] = _stepY;
+            _points[int(_end + 2)] = _stepZ;
+            _end += 3;
+        }
+
+        /** Moves all points by the vector. */
+        public function move():void
+        {
+            for (var at:int = 0; at < _end; at += 3)
+            {
+                _points[at] += _stepX;
+                _points[int(at + 1)] += _stepY;
+                _points[int(at + 2)] += _stepZ;
+            }
+        }
+
+        /** Extends the polygon by the vector to both sides: a point becomes a segment, and a segment becomes a parallelogram. */
+        public function widen():void
+        {
+            var points:Vector.<Number> = _points;
+            for (var at:int = _end - 3; at >= 0; at -= 3)
+            {
+                points[at] -= _stepX;
+                points[int(at + 1)] -= _stepY;
+                points[int(at + 2)] -= _stepZ;
+                points[_end] = points[at] + 2 * _stepX;
+                points[int(_end + 1)] = points[int(at + 1)] + 2 * _stepY;
+                points[int(_end + 2)] = points[int(at + 2)] + 2 * _stepZ;
+                _end += 3;
+            }
+        }
+
+        /**
+         * Finds the middle of the area that two polygons share when seen along a normal. The point is halfway between the two polygons.
+         *
+         * @param other in the same plane, or in a parallel one
+         * @param contact has the normal
+         */
+        public function findCommonPoint(other:ContactFeature, contact:ContactPoint):void
+        {
+            var normalX:Number = contact.normalX;
+            var normalY:Number = contact.normalY;
+            var normalZ:Number = contact.normalZ;
+            var a:Vector.<Number> = _points;
+            var b:Vector.<Number> = other._points;
+            var heights:Number = a[0] * normalX + a[1] * normalY + a[2] * normalZ + (b[0] * normalX + b[1] * normalY + b[2] * normalZ);
+            if (_end == 3)
+            {
+                setMiddle(a, 3);
+            }
+            else if (other._end == 3)
+            {
+                setMiddle(b, 3);
+            }
+            else if (other._end > 6)
+            {
+                setMiddleWithin(this, other, contact);
+            }
+            else if (_end > 6)
+            {
+                setMiddleWithin(other, this, contact);
+            }
+            else
+            {
+                setCrossing(a, b);
+            }
+            var height:Number = heights / 2 - (normalX * x + normalY * y + normalZ * z);
+            x += height * normalX;
+            y += height * normalY;
+            z += height * normalZ;
+        }
+
+        private function setMiddle(points:Vector.<Number>, end:int):void
+        {
+            x = y = z = 0;
+            for (var at:int = 0; at < end; at += 3)
+            {
+                x += points[at];
+                y += points[int(at + 1)];
+                z += points[int(at + 2)];
+            }
+            x *= 3 / end;
+            y *= 3 / end;
+            z *= 3 / end;
+        }
+
+        // Sets the point to the middle of a segment or polygon after clipping it to another polygon (Sutherland and Hodgman, "Reentrant
+        // polygon clipping", 1974).
+        private function setMiddleWithin(inner:ContactFeature, outer:ContactFeature, contact:ContactPoint):void
+        {
+            var normalX:Number = contact.normalX;
+            var normalY:Number = contact.normalY;
+            var normalZ:Number = contact.normalZ;
+            var points:Vector.<Number> = inner._points;
+            var kept:Vector.<Number> = inner._clipped;
+            var end:int = inner._end;
+            var edges:Vector.<Number> = outer._points;
+            outer.setMiddle(edges, outer._end);
+            var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer.x) + Math.abs(edges[1] - outer.y)
+                    + Math.abs(edges[2] - outer.z) + Math.abs(edges[3] - outer.x) + Math.abs(edges[4] - outer.y)
+                    + Math.abs(edges[5] - outer.z));
+            var last:int = outer._end - 3;
+            for (var at:int = 0; at < outer._end && end > 0; at += 3)
+            {
+                var edgeX:Number = edges[at] - edges[last];
+                var edgeY:Number = edges[int(at + 1)] - edges[int(last + 1)];
+                var edgeZ:Number = edges[int(at + 2)] - edges[int(last + 2)];
+                // The vector points inwards, in the plane.
+                _inX = edgeY * normalZ - edgeZ * normalY;
+                _inY = edgeZ * normalX - edgeX * normalZ;
+                _inZ = edgeX * normalY - edgeY * normalX;
+                _from = _inX * edges[at] + _inY * edges[int(at + 1)] + _inZ * edges[int(at + 2)];
+                if (_inX * outer.x + _inY * outer.y + _inZ * outer.z < _from)
+                {
+                    _inX = -_inX;
+                    _inY = -_inY;
+                    _inZ = -_inZ;
+                    _from = -_from;
+                }
+                _from -= slack * Math.sqrt(_inX * _inX + _inY * _inY + _inZ * _inZ);
+                end = cut(points, end, kept);
+                var swapped:Vector.<Number> = points;
+                points = kept;
+                kept = swapped;
+                last = at;
+            }
+            inner._points = points;
+            inner._clipped = kept;
+            if (end == 0)
+            {
+                // The polygons do not overlap.
+                setMiddle(edges, outer._end);
+                return;
+            }
+            setMiddle(points, end);
+        }
+
+        // Keeps the part beyond the plane. Returns the index after its last number.
+        private function cut(points:Vector.<Number>, end:int, kept:Vector.<Number>):int
+        {
+            var inX:Number = _inX;
+            var inY:Number = _inY;
+            var inZ:Number = _inZ;
+            var from:Number = _from;
+            var count:int = 0;
+            var last:int = end - 3;
+            var lastBeyond:Number = inX * points[last] + inY * points[int(last + 1)] + inZ * points[int(last + 2)] - from;
+            // A segment is not a closed outline.
+            var isSegment:Boolean = end == 6;
+            for (var at:int = 0; at < end; at += 3)
+            {
+                var beyond:Number = inX * points[at] + inY * points[int(at + 1)] + inZ * points[int(at + 2)] - from;
+                if (beyond > 0 != lastBeyond > 0 && !(isSegment && at == 0))
+                {
+                    var share:Number = lastBeyond / (lastBeyond - beyond);
+                    kept[count] = points[last] + share * (points[at] - points[last]);
+                    kept[int(count + 1)] = points[int(last + 1)] + share * (points[int(at + 1)] - points[int(last + 1)]);
+                    kept[int(count + 2)] = points[int(last + 2)] + share * (points[int(at + 2)] - points[int(last + 2)]);
+                    count += 3;
+                }
+                if (beyond > 0)
+                {
+                    kept[count] = points[at];
+                    kept[int(count + 1)] = points[int(at + 1)];
+                    kept[int(count + 2)] = points[int(at + 2)];
+                    count += 3;
+                }
+                last = at;
+                lastBeyond = beyond;
+            }
+            return count;
+        }
+
+        // Sets the point to where two segments cross. If they are parallel, sets it to the middle of the part that they share.
+        private function setCrossing(a:Vector.<Number>, b:Vector.<Number>):void
+        {
+            var ux:Number = a[3] - a[0];
+            var uy:Number = a[4] - a[1];
+            var uz:Number = a[5] - a[2];
+            var vx:Number = b[3] - b[0];
+            var vy:Number = b[4] - b[1];
+            var vz:Number = b[5] - b[2];
+            var gapX:Number = b[0] - a[0];
+            var gapY:Number = b[1] - a[1];
+            var gapZ:Number = b[2] - a[2];
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var vv:Number = vx * vx + vy * vy + vz * vz;
+            var crossX:Number = uy * vz - uz * vy;
+            var crossY:Number = uz * vx - ux * vz;
+            var crossZ:Number = ux * vy - uy * vx;
+            var squared:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
+            var share:Number;
+            if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv)
+            {
+                share = (gapY * vz - gapZ * vy) * crossX + (gapZ * vx - gapX * vz) * crossY + (gapX * vy - gapY * vx) * crossZ;
+                share /= squared;
+                share = share > 0 ? (share < 1 ? share : 1) : 0;
+            }
+            else
+            {
+                var one:Number = (gapX * ux + gapY * uy + gapZ * uz) / uu;
+                var other:Number = one + (vx * ux + vy * uy + vz * uz) / uu;
+                one = one > 0 ? (one < 1 ? one : 1) : 0;
+                other = other > 0 ? (other < 1 ? other : 1) : 0;
+                share = (one + other) / 2;
+            }
+            x = a[0] + share * ux;
+            y = a[1] + share * uy;
+            z = a[2] + share * uz;
+        }
+    }
+}

@@ -1,0 +1,135 @@
+package starlogo.intersection.distance
+{
+    import starlogo.geometry.Placement;
+
+    /**
+     * The distance of two shapes, and their closest points. If the shapes touch, both points are one point of both shapes. It has plain
+     * fields, so that it can be reused, and the kernels put their input into it.
+     *
+     * @private
+     */
+    public final class DistanceResult
+    {
+        /** The distance of the two points: 0 if the shapes touch. */
+        public var distance:Number = 0;
+
+        /** The point of the first shape. */
+        public var aX:Number = 0;
+        public var aY:Number = 0;
+        public var aZ:Number = 0;
+
+        /** The point of the second shape. */
+        public var bX:Number = 0;
+        public var bY:Number = 0;
+        public var bZ:Number = 0;
+
+        /** Input of separate: the vector from the second core's closest point to the first core's, which is aX, aY, aZ. */
+        public var gapX:Number = 0;
+        public var gapY:Number = 0;
+        public var gapZ:Number = 0;
+
+        /** Input of separate: how far the first shape's surface is from its core. */
+        public var radiusA:Number = 0;
+
+        /** Input of separate: how far the second shape's surface is from its core. */
+        public var radiusB:Number = 0;
+
+        /**
+         * Sets the distance and the points from the gap between the cores and from the radii. If the shapes overlap, both points lie on the
+         * line through the cores' closest points, in the middle of the part inside of both shapes. The inputs are fields, because V8 would
+         * allocate an object for each Number that is passed.
+         */
+        public function separate():void
+        {
+            var x:Number = gapX;
+            var y:Number = gapY;
+            var z:Number = gapZ;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            var atA:Number = radiusA;
+            var atB:Number = length - radiusB;
+            distance = atB - atA;
+            if (!(distance > 0))
+            {
+                distance = 0;
+                var low:Number = atB > -radiusA ? atB : -radiusA;
+                var high:Number = length + radiusB;
+                high = high < radiusA ? high : radiusA;
+                atA = atB = (low + high) / 2;
+            }
+            if (length > 0)
+            {
+                x /= length;
+                y /= length;
+                z /= length;
+            }
+            bX = aX - atB * x;
+            bY = aY - atB * y;
+            bZ = aZ - atB * z;
+            aX -= atA * x;
+            aY -= atA * y;
+            aZ -= atA * z;
+        }
+
+        /** Exchanges the two shapes. */
+        public function swapShapes():void
+        {
+            var x:Number = aX;
+            var y:Number = aY;
+            var z:Number = aZ;
+            aX = bX;
+            aY = bY;
+            aZ = bZ;
+            bX = x;
+            bY = y;
+            bZ = z;
+        }
+
+        /**
+         * Corrects what rounding has made of the distance, when another test knows whether the shapes touch. If they touch, the distance
+         * becomes 0 and both points move to the middle of the gap. If not, the distance becomes more than 0.
+         */
+        public function settle(areTouching:Boolean):void
+        {
+            if (areTouching)
+            {
+                distance = 0;
+                aX = bX = (aX + bX) / 2;
+                aY = bY = (aY + bY) / 2;
+                aZ = bZ = (aZ + bZ) / 2;
+            }
+            else if (!(distance > 0))
+            {
+                distance = Number.MIN_VALUE;
+            }
+        }
+
+        /** Transforms the points by a placement. */
+        public function place(placement:Placement):void
+        {
+            var size:Number = placement.size;
+            var x:Number = aX * size;
+            var y:Number = aY * size;
+            var z:Number = aZ * size;
+            aX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            aY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            aZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+            x = bX * size;
+            y = bY * size;
+            z = bZ * size;
+            bX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            bY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            bZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+        }
+
+        /** Copies the points of another pair, but not the distance. */
+        public function copyPoints(other:DistanceResult):void
+        {
+            aX = other.aX;
+            aY = other.aY;
+            aZ = other.aZ;
+            bX = other.bX;
+            bY = other.bY;
+            bZ = other.bZ;
+        }
+    }
+}

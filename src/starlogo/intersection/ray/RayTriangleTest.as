@@ -1,0 +1,174 @@
+package starlogo.intersection.ray
+{
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Finds the first triangle that a ray meets, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal
+     * of Computer Graphics Techniques 2(1), 2013, in double precision).
+     *
+     * <p>The corners are sheared so that the ray runs along an axis. Then the sign of one expression says on which side the ray passes an
+     * edge. For the two triangles of an edge the two values are opposite, or both 0, to the last bit. So no ray slips through between the
+     * triangles.</p>
+     *
+     * <p>A ray also meets a triangle if it passes the triangle within the gap across which surfaces still touch (Tolerances.SURFACES). So a ray
+     * towards a silhouette finds it. In this case the point must lie within the triangle's extents, enlarged by the gap, because the
+     * hierarchy's boxes contain only such points.</p>
+     *
+     * @private
+     */
+    public final class RayTriangleTest
+    {
+        /** The place on the ray where it meets the nearest triangle so far. Before the first triangle, the end of the ray. */
+        public var at:Number = Infinity;
+
+        /** The index of the nearest triangle so far, or -1. */
+        public var triangle:int = -1;
+
+        private var _ray:Ray = null;
+
+        // The ray's point and its direction.
+        private var _place:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _way:Vector.<Number> = new Vector.<Number>(3, true);
+
+        // The axes, ordered so that the ray goes fastest along the last.
+        private var _u:int;
+        private var _v:int;
+        private var _w:int;
+
+        // A point of the line. The line's slopes: how far it goes along the first two axes while it goes 1 along the last. 1 over its speed
+        // along the last axis.
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+        private var _shearX:Number = 0;
+        private var _shearY:Number = 0;
+        private var _stretch:Number = 0;
+
+        // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
+        private var _gap:Number = 0;
+        private var _sliver:Number = 0;
+
+        /**
+         * Begins with a ray.
+         *
+         * @param ray in the space of the triangles; the object is kept
+         * @param radius of a sphere around all triangles
+         */
+        public function begin(ray:Ray, radius:Number):void
+        {
+            _ray = ray;
+            at = ray.to;
+            triangle = -1;
+            _place[0] = ray.x;
+            _place[1] = ray.y;
+            _place[2] = ray.z;
+            _way[0] = ray.directionX;
+            _way[1] = ray.directionY;
+            _way[2] = ray.directionZ;
+            var absX:Number = Math.abs(ray.directionX);
+            var absY:Number = Math.abs(ray.directionY);
+            var absZ:Number = Math.abs(ray.directionZ);
+            _w = absY > absZ ? 1 : 2;
+            _w = absX > absY && absX > absZ ? 0 : _w;
+            _u = (_w + 1) % 3;
+            _v = (_w + 2) % 3;
+            _x = _place[_u];
+            _y = _place[_v];
+            _z = _place[_w];
+            _stretch = 1 / _way[_w];
+            _shearX = _way[_u] / _way[_w];
+            _shearY = _way[_v] / _way[_w];
+            _gap = Tolerances.SURFACES * radius;
+            // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
+            _sliver = 6 * _gap * radius;
+        }
+
+        /**
+         * Looks for a nearer triangle in a range. For each triangle, it shears the corners as seen from the line, finds the sides on which
+         * the ray passes the edges, and finds where the ray crosses the plane.
+         *
+         * @param corners nine numbers for each triangle
+         * @param first the first triangle's index
+         * @param end the index after the last triangle
+         */
+        public function look(corners:Vector.<Number>, first:int, end:int):void
+        {
+            var u:int = _u;
+            var v:int = _v;
+            var w:int = _w;
+            var x:Number = _x;
+            var y:Number = _y;
+            var z:Number = _z;
+            var shearX:Number = _shearX;
+            var shearY:Number = _shearY;
+            var sliver:Number = _sliver;
+            for (var i:int = first; i < end; i++)
+            {
+                var corner:int = 9 * i;
+                var aZ:Number = corners[int(corner + w)] - z;
+                var aX:Number = corners[int(corner + u)] - x - shearX * aZ;
+                var aY:Number = corners[int(corner + v)] - y - shearY * aZ;
+                corner += 3;
+                var bZ:Number = corners[int(corner + w)] - z;
+                var bX:Number = corners[int(corner + u)] - x - shearX * bZ;
+                var bY:Number = corners[int(corner + v)] - y - shearY * bZ;
+                corner += 3;
+                var cZ:Number = corners[int(corner + w)] - z;
+                var cX:Number = corners[int(corner + u)] - x - shearX * cZ;
+                var cY:Number = corners[int(corner + v)] - y - shearY * cZ;
+                var sideA:Number = cX * bY - cY * bX;
+                var sideB:Number = aX * cY - aY * cX;
+                var sideC:Number = bX * aY - bY * aX;
+                if (sideA < -sliver || sideB < -sliver || sideC < -sliver)
+                {
+                    if (sideA > sliver || sideB > sliver || sideC > sliver)
+                    {
+                        continue;
+                    }
+                }
+                var sum:Number = sideA + sideB + sideC;
+                var crossing:Number = _stretch * (sideA * aZ + sideB * bZ + sideC * cZ) / sum;
+                // NaN is skipped too. A triangle seen edge on gives NaN, and the triangles next to it have its edges.
+                if (!(crossing >= _ray.from && crossing <= at) || (crossing == at && triangle >= 0))
+                {
+                    continue;
+                }
+                if ((sideA < 0 || sideB < 0 || sideC < 0) && (sideA > 0 || sideB > 0 || sideC > 0))
+                {
+                    if (!isOver(aX, aY, bX, bY, sideC, sum) || !isOver(bX, bY, cX, cY, sideA, sum) || !isOver(cX, cY, aX, aY, sideB, sum)
+                            || !isIn(corners, corner, crossing))
+                    {
+                        continue;
+                    }
+                }
+                at = crossing;
+                triangle = i;
+            }
+        }
+
+        // Whether the ray passes an edge on the triangle's side, or within the gap.
+        private function isOver(fromX:Number, fromY:Number, toX:Number, toY:Number, side:Number, sum:Number):Boolean
+        {
+            toX -= fromX;
+            toY -= fromY;
+            return side == 0 || side > 0 == sum > 0 || side * side <= _gap * _gap * (toX * toX + toY * toY);
+        }
+
+        // Whether a point of the ray is within a triangle's extents, enlarged by the gap.
+        private function isIn(corners:Vector.<Number>, corner:int, crossing:Number):Boolean
+        {
+            return isBetween(_ray.x + crossing * _ray.directionX, corners, corner)
+                && isBetween(_ray.y + crossing * _ray.directionY, corners, corner + 1)
+                && isBetween(_ray.z + crossing * _ray.directionZ, corners, corner + 2);
+        }
+
+        private function isBetween(place:Number, corners:Vector.<Number>, last:int):Boolean
+        {
+            var a:Number = corners[int(last - 6)];
+            var b:Number = corners[int(last - 3)];
+            var c:Number = corners[last];
+            return (a - place <= _gap || b - place <= _gap || c - place <= _gap)
+                && (place - a <= _gap || place - b <= _gap || place - c <= _gap);
+        }
+    }
+}

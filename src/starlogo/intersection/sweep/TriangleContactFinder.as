@@ -1,0 +1,92 @@
+package starlogo.intersection.sweep
+{
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactFeature;
+    import starlogo.intersection.contact.ContactPoint;
+
+    /**
+     * Finds the contact of two triangles. The normal is perpendicular to a triangle or to an edge of each, and is the direction along which
+     * they overlap least. Allocates nothing.
+     *
+     * @private
+     */
+    public final class TriangleContactFinder extends TriangleAxes
+    {
+        /** The largest gap that still counts as touching. */
+        public var tolerance:Number = 0;
+
+        private var _motion:RelativeMotion;
+        private var _polygonA:ContactFeature = new ContactFeature();
+        private var _polygonB:ContactFeature = new ContactFeature();
+
+        // The first triangle's corners, relative to its first corner.
+        private var _cornersA:Vector.<Number> = new Vector.<Number>(9, true);
+
+        // The shortest separating displacement so far.
+        private var _depth:Number;
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
+
+        /**
+         * Finds the contact of the two triangles that were set by <code>relate()</code>.
+         *
+         * @param motion displaces the second triangle to where it is at the motion's time
+         * @param out receives the contact; the normal points from the second triangle to the first
+         */
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            _motion = motion;
+            _depth = Infinity;
+            _x = _y = 0;
+            _z = 1;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                cornersB[i] += motion.time * motion.x;
+                cornersB[int(i + 1)] += motion.time * motion.y;
+                cornersB[int(i + 2)] += motion.time * motion.z;
+            }
+            areSeparatedByNormal();
+            areSeparatedAcrossEdges();
+            measure(edgesA);
+            var heightA:Number = height;
+            measure(edgesB);
+            areSeparatedInPlane(heightA < height ? edgesB : edgesA);
+            out.setNormal(_x, _y, _z);
+            for (i = 3; i < 9; i++)
+            {
+                _cornersA[i] = edgesA[int(i - 3)];
+            }
+            _polygonA.setFarthest(_cornersA, 0, out, -1);
+            _polygonB.setFarthest(cornersB, 0, out, 1);
+            _polygonA.findCommonPoint(_polygonB, out);
+            out.depth = _depth > 0 && _depth < Infinity ? _depth : 0;
+            out.x = _polygonA.x + origin.x;
+            out.y = _polygonA.y + origin.y;
+            out.z = _polygonA.z + origin.z;
+        }
+
+        /** Keeps the displacement if it is the shortest so far. Always returns false, so that all axes are tried. */
+        override protected function isSeparating():Boolean
+        {
+            var length:Number = Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
+            var depth:Number = (reach - Math.abs(at)) / length;
+            // The comparison is false for NaN too.
+            if (depth < _depth - Tolerances.ROUNDING * reach / length)
+            {
+                var side:Number = at > 0 ? -1 : 1;
+                var speed:Number = axisX * _motion.x + axisY * _motion.y + axisZ * _motion.z;
+                if (speed != 0 && _motion.time > 0 && Math.abs(at) < tolerance * length)
+                {
+                    // For a triangle in the other's plane, rounding decides the side. So the side that it comes from is taken.
+                    side = speed > 0 ? 1 : -1;
+                }
+                _depth = depth;
+                _x = side * axisX / length;
+                _y = side * axisY / length;
+                _z = side * axisZ / length;
+            }
+            return false;
+        }
+    }
+}

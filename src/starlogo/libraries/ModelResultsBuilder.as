@@ -1,0 +1,136 @@
+package starlogo.libraries
+{
+    import flash.utils.ByteArray;
+    import starlogo.engine;
+    import starlogo.geometry.Fingerprint;
+    import starlogo.geometry.GeometryFingerprint;
+    import starlogo.libraries.cooked.TreeReader;
+    import starlogo.models.Model;
+    import starlogo.models.cooked.CookedShape;
+    import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    use namespace engine;
+
+    /**
+     * Gets the results that the libraries need for one model. It takes them from the model's cooked file, otherwise from a store. It
+     * computes the results that are missing and adds them to the store.
+     *
+     * @private
+     */
+    public final class ModelResultsBuilder extends StepSequence
+    {
+        /** The builder that has the hierarchy or builds it when it is needed. Read it when no step is left. Null if none was wanted. */
+        public var hierarchy:SolidHierarchyBuilder;
+
+        private var _model:Model;
+        private var _structures:StructuresBuilder;
+        private var _settings:FitSettings;
+        private var _store:FitStore;
+        private var _geometry:GeometryFingerprint;
+        private var _fits:ModelFits = new ModelFits();
+
+        /**
+         * @param model the model
+         * @param structures finds its structures; null if none are wanted
+         * @param hierarchy builds its hierarchy; null if none is wanted
+         * @param settings the settings of the libraries that want them
+         * @param store null for none
+         */
+        public function ModelResultsBuilder(model:Model, structures:StructuresBuilder, hierarchy:SolidHierarchyBuilder, settings:FitSettings,
+                store:FitStore)
+        {
+            _model = model;
+            _structures = structures;
+            _settings = settings;
+            this.hierarchy = hierarchy;
+            if (model.cooked != null)
+            {
+                _fits.readFrom(model.cooked, model, settings);
+            }
+            _store = isComplete ? null : store;
+            if (_store != null)
+            {
+                _geometry = store.geometryOf(model, settings);
+                add(store.reading(model, _geometry, settings, _fits));
+            }
+            call(useFits);
+            if (structures != null)
+            {
+                add(structures);
+            }
+            if (hierarchy != null)
+            {
+                begin(divide);
+            }
+            if (_store != null)
+            {
+                call(keep);
+            }
+        }
+
+        /** The structures, when no step is left; null if none were wanted. */
+        public function get structures():ShapeStructures
+        {
+            return _structures == null ? null : _structures.structures;
+        }
+
+        /** Whether the structures were read and not computed. Read it when no step is left. */
+        public function get areStructuresRead():Boolean
+        {
+            return _structures != null && _fits.hasStructures;
+        }
+
+        /**
+         * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
+         *
+         * @param wanted the fingerprint of the model's arguments
+         */
+        public function toCooked(wanted:Fingerprint):ByteArray
+        {
+            if (hierarchy != null)
+            {
+                hierarchy.finished.prepare();
+            }
+            return fits.toFile(_settings, wanted, CookedShape.of(_model));
+        }
+
+        private function get isComplete():Boolean
+        {
+            return (_structures == null || _fits.hasStructures) && (hierarchy == null || _fits.hasHierarchy)
+                && (!_settings.wantsSurface || _model.triangles == null || _fits.hasSurface);
+        }
+
+        private function useFits():void
+        {
+            if (areStructuresRead)
+            {
+                _structures.useRead(_fits.structures);
+            }
+            if (hierarchy != null && _fits.hasHierarchy)
+            {
+                hierarchy.useStored(new TreeReader(_fits.tree), _fits.surface);
+            }
+        }
+
+        // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
+        private function divide():Steps
+        {
+            return hierarchy.isTaken && !_settings.wantsSurface ? null : hierarchy;
+        }
+
+        private function keep():void
+        {
+            if ((!isComplete || hierarchy != null && !hierarchy.isTaken) && _store.mayHold(_model))
+            {
+                _store.keep(_geometry.fingerprint, _settings, fits);
+            }
+        }
+
+        private function get fits():ModelFits
+        {
+            return ModelFits.of(structures, hierarchy == null ? null : hierarchy.finished);
+        }
+    }
+}

@@ -1,0 +1,149 @@
+package starlogo.libraries
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.fitting.EnclosingStructures;
+    import starlogo.fitting.Fit;
+    import starlogo.fitting.FitSession;
+    import starlogo.fitting.Fitter;
+    import starlogo.geometry.Tolerances;
+    import starlogo.steps.StepSequence;
+
+    use namespace engine;
+
+    /**
+     * Finds the structures of one shape for a BoundingStructuresLibrary. It computes the convex hull of the vertices, and then runs each
+     * fitter. It uses the settings that the library had at the beginning.
+     *
+     * @private
+     */
+    public final class StructuresBuilder extends StepSequence
+    {
+        /** The structures, when no step is left. */
+        public var structures:ShapeStructures = null;
+
+        private var _name:String;
+        private var _vertices:Vector.<Number>;
+        private var _keepsAll:Boolean;
+        private var _fitters:Vector.<Fitter>;
+        private var _fits:Vector.<Fit> = new Vector.<Fit>();
+        private var _checked:int = 0;
+
+        /**
+         * @param name the shape's name
+         * @param vertices x, y, z each; must not change until the last step is done
+         * @param fitters the fitters to compare; copied
+         * @param keepsAll whether the client may read the smallest structure of each kind
+         * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
+         */
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, keepsAll:Boolean)
+        {
+            _name = name;
+            _vertices = vertices;
+            _keepsAll = keepsAll;
+            if (fitters == null || fitters.length == 0)
+            {
+                throw named("the library's list of fitters is empty");
+            }
+            if (fitters.indexOf(null) >= 0)
+            {
+                throw named("a fitter must not be null");
+            }
+            _fitters = fitters.concat();
+            var session:FitSession = new FitSession(vertices, false);
+            add(session);
+            for each (var fitter:Fitter in _fitters)
+            {
+                var fit:Fit = fitter.beginOnce(session);
+                _fits.push(fit);
+                add(fit);
+            }
+            repeat(checkNext).call(choose);
+        }
+
+        /**
+         * Uses structures that were read instead of running the fitters. Call it before the first step.
+         *
+         * @param read the smallest structure of each kind that the fitters found before, or null; the index is the kind's number
+         */
+        public function useRead(read:Vector.<BoundingStructure>):void
+        {
+            structures = new ShapeStructures(read, _keepsAll);
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a
+         *     coordinate is not finite; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
+         *     refuses the vertices; the message names the shape
+         */
+        override public function step():Boolean
+        {
+            try
+            {
+                return structures == null && super.step();
+            }
+            catch (error:ArgumentError)
+            {
+                throw named(error.message);
+            }
+            return false;
+        }
+
+        // Checks one structure in each call.
+        private function checkNext():Boolean
+        {
+            var fitter:Fitter = _fitters[_checked];
+            var structure:BoundingStructure = _fits[_checked].structure;
+            if (structure == null || structure.kind > BoundingStructure.BOX)
+            {
+                throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
+            }
+            var outside:int = firstOutside(structure);
+            if (outside >= 0)
+            {
+                throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("
+                        + _vertices.slice(outside, outside + 3).join(", ") + "): " + structure);
+            }
+            _checked++;
+            return _checked < _fits.length;
+        }
+
+        // The place of the first vertex that is farther outside than the tolerance of a fit; -1 if there is none.
+        private function firstOutside(structure:BoundingStructure):int
+        {
+            var most:Number = EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
+            var wider:BoundingStructure = structure.clone();
+            wider.widen(Tolerances.CONTAINMENT * most);
+            var vertex:Vector3D = new Vector3D();
+            for (var i:int = 0; i < _vertices.length; i += 3)
+            {
+                vertex.setTo(_vertices[i], _vertices[i + 1], _vertices[i + 2]);
+                if (!wider.contains(vertex))
+                {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
+        private function choose():void
+        {
+            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            for each (var fit:Fit in _fits)
+            {
+                var structure:BoundingStructure = fit.structure.clone();
+                structure.widenForSurfaces();
+                found.push(structure);
+            }
+            structures = new ShapeStructures(found, _keepsAll);
+        }
+
+        private function named(problem:String):ArgumentError
+        {
+            return new ArgumentError("shape \"" + _name + "\": " + problem);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.ModelBudget;
+    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
+
+    /** Adds the triangles of a primitive to a model, at the place of a node, in steps. The primitive's vertices are already added. */
+    internal final class GltfTriangles extends StepSequence
+    {
+        private static const TRIANGLES_PER_STEP:int = 5000;
+
+        internal static const TRIANGLES:int = 4;
+        private static const STRIP:int = 5;
+        private static const FAN:int = 6;
+
+        private var _json:GltfJson;
+        private var _triangles:Vector.<uint>;
+        private var _indices:GltfAccessor = null;
+        private var _mode:int;
+        private var _place:String;
+        private var _points:GltfVertices;
+        private var _firstCorner:int;
+
+        /**
+         * @param file the file
+         * @param primitive the primitive
+         * @param place its place in the file, for errors
+         * @param points its vertices; their steps come before this one's
+         * @param triangles takes its triangles
+         */
+        public function GltfTriangles(file:GltfFile, primitive:Object, place:String, points:GltfVertices, triangles:Vector.<uint>)
+        {
+            _json = file.json;
+            _triangles = triangles;
+            _place = place;
+            _mode = modeOf(_json, primitive, place);
+            _points = points;
+            _firstCorner = triangles.length;
+            var index:int = _json.reference(primitive, "indices", place, "accessors");
+            if (index >= 0)
+            {
+                _indices = file.accessor(index, "SCALAR");
+                refuseIf(!_indices.areIndices, _json.name, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
+                add(_indices);
+            }
+            var cornerCount:int = _indices == null ? _points.count : _indices.count;
+            var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
+            file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
+            slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && _indices != null ? copyTriangles : addTriangles);
+        }
+
+        /** The mode of a primitive. Points and lines have a mode below TRIANGLES. */
+        internal static function modeOf(json:GltfJson, primitive:Object, place:String):int
+        {
+            return json.whole(primitive, "mode", place, FAN, TRIANGLES);
+        }
+
+        // The common case: copies the indices unchanged.
+        private function copyTriangles(first:int, end:int):void
+        {
+            if (_points.isMirror)
+            {
+                addTriangles(first, end);
+                return;
+            }
+            var to:Vector.<uint> = _triangles;
+            var from:Vector.<Number> = _indices.numbers;
+            var firstVertex:int = _points.firstVertex;
+            var count:int = _points.count;
+            var at:int = _firstCorner + 3 * first;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i++)
+            {
+                var index:Number = from[i];
+                if (index >= count)
+                {
+                    cornerAt(i);
+                }
+                to[at++] = firstVertex + index;
+            }
+        }
+
+        // Triangle n of a list has the corners 3n, 3n+1 and 3n+2. Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every
+        // second triangle has its corner order reversed.
+        private function addTriangles(first:int, end:int):void
+        {
+            var to:Vector.<uint> = _triangles;
+            var at:int = _firstCorner + 3 * first;
+            var isMirror:Boolean = _points.isMirror;
+            for (var i:int = first; i < end; i++)
+            {
+                var a:int = _mode == TRIANGLES ? 3 * i : (_mode == FAN ? i + 1 : i);
+                var b:int = a + 1;
+                var c:int = _mode == FAN ? 0 : a + 2;
+                var isReversed:Boolean = isMirror != (_mode == STRIP && (i & 1) == 1);
+                to[at] = cornerAt(a);
+                to[int(at + 1)] = cornerAt(isReversed ? c : b);
+                to[int(at + 2)] = cornerAt(isReversed ? b : c);
+                at += 3;
+            }
+        }
+
+        private function cornerAt(corner:int):int
+        {
+            if (_indices == null)
+            {
+                return _points.firstVertex + corner;
+            }
+            var index:Number = _indices.numbers[corner];
+            if (index >= _points.count)
+            {
+                throw new ModelError(_json.name, _indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _points.count);
+            }
+            return _points.firstVertex + int(index);
+        }
+    }
+}

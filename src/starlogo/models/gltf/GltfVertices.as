@@ -1,0 +1,187 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.AffineTransform;
+    import starlogo.models.ModelBudget;
+    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
+
+    /** Adds the vertices of a primitive to a model, at the place of a node, in steps. They are morphed, and moved by their skin at rest. */
+    internal final class GltfVertices extends StepSequence
+    {
+        private static const VERTICES_PER_STEP:int = 4000;
+        private static const SKINNED_PER_STEP:int = 1000;
+
+        /** The index in the model of the first vertex. */
+        public var firstVertex:int;
+
+        /** The number of vertices, when no step is left. */
+        public var count:int;
+
+        private var _name:String;
+        private var _node:String;
+        private var _source:GltfAccessor;
+        private var _vertices:Vector.<Number>;
+        // the points before the node places them
+        private var _numbers:Vector.<Number>;
+        // of a skinned mesh: the joints; pairs of accessors with the joints' indices and their weights
+        private var _joints:GltfJoints = null;
+        private var _sets:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
+        private var _world:AffineTransform;
+
+        /**
+         * @param file the file
+         * @param scene knows the nodes' transforms
+         * @param node the node that has the primitive
+         * @param primitive the primitive
+         * @param place its place in the file, for errors
+         * @param weights the weights of its morph targets
+         * @param source the vertices of its mesh
+         * @param vertices takes its vertices
+         */
+        public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:Object, place:String, weights:Vector.<Number>,
+                source:GltfAccessor, vertices:Vector.<Number>)
+        {
+            var json:GltfJson = file.json;
+            _name = json.name;
+            _node = "nodes[" + node + "]";
+            _source = source;
+            _vertices = vertices;
+            _numbers = source.numbers;
+            firstVertex = vertices.length / 3;
+            count = source.count;
+            file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), place);
+            add(source);
+            addTargets(file, json.listIn(primitive, "targets", place), place, weights);
+            var skin:int = json.reference(json.entry("nodes", node), "skin", _node, "skins");
+            if (skin >= 0 && primitive.attributes.JOINTS_0 !== undefined)
+            {
+                _joints = scene.jointsOf(file, skin);
+                call(copyNumbers).add(_joints);
+                addSkin(file, primitive.attributes, place + ".attributes");
+            }
+            _world = _joints == null ? scene.worldOf(node) : new AffineTransform();
+            slices(count, VERTICES_PER_STEP, placeVertices);
+        }
+
+        /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
+        public function get isMirror():Boolean
+        {
+            return (_joints == null ? _world : _joints.transforms[0]).isMirror;
+        }
+
+        private function addTargets(file:GltfFile, targets:Array, place:String, weights:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < targets.length && i < weights.length; i++)
+            {
+                var where:String = place + ".targets";
+                var index:int = file.json.reference(file.json.elementOf(targets, i, where), "POSITION", where + "[" + i + "]", "accessors");
+                if (index >= 0 && weights[i] != 0)
+                {
+                    addTarget(file.accessor(index, "VEC3"), weights[i]);
+                    file.budget.take(ModelBudget.NUMBERS, 3 * Number(count), place);
+                }
+            }
+        }
+
+        private function addTarget(target:GltfAccessor, weight:Number):void
+        {
+            counted(target);
+            call(copyNumbers).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        _numbers[i] += weight * target.numbers[i];
+                    }
+                });
+        }
+
+        // copied, because other nodes may have the same mesh
+        private function copyNumbers():void
+        {
+            _numbers = _numbers == _source.numbers ? _numbers.slice() : _numbers;
+        }
+
+        // The weights of a point are divided by their sum. A point without weights moves with the first joint.
+        private function addSkin(file:GltfFile, attributes:Object, place:String):void
+        {
+            for (var i:int = 0; attributes["JOINTS_" + i] !== undefined; i++)
+            {
+                for each (var key:String in ["JOINTS_" + i, "WEIGHTS_" + i])
+                {
+                    var index:int = file.json.reference(attributes, key, place, "accessors");
+                    refuseIf(index < 0, _name, "a mesh has no weights for its joints", place);
+                    _sets.push(counted(file.accessor(index, "VEC4")));
+                }
+            }
+            file.budget.take(ModelBudget.NUMBERS, 2 * count * Number(_sets.length), place);
+            slices(count, SKINNED_PER_STEP, move);
+        }
+
+        // Adds the steps of an accessor that has an element for each vertex.
+        private function counted(accessor:GltfAccessor):GltfAccessor
+        {
+            refuseIf(accessor.count != count, _name, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
+            add(accessor);
+            return accessor;
+        }
+
+        private function move(first:int, end:int):void
+        {
+            var points:Vector.<Number> = _numbers;
+            var moved:Vector.<Number> = new Vector.<Number>(3);
+            for (var i:int = first; i < end; i++)
+            {
+                var at:int = 3 * i;
+                var sum:Number = 0;
+                var x:Number = 0;
+                var y:Number = 0;
+                var z:Number = 0;
+                for (var k:int = 0; k < _sets.length; k += 2)
+                {
+                    for (var j:int = 4 * i; j < 4 * i + 4; j++)
+                    {
+                        var weight:Number = _sets[k + 1].numbers[j];
+                        if (weight != 0)
+                        {
+                            jointAt(_sets[k], j).place(points, i, i + 1, moved, 0);
+                            sum += weight;
+                            x += weight * moved[0];
+                            y += weight * moved[1];
+                            z += weight * moved[2];
+                        }
+                    }
+                }
+                if (sum == 0)
+                {
+                    _joints.transforms[0].place(points, i, i + 1, moved, 0);
+                    sum = 1;
+                    x = moved[0];
+                    y = moved[1];
+                    z = moved[2];
+                }
+                points[at] = x / sum;
+                points[int(at + 1)] = y / sum;
+                points[int(at + 2)] = z / sum;
+            }
+        }
+
+        private function jointAt(numbers:GltfAccessor, at:int):AffineTransform
+        {
+            var joint:Number = numbers.numbers[at];
+            if (!(joint >= 0 && joint < _joints.transforms.length && int(joint) == joint))
+            {
+                throw new ModelError(_name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
+            }
+            return _joints.transforms[int(joint)];
+        }
+
+        private function placeVertices(first:int, end:int):void
+        {
+            if (!_world.place(_numbers, first, end, _vertices, firstVertex + first))
+            {
+                throw new ModelError(_name, _node, "its vertices are not finite numbers, or are too large at the node's place (" + _source.place + ")");
+            }
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.Collider;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.findClosest;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
+
+    use namespace engine;
+
+    /**
+     * Finds the distance between two agents, as a collider sees them. It is 0 if the collider's own test says that they touch, and greater
+     * otherwise. Shapes are wider by the margin for the rounding of places (Tolerances.PLACES), as they are in tests for touching.
+     *
+     * @private
+     */
+    public final class DistanceQueries
+    {
+        /** What <code>measure()</code> found last: the distance, and the closest points in the world. */
+        public var closest:DistanceResult = new DistanceResult();
+
+        private var _seen:QueryWorld;
+        private var _point:Sphere = new Sphere(new Vector3D(), 0);
+
+        /** @param seen the agents that questions are about */
+        public function DistanceQueries(seen:QueryWorld)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * The distance between two agents. See AgentQueries.distance.
+         *
+         * @param pointA receives the first agent's nearest point; or null
+         * @param pointB receives the second agent's nearest point; or null
+         */
+        public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
+        {
+            Collider.requireTwo(a, b);
+            if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
+            {
+                throw new ArgumentError("the ground and the edges of the world have no distance from each other");
+            }
+            var rowB:int = _seen.rowOf(b);
+            if (rowB >= 0 && _seen.table.shapes[rowB] == null)
+            {
+                return Infinity;
+            }
+            return answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _seen.other) : _seen.table.bodyOf(rowB), pointA, pointB);
+        }
+
+        /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
+        public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
+        {
+            _point.center.setTo(point.x, point.y, point.z);
+            _seen.other.readStructure(_point);
+            var distance:Number = answer(_seen.bodyOf(agent), _seen.other, out, null);
+            if (distance == 0)
+            {
+                // without the rounding of the point that was found
+                write(out, point.x, point.y, point.z);
+            }
+            return distance;
+        }
+
+        /**
+         * Finds the distance between two bodies, and writes it to <code>closest</code>.
+         *
+         * @param pairs tests whether bodies touch
+         * @param withPoints whether the closest points are needed too
+         */
+        public function measure(pairs:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
+        {
+            if (NarrowPhase.isSecondFirst(a, b))
+            {
+                measureInOrder(pairs, b, a, withPoints);
+                closest.swapShapes();
+            }
+            else
+            {
+                measureInOrder(pairs, a, b, withPoints);
+            }
+        }
+
+        private function measureInOrder(pairs:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
+        {
+            if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
+            {
+                findClosest(a.structure(), b.structure(), closest);
+                var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
+                closest.settle(closest.distance <= Tolerances.APART * size && pairs.areTouching(a, b));
+                return;
+            }
+            var areTouching:Boolean = pairs.areTouching(a, b);
+            if (areTouching && !withPoints)
+            {
+                closest.distance = 0;
+                return;
+            }
+            pairs.testsOf(a, b).findClosest(a, b, areTouching, closest);
+        }
+
+        private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
+        {
+            if (a.shape == null || b.shape == null)
+            {
+                return Infinity;
+            }
+            measure(_seen.pairs, a, b, pointA != null || pointB != null);
+            write(pointA, closest.aX, closest.aY, closest.aZ);
+            write(pointB, closest.bX, closest.bY, closest.bZ);
+            return closest.distance;
+        }
+
+        private static function write(out:Vector3D, x:Number, y:Number, z:Number):void
+        {
+            if (out != null)
+            {
+                // sets the fields one by one, because JavaScript callers may pass an object that is not a Vector3D
+                out.x = x;
+                out.y = y;
+                out.z = z;
+            }
+        }
+    }
+}

@@ -1,0 +1,264 @@
+package starlogo.queries
+{
+    import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.Extents;
+    import starlogo.collision.BaseCollider;
+    import starlogo.collision.Collider;
+    import starlogo.collision.Collision;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.search.AgentTable;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.ModelShapes;
+    import starlogo.search.NarrowPhase;
+    import starlogo.search.RowList;
+    import starlogo.search.textOf;
+    import starlogo.terrain.Terrain;
+
+    use namespace engine;
+
+    /**
+     * Keeps the agents of a list as a collision system sees them, for questions: in a table of its own, with a tree of their places and a tree
+     * of their extents. Each tree is built when a question first needs it.
+     *
+     * @private
+     */
+    public final class QueryWorld
+    {
+        /** The agents. Questions only read them. */
+        public var table:AgentTable;
+
+        /** Tests which rows touch. It belongs to the collision system and has its settings. */
+        public var pairs:NarrowPhase;
+
+        /** The number of questions under way that are calling a filter's accepts. Meanwhile the list must not change. */
+        public var asking:int = 0;
+
+        /** The body of the agent or structure that asks, if a question has to make it. */
+        public var asker:Body = new Body();
+
+        /** The body of a second agent or structure. */
+        public var other:Body = new Body();
+
+        private var _place:Vector3D = new Vector3D();
+        private var _source:Object;
+        private var _system:Object;
+        private var _terrain:Terrain = null;
+        private var _places:RowTree = new RowTree();
+        private var _extents:RowTree = new RowTree();
+
+        /**
+         * @param source a Collision, or one of the engine's colliders
+         * @throws ArgumentError if it is neither, or if the Collision's system is not one of the engine's
+         */
+        public function QueryWorld(source:Object)
+        {
+            _source = source;
+            var collider:Collider = findCollider();
+            pairs = collider.pairs;
+            table = tableFor(collider);
+            _system = collider;
+        }
+
+        /** See AgentQueries.terrain. */
+        public function get terrain():Terrain
+        {
+            var collision:Collision = _source as Collision;
+            return collision == null ? _terrain : collision.terrain;
+        }
+
+        public function set terrain(value:Terrain):void
+        {
+            if (_source is Collision)
+            {
+                Collision(_source).terrain = value;
+            }
+            _terrain = value;
+        }
+
+        /** See AgentQueries.update. */
+        public function update(agents:Vector.<Agent>):void
+        {
+            if (agents == null)
+            {
+                throw new ArgumentError("agents must not be null");
+            }
+            requireQuiet("update");
+            var collider:Collider = findCollider();
+            var next:AgentTable = collider === _system ? table : tableFor(collider);
+            next.read(agents);
+            next.readWorldAgent(RowList.GROUND, terrain == null ? null : terrain.agent);
+            table = next;
+            pairs = collider.pairs;
+            _system = collider;
+            _places.isStale = _extents.isStale = true;
+            _extents.beyond = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
+        }
+
+        /** See AgentQueries.moved. */
+        public function moved(agent:Agent):void
+        {
+            requireQuiet("moved");
+            var row:int = rowOf(agent);
+            if (row < RowList.LISTED)
+            {
+                throw new ArgumentError(agent + " is not in the list of the last update");
+            }
+            table.readRow(row);
+            _places.move(row);
+            _extents.move(row);
+        }
+
+        /** Throws an error if a filter's <code>accepts</code> is being called, because what questions see must not change then. */
+        public function requireQuiet(what:String):void
+        {
+            if (asking > 0)
+            {
+                throw new IllegalOperationError(what + " must not be called from a filter's accepts");
+            }
+        }
+
+        /** Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
+        public function requireMovable(agent:Agent, what:String):void
+        {
+            if (agent != null && table.rowOf(agent) >= 0)
+            {
+                requireQuiet(what);
+            }
+        }
+
+        /** The row of an agent; -1 if it is not in the list. */
+        public function rowOf(agent:Agent):int
+        {
+            requireAgent(agent);
+            return table.rowOf(agent);
+        }
+
+        /** Where an agent is now. Throws an ArgumentError if it is null, or has no place because it is the ground's or the edges'. */
+        public function placeOf(agent:Agent):Placement
+        {
+            requireAgent(agent);
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
+            }
+            return agent.placement;
+        }
+
+        /** Returns the tree of the places, and builds it first if it is stale. */
+        public function findPlaces():RowTree
+        {
+            if (_places.isStale)
+            {
+                _places.build(table.rows, table.count, table.now.x, table.now.y, table.now.z);
+            }
+            return _places;
+        }
+
+        /** Returns the tree of the extents, and builds it first if it is stale. While a model is loading, its extents mean nothing. */
+        public function findExtents():RowTree
+        {
+            if (_extents.isStale)
+            {
+                var of:Extents = table.extents;
+                _extents.build(table.rows, table.count, of.x, of.y, of.z, of);
+            }
+            return _extents;
+        }
+
+        /** Begins a search for rows whose extents are near the extents of a body. */
+        public function beginWay(search:SweptBoxSearch, body:Body):void
+        {
+            search.begin(findExtents(), body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ);
+            if (body.form >= ModelShape.GROUND)
+            {
+                // the ground and the edges of the world are near all rows
+                search.widen(4 * Agent.LARGEST_COORDINATE);
+            }
+        }
+
+        /**
+         * The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
+         *
+         * @param made becomes this body if the agent has changed since the last update; null for <code>asker</code>
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
+         */
+        public function bodyOf(agent:Agent, made:Body = null):Body
+        {
+            requireAgent(agent);
+            return table.bodyOfNow(agent, made || asker);
+        }
+
+        /** The body of an agent that can move, as it is now. Throws the errors of <code>placeOf()</code> and <code>bodyOf()</code>. */
+        public function bodyOfMoving(agent:Agent):Body
+        {
+            placeOf(agent);
+            return bodyOf(agent);
+        }
+
+        /**
+         * The body of an agent that goes straight on. A sphere, box or capsule becomes the body of a structure, so that an agent and the same
+         * structure meet the same, to the last bit.
+         */
+        public function bodyOfGoing(agent:Agent):Body
+        {
+            var body:Body = bodyOfMoving(agent);
+            if (body.shape == null || body.form >= ModelShape.TREE)
+            {
+                return body;
+            }
+            other.readPlaced(body);
+            return other;
+        }
+
+        /** The body that an agent would have at a place. */
+        public function bodyAt(agent:Agent, x:Number, y:Number, z:Number):Body
+        {
+            var body:Body = bodyOfMoving(agent);
+            if (body.shape != null)
+            {
+                _place.setTo(x, y, z);
+                other.readShrunk(body, _place, 0);
+            }
+            return body.shape == null ? body : other;
+        }
+
+        /** The body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
+        public function bodyOfStructure(structure:BoundingStructure):Body
+        {
+            asker.readStructure(structure);
+            return asker;
+        }
+
+        private function findCollider():Collider
+        {
+            var collision:Collision = _source as Collision;
+            var system:Object = collision == null ? _source : collision.collisionSystem;
+            var base:BaseCollider = system as BaseCollider;
+            if (base == null || base.collider == null)
+            {
+                throw new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
+                        + textOf(system, "a Collision or a Collider"));
+            }
+            return base.collider;
+        }
+
+        private static function tableFor(collider:Collider):AgentTable
+        {
+            return new AgentTable(new ModelShapes(collider.choice), null);
+        }
+
+        private static function requireAgent(agent:Agent):void
+        {
+            if (agent == null)
+            {
+                throw new ArgumentError("an agent is needed, not null");
+            }
+        }
+    }
+}

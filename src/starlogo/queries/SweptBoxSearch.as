@@ -1,0 +1,273 @@
+package starlogo.queries
+{
+    /**
+     * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time, roughly the nearest first. A ray is a moving box
+     * without size. A box that stands still has a motion without length.
+     *
+     * @private
+     */
+    public final class SweptBoxSearch
+    {
+        /** How much of the motion is searched, as a multiple of its vector; 1 is all of it. You may make it smaller during the search. */
+        public var limit:Number = 1;
+
+        private var _tree:RowTree;
+
+        // The row of the ground, which every box meets. It is -1 if there is no ground, or if the row was returned already.
+        private var _beyond:int = -1;
+        private var _moves:Boolean = false;
+
+        // By axis, if the box moves: the box at the beginning of the way, and the way.
+        private var _least:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _greatest:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _along:Vector.<Number> = new Vector.<Number>(3, true);
+
+        // The box around the whole way.
+        private var _minX:Number = 0;
+        private var _minY:Number = 0;
+        private var _minZ:Number = 0;
+        private var _maxX:Number = 0;
+        private var _maxY:Number = 0;
+        private var _maxZ:Number = 0;
+
+        // The nodes that wait for a visit, and where on the way the box meets them.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _entries:Vector.<Number> = new Vector.<Number>();
+        private var _waiting:int = 0;
+
+        // Where on the way the box meets the box that was tested last.
+        private var _entry:Number = 0;
+
+        // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
+        private var _slots:Vector.<int> = new Vector.<int>();
+        private var _next:int = 0;
+        private var _end:int = 0;
+
+        /**
+         * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
+         *
+         * @param tree has the rows
+         * @param x the box's middle
+         * @param y the box's middle
+         * @param z the box's middle
+         * @param halfX half of its length along x
+         * @param halfY half of its length along y
+         * @param halfZ half of its length along z
+         */
+        public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
+        {
+            var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
+            _tree = tree;
+            _beyond = tree.beyond;
+            _moves = false;
+            limit = 1;
+            _minX = x - halfX - slack;
+            _minY = y - halfY - slack;
+            _minZ = z - halfZ - slack;
+            _maxX = x + halfX + slack;
+            _maxY = y + halfY + slack;
+            _maxZ = z + halfZ + slack;
+            _next = _end = 0;
+            _nodes[0] = 1;
+            _entries[0] = 0;
+            _waiting = tree.count > 0 ? 1 : 0;
+        }
+
+        /**
+         * Makes the box larger. The box must stand still.
+         *
+         * @param by how far on all sides
+         * @param up how much farther upwards
+         * @param down how much farther downwards
+         */
+        public function widen(by:Number, up:Number = 0, down:Number = 0):void
+        {
+            _minX -= by;
+            _minY -= by;
+            _minZ -= by + down;
+            _maxX += by;
+            _maxY += by;
+            _maxZ += by + up;
+        }
+
+        /**
+         * Lets the box move.
+         *
+         * @param dx the way along x
+         * @param dy the way along y
+         * @param dz the way along z
+         * @param limit how much of the motion is searched, as a multiple of its vector
+         */
+        public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
+        {
+            this.limit = limit;
+            _moves = true;
+            _along[0] = dx;
+            _along[1] = dy;
+            _along[2] = dz;
+            _least[0] = _minX;
+            _least[1] = _minY;
+            _least[2] = _minZ;
+            _greatest[0] = _maxX;
+            _greatest[1] = _maxY;
+            _greatest[2] = _maxZ;
+            _minX = dx < 0 ? _minX + limit * dx : _minX;
+            _minY = dy < 0 ? _minY + limit * dy : _minY;
+            _minZ = dz < 0 ? _minZ + limit * dz : _minZ;
+            _maxX = dx > 0 ? _maxX + limit * dx : _maxX;
+            _maxY = dy > 0 ? _maxY + limit * dy : _maxY;
+            _maxZ = dz > 0 ? _maxZ + limit * dz : _maxZ;
+        }
+
+        /** The next row, or -1 if there are no more. */
+        public function next():int
+        {
+            while (true)
+            {
+                while (_next < _end)
+                {
+                    var slot:int = _slots[_next];
+                    _next++;
+                    if (!_moves || isOnWay(_tree.rowBoxes, RowTree.PER_BOX * slot))
+                    {
+                        return _tree.rows[slot];
+                    }
+                }
+                if (_waiting == 0)
+                {
+                    var beyond:int = _beyond;
+                    _beyond = -1;
+                    return beyond;
+                }
+                _waiting--;
+                if (!_moves || _entries[_waiting] <= limit)
+                {
+                    visit(_nodes[_waiting]);
+                }
+            }
+            return -1;
+        }
+
+        // Finds the rows of a leaf, or puts the children of a node on the waiting list.
+        private function visit(node:int):void
+        {
+            var leaf:int = node - _tree.firstLeaf;
+            if (leaf >= 0)
+            {
+                _next = 0;
+                _end = findOverlapping(_tree.rowBoxes, _tree.starts[leaf], _tree.starts[leaf + 1], _slots, 0);
+                return;
+            }
+            var first:int = _waiting;
+            _waiting = findOverlapping(_tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
+            if (_moves)
+            {
+                keepOnWay(first);
+            }
+        }
+
+        // Finds the boxes that overlap the box around the way. It appends their numbers to the first entries of a list, and returns the new
+        // number of entries.
+        private function findOverlapping(boxes:Vector.<Number>, first:int, end:int, out:Vector.<int>, count:int):int
+        {
+            var minX:Number = _minX;
+            var minY:Number = _minY;
+            var minZ:Number = _minZ;
+            var maxX:Number = _maxX;
+            var maxY:Number = _maxY;
+            var maxZ:Number = _maxZ;
+            for (var i:int = first; i < end; i++)
+            {
+                var box:int = RowTree.PER_BOX * i;
+                if (boxes[box] > maxX)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 3)] < minX)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 1)] > maxY)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 4)] < minY)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 2)] > maxZ)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 5)] < minZ)
+                {
+                    continue;
+                }
+                out[count] = i;
+                count++;
+            }
+            return count;
+        }
+
+        // Of the last two nodes on the waiting list, it keeps only nodes that the box meets on its way. The nearer one will be visited next.
+        private function keepOnWay(first:int):void
+        {
+            var kept:int = first;
+            for (var i:int = first; i < _waiting; i++)
+            {
+                if (isOnWay(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
+                {
+                    _nodes[kept] = _nodes[i];
+                    _entries[kept] = _entry;
+                    kept++;
+                }
+            }
+            _waiting = kept;
+            var second:int = first + 1;
+            if (kept > second && _entries[first] < _entries[second])
+            {
+                var nearer:int = _nodes[first];
+                _nodes[first] = _nodes[second];
+                _nodes[second] = nearer;
+                var entry:Number = _entries[first];
+                _entries[first] = _entries[second];
+                _entries[second] = entry;
+            }
+        }
+
+        // Whether the box meets another within the limit. Writes the place on the way to _entry (the method of slabs: Kay and Kajiya, "Ray
+        // Tracing Complex Scenes", 1986).
+        private function isOnWay(boxes:Vector.<Number>, box:int):Boolean
+        {
+            var enters:Number = 0;
+            var leaves:Number = limit;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var along:Number = _along[axis];
+                if (along == 0)
+                {
+                    // along this axis the box around the way is the box itself, which was tested before
+                    continue;
+                }
+                var near:Number = (boxes[int(box + axis)] - _greatest[axis]) / along;
+                var far:Number = (boxes[int(box + 3 + axis)] - _least[axis]) / along;
+                if (near > far)
+                {
+                    var swapped:Number = near;
+                    near = far;
+                    far = swapped;
+                }
+                if (near > enters)
+                {
+                    enters = near;
+                }
+                if (far < leaves)
+                {
+                    leaves = far;
+                }
+            }
+            _entry = enters;
+            return enters <= leaves;
+        }
+    }
+}

@@ -1,0 +1,393 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.agents.PlatformLink;
+    import starlogo.engine;
+    import starlogo.geometry.Trigonometry;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.search.Body;
+    import starlogo.search.RowList;
+
+    use namespace engine;
+
+    /**
+     * Moves an agent as a game character walks. First it slides along the ground. For this slide, surfaces that are too steep are walls. If
+     * a wall stops the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls.
+     *
+     * @private
+     */
+    public final class WalkQueries
+    {
+        // Parts of the extent. CLOSE: the agent stands on ground that is at most this far below it. BEHIND_EDGE: at an edge, the face this far
+        // behind the edge is tested. REST: a shorter fall counts as none, and is undone.
+        private static const CLOSE:Number = 1e-6;
+        private static const BEHIND_EDGE:Number = 1e-4;
+        private static const REST:Number = 1e-8;
+
+        // Ground as steep as the limit is not too steep, although its normal has rounding errors. A fraction of the limit's cosine.
+        private static const SLOPE_ROUNDING:Number = 1e-9;
+
+        // In the air every surface is a wall, except level floors.
+        private static const FLOOR:Number = 1 - 1e-12;
+
+        // A walk that is longer than the agent goes in pieces of the agent's size, because the ground may be even only so far. Endless walks have
+        // no more pieces than this.
+        private static const MOST_PIECES:int = 64;
+
+        // A walk begins with this many pushes at most.
+        private static const MOST_PUSHES:int = 8;
+
+        private var _seen:QueryWorld;
+        private var _moves:MoveQueries;
+        private var _mover:Mover;
+        private var _rays:RowRays;
+        private var _defaults:WalkOptions = new WalkOptions();
+
+        // The walk: its options, and the cosine and the tangent of the steepest slope; the number of pieces; the way of a piece, its length, and the
+        // place where it begins; how far the agent may come; the part of the way that it has come; how far it was pushed; how far it slides down
+        // after a fall; its largest extent; the depth of ground that is close; and its lowest point as seen from its place.
+        private var _options:WalkOptions;
+        private var _cosine:Number = 0;
+        private var _tangent:Number = 0;
+        private var _pieces:int = 1;
+        private var _dx:Number = 0;
+        private var _dy:Number = 0;
+        private var _whole:Number = 0;
+        private var _start:Vector3D = new Vector3D();
+        private var _reach:Number = 0;
+        private var _part:Number = 1;
+        private var _pushed:Number = 0;
+        private var _slide:Number = 0;
+        private var _extent:Number = 0;
+        private var _close:Number = 0;
+        private var _bottom:Number = 0;
+
+        // How the agent is carried: its motion, and its turn in degrees.
+        private var _carry:Vector3D = new Vector3D();
+        private var _turn:Number = 0;
+
+        // The place that is reached without a step, the places before and after the way down, and a part of the walk.
+        private var _plain:Vector3D = new Vector3D();
+        private var _above:Vector3D = new Vector3D();
+        private var _below:Vector3D = new Vector3D();
+        private var _way:Vector3D = new Vector3D();
+
+        // The ground that was found: its row and its normal.
+        private var _row:int = -1;
+        private var _normal:Vector3D = new Vector3D();
+
+        private var _origin:Vector3D = new Vector3D();
+        private var _down:Vector3D = new Vector3D(0, 0, -1);
+
+        /**
+         * @param seen the agents that are asked about
+         * @param moves finds the agents near the way
+         */
+        public function WalkQueries(seen:QueryWorld, moves:MoveQueries)
+        {
+            _seen = seen;
+            _moves = moves;
+            _rays = new RowRays(seen);
+        }
+
+        /** See AgentQueries.walk. */
+        public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
+        {
+            var size:Number = _seen.placeOf(agent).size;
+            _options = options || _defaults;
+            _cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(_options.slopeDegrees);
+            _tangent = Math.sqrt(1 - _cosine * _cosine) / _cosine;
+            _slide = Math.min(_options.fall, size);
+            _whole = Math.sqrt(dx * dx + dy * dy);
+            _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
+            _pushed = 0;
+            agent.standing ||= new PlatformLink(agent);
+            var standing:PlatformLink = agent.standing;
+            var platform:int = findPlatform(standing);
+            // on the steepest slope the way is this long
+            _reach = _whole / _cosine + _slide / 2 + _carry.length;
+            _dx = dx;
+            _dy = dy;
+            findNear(agent, 0);
+            _dx /= _pieces;
+            _dy /= _pieces;
+            _whole /= _pieces;
+            var body:Body = _moves.body;
+            _start.setTo(body.placement.x, body.placement.y, body.placement.z);
+            _extent = 2 * body.largestHalf;
+            _close = CLOSE * _extent;
+            _bottom = body.z - body.halfZ - _start.z;
+            var isCarried:Boolean = platform >= 0 && _moves.isNear(platform);
+            if (isCarried)
+            {
+                beginAt(_start, platform);
+                _mover.go(_carry, Mover.SLIDE);
+                _start.copyFrom(_mover.at);
+            }
+            beginAt(_start, -1);
+            var stands:Boolean = go(agent);
+            _moves.put(agent, _mover.at, isCarried ? _turn : 0);
+            noteStanding(standing, stands ? _row : -1);
+            return write(stands, out || new Footing());
+        }
+
+        // Returns the row of the agent below if it has moved since the last walk, or -1. Writes how it carries the agent.
+        private function findPlatform(standing:PlatformLink):int
+        {
+            _carry.setTo(0, 0, 0);
+            if (!_options.carried || !standing.isValid)
+            {
+                return -1;
+            }
+            var row:int = _seen.rowOf(standing.on);
+            if (row < 0 || _seen.table.shapes[row] == null)
+            {
+                return -1;
+            }
+            _turn = standing.carry(_seen.table.bodyOf(row).placement, _carry);
+            return _turn != 0 || _carry.length > 0 ? row : -1;
+        }
+
+        private function noteStanding(standing:PlatformLink, row:int):void
+        {
+            if (row >= RowList.LISTED)
+            {
+                standing.read(_seen.table.agents[row], _seen.table.bodyOf(row).placement, _seen.table.now.revisions[row]);
+            }
+            else
+            {
+                standing.on = null;
+            }
+        }
+
+        // Finds the rows near the walk, and in some distance from these.
+        private function findNear(agent:Agent, distance:Number):void
+        {
+            var up:Number = _pieces * _options.stepHeight;
+            var down:Number = _pieces * _options.snap + _options.fall;
+            _moves.begin(agent, _seen.bodyOfMoving(agent), _dx, _dy, 0, _options.filter, _reach + distance, up, down);
+            _mover = _moves.mover;
+        }
+
+        // Lets the next motion begin at a place, among all rows but one.
+        private function beginAt(place:Vector3D, except:int):void
+        {
+            _mover.begin(_seen.table, _moves.body, _moves.near, 0, _moves.nearCount, except);
+            _mover.at.copyFrom(place);
+        }
+
+        private function write(stands:Boolean, footing:Footing):Footing
+        {
+            footing.part = _part;
+            footing.pushed = _pushed;
+            footing.stands = stands;
+            footing.on = stands ? _seen.table.agents[_row] : null;
+            if (!stands)
+            {
+                _normal.setTo(0, 0, 1);
+            }
+            footing.normal.copyFrom(_normal);
+            return footing;
+        }
+
+        // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
+        private function go(agent:Agent):Boolean
+        {
+            var stands:Boolean = findGround(_close);
+            if (_mover.isDeep)
+            {
+                pushOut(agent);
+                stands = findGround(_close);
+            }
+            // a walk that begins in the air stays there
+            var isInAir:Boolean = !stands;
+            var at:Vector3D = _mover.at;
+            var x:Number = _start.x;
+            var y:Number = _start.y;
+            for (var i:int = 0; i < _pieces; i++)
+            {
+                if (i > 0)
+                {
+                    _start.copyFrom(at);
+                    stands = !isInAir && findGround(_close);
+                }
+                stands = goOn(stands);
+            }
+            x = at.x - x;
+            y = at.y - y;
+            _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (_pieces * _whole)) : 1;
+            stands ||= _moves.body.shape != null && fall();
+            _mover.restoreClearance(false);
+            return stands;
+        }
+
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else.
+        private function pushOut(agent:Agent):void
+        {
+            var at:Vector3D = _mover.at;
+            at.copyFrom(_start);
+            if (!_mover.findDeepest())
+            {
+                return;
+            }
+            var left:Number = _mover.overlap;
+            findNear(agent, left);
+            beginAt(_start, -1);
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(); i++)
+            {
+                var length:Number = Math.min(left, _mover.deepest.depth);
+                left -= length;
+                _way.setTo(0, 0, 0);
+                _mover.deepest.push(_way, length);
+                _mover.go(_way, Mover.SLIDE);
+            }
+            _way.copyFrom(at);
+            _way.decrementBy(_start);
+            _pushed = _way.length;
+            _start.copyFrom(at);
+        }
+
+        // Goes a piece of the way, and down to the ground. Returns whether the agent stands at the end.
+        private function goOn(stands:Boolean):Boolean
+        {
+            if (!stands)
+            {
+                slide(0, FLOOR);
+                return findGround(_close);
+            }
+            if (_whole == 0)
+            {
+                // it stays exactly where it is
+                _mover.at.copyFrom(_start);
+                return true;
+            }
+            slide(-(_normal.x * _dx + _normal.y * _dy) / _normal.z, _cosine);
+            if (_mover.metWall)
+            {
+                _plain.copyFrom(_mover.at);
+                if (climb())
+                {
+                    return true;
+                }
+                _mover.at.copyFrom(_plain);
+            }
+            return findGround(_options.snap + _close);
+        }
+
+        private function slide(rise:Number, steepest:Number):void
+        {
+            _way.setTo(_dx, _dy, rise);
+            _mover.go(_way, Mover.SLIDE, steepest, _whole);
+        }
+
+        private function goDown(depth:Number):void
+        {
+            _way.setTo(0, 0, -depth);
+            _mover.go(_way, Mover.SHORT);
+        }
+
+        // Tries the same way a step higher, and goes down again. Returns whether the agent came farther than without the step, and stands.
+        private function climb():Boolean
+        {
+            _mover.at.copyFrom(_start);
+            goDown(-_options.stepHeight);
+            var height:Number = _mover.at.z - _start.z;
+            if (height <= _close)
+            {
+                return false;
+            }
+            slide(0, _cosine);
+            var farther:Number = (_mover.at.x - _plain.x) * _dx + (_mover.at.y - _plain.y) * _dy;
+            return farther > _close * _whole && findGround(height + _options.snap + _close);
+        }
+
+        // Goes down to the ground if it is no deeper than this depth, and not too steep. Returns whether there is such ground.
+        private function findGround(depth:Number):Boolean
+        {
+            _above.copyFrom(_mover.at);
+            goDown(depth);
+            if (_mover.hasContact && (isWalkable(_mover.contact, _mover.contactRow) || isOnAnother()))
+            {
+                return true;
+            }
+            _mover.at.copyFrom(_above);
+            return false;
+        }
+
+        // Whether the agent, which touches something too steep, touches something else that is not.
+        private function isOnAnother():Boolean
+        {
+            _below.copyFrom(_mover.at);
+            slideDown(_close);
+            _mover.at.copyFrom(_below);
+            return _mover.floor.normalZ > -1 && isWalkable(_mover.floor, _mover.floorRow);
+        }
+
+        private function slideDown(depth:Number):void
+        {
+            _way.setTo(0, 0, -depth);
+            _mover.go(_way, Mover.SLIDE, -2, _slide / 2, _tangent);
+        }
+
+        // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
+        // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began. Returns whether the agent stands.
+        private function fall():Boolean
+        {
+            var left:Number = _options.fall;
+            _above.copyFrom(_mover.at);
+            _mover.hasContact = false;
+            for (var piece:Number = 1; left > 0 && !_mover.hasContact; piece *= 2)
+            {
+                if (piece > Agent.LARGEST_COORDINATE)
+                {
+                    _mover.at.copyFrom(_above);
+                    return false;
+                }
+                goDown(Math.min(left, piece));
+                left -= _mover.fraction * Math.min(left, piece);
+            }
+            if (!_mover.hasContact || isWalkable(_mover.contact, _mover.contactRow))
+            {
+                return _mover.hasContact;
+            }
+            slideDown(Math.min(left, _slide));
+            if (_above.z - _mover.at.z < REST * _extent)
+            {
+                _mover.at.copyFrom(_above);
+            }
+            return findGround(_close);
+        }
+
+        // Whether the surface that stopped the way down is not too steep. At an edge, for example of a step, the face behind the edge
+        // decides. But the edge must not be more than a step higher than the agent was at the beginning of the walk, or is now.
+        private function isWalkable(contact:ContactPoint, row:int):Boolean
+        {
+            _row = row;
+            _normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+            if (_normal.z >= _cosine)
+            {
+                return true;
+            }
+            if (contact.z > Math.min(_start.z, _mover.at.z) + _bottom + _options.stepHeight + _close)
+            {
+                return false;
+            }
+            var across:Number = Math.sqrt(_normal.x * _normal.x + _normal.y * _normal.y);
+            var behind:Number = BEHIND_EDGE * _extent;
+            // the ray begins outside of all faces that are not too steep
+            var above:Number = 2 * behind / _cosine;
+            _origin.setTo(contact.x - behind * _normal.x / across, contact.y - behind * _normal.y / across, contact.z + above);
+            var ray:Ray = _rays.ray;
+            ray.aim(_origin, _down);
+            ray.to = 2 * above;
+            if (!_rays.meets(row) || ray.from == 0)
+            {
+                return false;
+            }
+            _normal.setTo(ray.normalX, ray.normalY, ray.normalZ);
+            return _normal.z >= _cosine;
+        }
+    }
+}

@@ -1,0 +1,187 @@
+package starlogo.search
+{
+    import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.terrain.WorldAgent;
+
+    use namespace engine;
+
+    /**
+     * Tests whether a body touches the edges of the world, when it touches them, and how. The edges are the second body of each pair. Motions
+     * end where the first body is.
+     *
+     * <p>An edge is a plane, so a body touches it if the farthest point of its shape does. Spheres, capsules and boxes reach to the ends of
+     * their extents. A tree may reach less far.</p>
+     *
+     * <p>A body that touches several edges has one contact. Its depth is the length of the shortest way back from all of them. Its normal is
+     * the direction of that way.</p>
+     *
+     * @private
+     */
+    public final class EdgePairTests extends PairTests
+    {
+        private var _pairs:NarrowPhase;
+
+        // By edge: the direction out of the world, the edge's place in this direction, how far the body is beyond it (less than 0 if the body is
+        // before it), and how far the body's motion goes towards it. _nearest is the edge that the body of the last contact is furthest beyond.
+        private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
+                new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
+        private var _places:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _approach:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _nearest:int = 0;
+
+        // Half of the body's largest extent, and the largest gap between the body and an edge that still counts as a touch.
+        private var _largest:Number = 0;
+        private var _margin:Number = 0;
+
+        private var _farthest:SupportPoint = new SupportPoint();
+        private var _touch:ContactPoint = new ContactPoint();
+
+        /** @param pairs knows how deep trees are visited */
+        public function EdgePairTests(pairs:NarrowPhase)
+        {
+            _pairs = pairs;
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            read(a, b, RelativeMotion.NONE);
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                if (_penetration[edge] + _margin >= 0)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /** @inheritDoc */
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            read(a, b, motion);
+            motion.time = RelativeMotion.NEVER;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                var end:Number = _penetration[edge] + _margin;
+                var start:Number = end - _approach[edge];
+                if (start >= 0)
+                {
+                    motion.time = 0;
+                }
+                else if (end >= 0)
+                {
+                    motion.time = Math.min(motion.time, start / (start - end));
+                }
+            }
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * <p>If the body touches no edge, it is the contact with the nearest edge, with a depth of 0.</p>
+         */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            read(a, b, motion, true);
+            var left:Number = 1 - motion.time;
+            _nearest = 0;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                _penetration[edge] -= left * _approach[edge];
+                _nearest = _penetration[edge] > _penetration[_nearest] ? edge : _nearest;
+            }
+            _farthest.setTo(a, _pairs.trees);
+            _farthest.findPoint(_outwards[_nearest], _largest);
+            out.x = _farthest.point.x - left * motion.x;
+            out.y = _farthest.point.y - left * motion.y;
+            out.z = _farthest.point.z - left * motion.z;
+            out.setNormal(0, 0, 0);
+            for (edge = 0; edge < 6; edge += 2)
+            {
+                // of two opposite edges, the one with the larger value counts
+                var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
+                if (_penetration[one] >= -_margin || one == _nearest)
+                {
+                    leadBack(one, out);
+                }
+            }
+            out.normalise();
+            out.depth = _penetration[_nearest] > 0 ? out.length : 0;
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
+        {
+            findOuterContact(a, b, _touch);
+            var gap:Number = -_penetration[_nearest];
+            out.aX = _touch.x + gap / 2 * _touch.normalX;
+            out.aY = _touch.y + gap / 2 * _touch.normalY;
+            out.aZ = _touch.z + gap / 2 * _touch.normalZ;
+            out.bX = _touch.x - gap / 2 * _touch.normalX;
+            out.bY = _touch.y - gap / 2 * _touch.normalY;
+            out.bZ = _touch.z - gap / 2 * _touch.normalZ;
+            out.distance = gap;
+            out.settle(areTouching);
+        }
+
+        // Finds how far the body is beyond each edge. A tree's own reach is computed only for edges that its extents come to, unless isForAll
+        // is true.
+        private function read(body:Body, edges:Body, motion:RelativeMotion, isForAll:Boolean = false):void
+        {
+            var fixture:WorldAgent = edges.shape.fixture;
+            _largest = body.largestHalf;
+            _margin = body.margin + Tolerances.ROUNDING * _largest;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
+                _places[edge] = along(edge, 1, 1, 1) * fixture.edges[edge];
+                var reach:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
+                var beyond:Number = reach + (along(edge, body.x, body.y, body.z) - _places[edge]);
+                _penetration[edge] = beyond;
+                _approach[edge] = along(edge, motion.x, motion.y, motion.z);
+                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - _approach[edge] >= -_margin))
+                {
+                    _farthest.setTo(body, _pairs.trees);
+                    _farthest.find(_outwards[edge]);
+                    _penetration[edge] = _farthest.support - _places[edge];
+                }
+            }
+        }
+
+        // The length of a vector in the direction out of the world.
+        private function along(edge:int, x:Number, y:Number, z:Number):Number
+        {
+            return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
+        }
+
+        // Adds the way back from an edge to the normal, and moves the point into the middle of the overlap. For edges other than the nearest, the
+        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. A point has no extent;
+        // the patch counts in its place.
+        private function leadBack(edge:int, out:ContactPoint):void
+        {
+            var outwards:Vector3D = _outwards[edge];
+            var by:Number = Math.max(0, _penetration[edge]);
+            if (edge != _nearest || by == 0)
+            {
+                // the extents of a tree are larger than its shape
+                var extent:Number = _largest > 0 ? _largest : 1;
+                by += Tolerances.SEPARATION / 5 * extent;
+            }
+            out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);
+            var place:Number = _places[edge] + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
+            if (isFinite(place))
+            {
+                out.x += place * outwards.x;
+                out.y += place * outwards.y;
+                out.z += place * outwards.z;
+            }
+        }
+    }
+}

@@ -1,0 +1,154 @@
+package starlogo.search
+{
+    import flash.geom.Vector3D;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.terrain.GroundEarlyOut;
+    import starlogo.terrain.HeightGrid;
+    import starlogo.terrain.TerrainPair;
+
+    use namespace engine;
+
+    /**
+     * Tests a body and the ground, which is the second body of each pair: whether they touch, when they touch, and how.
+     *
+     * @private
+     */
+    public final class GroundPairTests extends PairTests
+    {
+        private var _pairs:NarrowPhase;
+
+        // The columns of one body.
+        private var _extents:Extents = new Extents();
+        private var _farthest:SupportPoint = new SupportPoint();
+        private var _inwards:Vector3D = new Vector3D();
+
+        /** @param pairs knows how deep trees are visited */
+        public function GroundPairTests(pairs:NarrowPhase)
+        {
+            _pairs = pairs;
+            _extents.grow(1);
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            _extents.x[0] = a.x;
+            _extents.y[0] = a.y;
+            _extents.z[0] = a.z;
+            _extents.halfX[0] = a.halfX;
+            _extents.halfY[0] = a.halfY;
+            _extents.halfZ[0] = a.halfZ;
+            var earlyOut:GroundEarlyOut = lookOf(b);
+            var found:int = earlyOut.lookAt(_extents, a.form, 0);
+            return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).areOverlapping();
+        }
+
+        /** Whether a piece of a body is deeper in the ground than this, in patches. */
+        public function isDeeper(a:Body, b:Body, depth:Number):Boolean
+        {
+            return pairOf(a, b).isDeeper(depth);
+        }
+
+        /** @inheritDoc */
+        override public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:Body):int
+        {
+            var earlyOut:GroundEarlyOut = lookOf(b);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var row:int = rows[members[i]];
+                var found:int = earlyOut.lookAt(table.extents, table.forms[row], row);
+                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(table.bodyOf(row), b).areOverlapping())
+                {
+                    members[kept] = members[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** @inheritDoc */
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            pairOf(a, b).findTime(motion);
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var pair:TerrainPair = pairOf(a, b);
+            pair.findContact(motion, out);
+            leastDepth = pair.leastDepth;
+        }
+
+        /** @inheritDoc */
+        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            pairOf(a, b).findImpact(motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        {
+            pairOf(a, b).findOuterContact(out);
+        }
+
+        /** @inheritDoc */
+        override public function findExits(a:Body, b:Body, ways:Vector.<ContactPoint>):int
+        {
+            var count:int = pairOf(a, b).findExits(reach, ways);
+            if (a.form == ModelShape.TREE)
+            {
+                for (var i:int = 0; i < count; i++)
+                {
+                    measure(a, ways[i]);
+                }
+            }
+            return count;
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
+        {
+            pairOf(a, b).findClosest(areTouching, out);
+        }
+
+        // Changes a contact's depth behind a plane from the depth of the structure around a tree to that of the tree itself.
+        private function measure(a:Body, way:ContactPoint):void
+        {
+            var plane:Number = way.normalX * way.x + way.normalY * way.y + way.normalZ * way.z + way.depth / 2;
+            _inwards.setTo(-way.normalX, -way.normalY, -way.normalZ);
+            _farthest.setTo(a, _pairs.trees);
+            _farthest.find(_inwards);
+            way.depth = plane + _farthest.support;
+        }
+
+        private static function gridOf(ground:Body):HeightGrid
+        {
+            return ground.shape.fixture.terrain.grid;
+        }
+
+        private static function lookOf(ground:Body):GroundEarlyOut
+        {
+            var grid:HeightGrid = gridOf(ground);
+            grid.earlyOut.begin(grid);
+            return grid.earlyOut;
+        }
+
+        // The test of the ground, set to a body.
+        private function pairOf(a:Body, b:Body):TerrainPair
+        {
+            var shape:ModelShape = a.shape;
+            var grid:HeightGrid = gridOf(b);
+            var trees:TreePairTests = _pairs.trees;
+            var pair:TerrainPair = grid.pair;
+            var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(a);
+            pair.setTo(grid, shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
+            return pair;
+        }
+    }
+}

@@ -1,0 +1,309 @@
+package starlogo.search
+{
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, no part of it
+     * touches the second one any more.
+     *
+     * <p>It begins with a push along the given normal. If the two still touch after a push, their contact there is added, and the next push is
+     * the shortest one out of all contacts so far (PushSearch). So a box in a corner of floor and wall goes out of both at once.</p>
+     *
+     * <p>An agent in the ground may have many ways out. The tests know a lower bound of their lengths (<code>PairTests.leastDepth</code>). If the
+     * first push is hardly longer, it is taken. Otherwise each side of the ground that the deepest touched part is behind begins a push of
+     * its own (<code>PairTests.findExits()</code>). The shortest push that frees the agent is taken.</p>
+     *
+     * <p>If no push is found, the shortest way out of the structures around both bodies gives the direction (DirectionSearch).</p>
+     *
+     * @private
+     */
+    public final class PenetrationSearch extends DirectionSearch
+    {
+        // The most contacts that a push leads out of, and the most pushes out of the ground that are tried.
+        private static const MOST_CONTACTS:int = 4;
+        private static const MOST_PUSHES:int = 80;
+
+        // No other way is tried if the least length of a way out is at least this fraction of the push.
+        private static const NEEDED:Number = 0.85;
+
+        // The factor by which the search distance for other ways grows.
+        private static const FARTHER:Number = 3;
+
+        // How far a push leads into a corner of an agent at most, as a fraction of the larger extent. After a push, a contact counts as another
+        // side of the same corner if the cosine between its normal and the push is between these two.
+        private static const LARGEST_CORNER:Number = 1 / 16;
+        private static const LEAST_COSINE:Number = -0.1;
+        private static const MOST_COSINE:Number = 0.8;
+
+        // A push out of several contacts counts only if the body is free this much farther along it too, as a fraction of the larger extent.
+        // Otherwise it ends in a gap between parts of the second body.
+        private static const ROOM:Number = 100 * Tolerances.SEPARATION;
+
+        // How much farther than leastDepth a push leads out of each contact, as a fraction of SEPARATION.
+        private static const SLACK:Number = 0.1;
+
+        // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
+        private static const CELL_SHARE:Number = 1e-4;
+
+        // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
+        private static const LEAST_EXTENT:Number = 1e-100;
+
+        private var _pairs:NarrowPhase;
+
+        // The first contact.
+        private var _first:ContactPoint = new ContactPoint();
+
+        // Whether the tests have found another contact since the first one.
+        private var _isFirstLost:Boolean = false;
+
+        // The pushes, and the contacts with which other ways begin.
+        private var _pushes:PushSearch = new PushSearch();
+        private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+
+        /** @param pairs tests which bodies touch, and when */
+        public function PenetrationSearch(pairs:NarrowPhase)
+        {
+            _pairs = pairs;
+        }
+
+        /**
+         * Changes a contact's normal and depth so that they separate the two bodies.
+         *
+         * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
+         * @param out the contact of two parts that touch at that time
+         */
+        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _tests = _pairs.testsOf(a, b);
+            if (_tests.hasExactContact(a, b))
+            {
+                OverlapMiddle.setAlong(a, b, out);
+                return;
+            }
+            begin(a, b, motion);
+            _distance = 0;
+            // only a body that moves may have been stopped just before the touch
+            if (!isComing(motion) || touch())
+            {
+                findLeast(motion, out);
+            }
+            else
+            {
+                findTouch(motion, out);
+            }
+            _distance = 0;
+            displace();
+            OverlapMiddle.setAlong(_a, b, out);
+            OverlapMiddle.keepWithin(_a, out);
+            if (b.form != ModelShape.GROUND)
+            {
+                OverlapMiddle.keepWithin(b, out);
+            }
+        }
+
+        private function begin(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            _b = b;
+            _x = a.placement.x + (motion.startX + time * motion.x);
+            _y = a.placement.y + (motion.startY + time * motion.y);
+            _z = a.placement.z + (motion.startZ + time * motion.z);
+            _place.setTo(_x, _y, _z);
+            _a.readShrunk(a, _place, 0);
+            var share:Number = b.form == ModelShape.GROUND ? CELL_SHARE : 1;
+            var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
+            _rounding = a.margin + b.margin;
+            // if both are points, the gap across which they still touch takes the place of the extent
+            _extent = Math.max(2 * half, Math.max(_rounding, LEAST_EXTENT));
+        }
+
+        // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
+        // two touch if the first one moves a little against the given normal.
+        private function findTouch(motion:RelativeMotion, out:ContactPoint):void
+        {
+            out.depth = 0;
+            point(out);
+            _distance = -Math.max(Tolerances.SEPARATION / 4 * _extent, _rounding);
+            if (isComing(motion) && !touch())
+            {
+                out.pointAgainst(motion);
+            }
+        }
+
+        // Whether the first body moves, and touches the second only after the motion's beginning.
+        private static function isComing(motion:RelativeMotion):Boolean
+        {
+            return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
+        }
+
+        // Finds the shortest way out that it can. If triangles decide and the contact is not shallow, the leaves find a direction first,
+        // because their tests are fast.
+        private function findLeast(motion:RelativeMotion, out:ContactPoint):void
+        {
+            _first.copyFrom(out);
+            _isFirstLost = false;
+            out.depth = Infinity;
+            if (_b.form == ModelShape.GROUND)
+            {
+                findGroundExit(out);
+                return;
+            }
+            findPush(out, Infinity, 0, MOST_CONTACTS);
+            if (isComing(motion) && out.depth > SHALLOW * _extent)
+            {
+                _first.pointAgainst(motion);
+                _first.depth = 0;
+                findPush(out, GAIN * out.depth, 0, MOST_CONTACTS);
+            }
+            if (out.depth == 0)
+            {
+                return;
+            }
+            var trees:TreePairTests = _pairs.trees;
+            var isExact:Boolean = trees != null && trees.exact && out.depth > SHALLOW * _extent;
+            if (isExact)
+            {
+                trees.byLeaves = true;
+            }
+            tryOuter(out);
+            if (isExact)
+            {
+                trees.byLeaves = false;
+                goOutAlong(out);
+                refine(out);
+            }
+        }
+
+        // Tries to go straight along the shortest way out of the structures around both bodies.
+        private function tryOuter(out:ContactPoint):void
+        {
+            _distance = 0;
+            displace();
+            _tests.findOuterContact(_a, _b, _left);
+            if (out.depth == Infinity)
+            {
+                goOutAlong(_left);
+                refine(out);
+                return;
+            }
+            point(_left);
+            _free = out.depth - Tolerances.SEPARATION * _extent;
+            if (_free > 0 && !touchesFree())
+            {
+                _touching = 0;
+                refine(out);
+            }
+        }
+
+        // Finds a way out of the ground. The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks
+        // farther and farther for other ways, and straight up.
+        private function findGroundExit(out:ContactPoint):void
+        {
+            var reach:Number = Math.max(SHALLOW * _extent, Math.min(_first.depth, _extent));
+            if (findPush(out, Math.max(_tests.leastDepth / NEEDED, ROOM * _extent), 0, MOST_CONTACTS))
+            {
+                return;
+            }
+            _distance = 0;
+            displace();
+            _tests.findOuterContact(_a, _b, _left);
+            var most:Number = _left.depth;
+            while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES) && reach <= most)
+            {
+                reach *= FARTHER;
+            }
+            tryOuter(out);
+        }
+
+        // Looks for the shortest push that leads out of all contacts, from the first one on. Takes it if it is not longer than
+        // <code>most</code>.
+        private function findPush(out:ContactPoint, most:Number, reach:Number, tries:int):Boolean
+        {
+            var slack:Number = SLACK * Tolerances.SEPARATION * _extent + _rounding;
+            _pushes.begin();
+            _left.copyFrom(_first);
+            _distance = 0;
+            displace();
+            if (reach > 0 && _isFirstLost)
+            {
+                _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
+            }
+            while (tries > 0)
+            {
+                _pushes.add(_left, slack);
+                if (reach > 0)
+                {
+                    addExits(reach, slack);
+                }
+                if (!_pushes.next() || _pushes.length > most)
+                {
+                    return false;
+                }
+                if (isFreeAfterPush())
+                {
+                    takePush(out);
+                    return true;
+                }
+                if (!findCorner())
+                {
+                    return false;
+                }
+                tries--;
+            }
+            return false;
+        }
+
+        private function addExits(reach:Number, slack:Number):void
+        {
+            _tests.reach = reach;
+            var count:int = _tests.findExits(_a, _b, _exits);
+            for (var i:int = 0; i < count; i++)
+            {
+                _pushes.add(_exits[i], slack);
+            }
+        }
+
+        private function isFreeAfterPush():Boolean
+        {
+            _alongX = _pushes.x / _pushes.length;
+            _alongY = _pushes.y / _pushes.length;
+            _alongZ = _pushes.z / _pushes.length;
+            _distance = _pushes.length + ROOM * _extent;
+            _free = _pushes.length + Tolerances.SEPARATION / 4 * _extent;
+            return (_pushes.deciding == 1 || !touch()) && !touchesFree();
+        }
+
+        // Finds the contact after a push. Returns whether it may be another side of a corner. It may not if it points along the push again or
+        // against it, as for agents deep in each other.
+        private function findCorner():Boolean
+        {
+            var isGround:Boolean = _b.form == ModelShape.GROUND;
+            if (!isGround && _pushes.length > LARGEST_CORNER * _extent)
+            {
+                return false;
+            }
+            _isFirstLost = true;
+            _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
+            var cosine:Number = _left.normalX * _alongX + _left.normalY * _alongY + _left.normalZ * _alongZ;
+            return isGround || cosine > LEAST_COSINE && cosine < MOST_COSINE;
+        }
+
+        // Takes the push. If the two are free before its end, the depth is refined.
+        private function takePush(out:ContactPoint):void
+        {
+            out.setNormal(_alongX, _alongY, _alongZ);
+            out.depth = _pushes.length;
+            _distance = _pushes.length - Tolerances.SEPARATION / 4 * _extent;
+            if (_distance > 0 && !touch())
+            {
+                _touching = 0;
+                refine(out);
+            }
+        }
+    }
+}

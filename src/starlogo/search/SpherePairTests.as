@@ -1,0 +1,118 @@
+package starlogo.search
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.SphereSphereKernel;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Tests two bodies that are spheres. A sphere has the same width as its extents, so it needs no structure in the world.
+     *
+     * @private
+     */
+    public final class SpherePairTests extends PairTests
+    {
+        /** The number of tests. */
+        public var tests:int = 0;
+
+        // The way from the second middle to the first, and the largest distance of the two at which the spheres touch.
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+        private var _reach:Number = 0;
+
+        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
+        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
+        private var _points:SphereSphereKernel = new SphereSphereKernel();
+        private var _displacement:RelativeMotion = new RelativeMotion();
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            setTo(a, b);
+            return areOverlapping();
+        }
+
+        /** @inheritDoc */
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            setTo(a, b);
+            sweep(motion);
+        }
+
+        /** Finds the time at which two rows first touch. It reads the columns of the table, because bodies would take longer. */
+        public function findTimeOfRows(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        {
+            setToRows(table, a, b);
+            sweep(motion);
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            readSphere(a, _sphereA);
+            readSphere(b, _sphereB);
+            _displacement.stopAt(motion);
+            _points.findContact(_sphereA, _sphereB, _displacement, out);
+        }
+
+        /** @inheritDoc */
+        override public function hasExactContact(a:Body, b:Body):Boolean
+        {
+            return true;
+        }
+
+        private function setTo(a:Body, b:Body):void
+        {
+            _x = a.x - b.x;
+            _y = a.y - b.y;
+            _z = a.z - b.z;
+            _reach = (a.halfX + b.halfX) * Tolerances.TOUCHING + (a.margin + b.margin);
+        }
+
+        private function setToRows(table:AgentTable, a:int, b:int):void
+        {
+            var extents:Extents = table.extents;
+            var places:RowPlaces = table.now;
+            var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
+            var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
+            _x = extents.x[a] - extents.x[b];
+            _y = extents.y[a] - extents.y[b];
+            _z = extents.z[a] - extents.z[b];
+            _reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
+        }
+
+        private function areOverlapping():Boolean
+        {
+            return _x * _x + _y * _y + _z * _z <= _reach * _reach;
+        }
+
+        private function sweep(motion:RelativeMotion):void
+        {
+            tests++;
+            _points.x = _x + motion.startX;
+            _points.y = _y + motion.startY;
+            _points.z = _z + motion.startZ;
+            // the motion's own rounding errors are added too
+            _points.reach = _reach + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _points.findEntry(motion);
+            // rounding can miss a touch at the end of the motion
+            if (motion.time == RelativeMotion.NEVER && areOverlapping())
+            {
+                motion.time = 1;
+            }
+        }
+
+        private static function readSphere(body:Body, sphere:Sphere):void
+        {
+            sphere.center.setTo(body.x, body.y, body.z);
+            sphere.radius = body.halfX;
+        }
+    }
+}

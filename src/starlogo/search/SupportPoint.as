@@ -1,0 +1,246 @@
+package starlogo.search
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.solid.SolidHierarchy;
+
+    use namespace engine;
+
+    /**
+     * Finds the farthest point of a body's shape in a direction. For a tree, the shape is the nodes at which a test ends, or the triangles if
+     * they decide. A node reaches only as far as every node above it does, because a test visits it only if those touch.
+     *
+     * <p>It takes the time of a few branches of the tree: a branch that cannot support farther than the best node so far is left out.</p>
+     *
+     * @private
+     */
+    public final class SupportPoint
+    {
+        /** How far the shape reaches: the coordinate of its farthest point along the direction, in patches. */
+        public var support:Number = 0;
+
+        /** The farthest point, or the middle of several such points, in the world. */
+        public var point:Vector3D = new Vector3D();
+
+        private var _shape:ModelShape;
+        private var _placement:Placement;
+        private var _depth:int;
+        private var _isExact:Boolean;
+
+        // The direction in the model's space, the farthest support so far, and the least support of points that count as the farthest.
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
+        private var _best:Number;
+        private var _least:Number;
+
+        // A box around the points that count as the farthest, and the point that is added to it.
+        private var _low:Vector3D = new Vector3D();
+        private var _high:Vector3D = new Vector3D();
+        private var _added:Vector3D = new Vector3D();
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
+
+        /**
+         * Sets the body.
+         *
+         * @param trees knows how deep trees are visited; null if no body is a tree
+         */
+        public function setTo(body:Body, trees:TreePairTests):void
+        {
+            _shape = body.shape;
+            _placement = body.placement;
+            var tree:SolidHierarchy = _shape.hierarchy;
+            _isExact = tree != null && trees.exact && tree.hasTriangles;
+            _depth = _isExact ? int.MAX_VALUE : tree == null ? 0 : trees.depthOf(body);
+        }
+
+        /** Finds how far the body reaches in a direction, which is a unit vector in the world. */
+        public function find(direction:Vector3D):void
+        {
+            var at:Placement = _placement;
+            _x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
+            _y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
+            _z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
+            _best = -Infinity;
+            if (_shape.hierarchy == null)
+            {
+                _best = supportOf(_shape.structure);
+            }
+            else
+            {
+                visit(_shape.hierarchy.root, Infinity);
+            }
+            support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * _best;
+        }
+
+        /**
+         * Finds the farthest point too.
+         *
+         * @param half half of the body's largest extent. Points are equally far if their distances differ by less than a small part of it
+         */
+        public function findPoint(direction:Vector3D, half:Number):void
+        {
+            find(direction);
+            _least = _best - Tolerances.SEPARATION * half / _placement.size;
+            _low.setTo(Infinity, Infinity, Infinity);
+            _high.setTo(-Infinity, -Infinity, -Infinity);
+            if (_shape.hierarchy == null)
+            {
+                addStructure(_shape.structure);
+            }
+            else
+            {
+                collect(_shape.hierarchy.root);
+            }
+            var at:Placement = _placement;
+            var x:Number = at.size * (_low.x + _high.x) / 2;
+            var y:Number = at.size * (_low.y + _high.y) / 2;
+            var z:Number = at.size * (_low.z + _high.z) / 2;
+            point.x = at.x + at.r00 * x + at.r01 * y + at.r02 * z;
+            point.y = at.y + at.r10 * x + at.r11 * y + at.r12 * z;
+            point.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
+        }
+
+        private function visit(node:HierarchyNode, limit:Number):void
+        {
+            limit = Math.min(limit, supportOf(node.writeBox(_box)));
+            if (limit <= _best)
+            {
+                return;
+            }
+            if (node.stopDepth < _depth)
+            {
+                var along:Number = node.splitAxis == 0 ? _x : node.splitAxis == 1 ? _y : _z;
+                visit(along > 0 ? node.high : node.low, limit);
+                visit(along > 0 ? node.low : node.high, limit);
+            }
+            else if (_isExact)
+            {
+                var corners:Vector.<Number> = _shape.hierarchy.corners;
+                for (var i:int = 9 * node.first; i < 9 * node.end; i += 3)
+                {
+                    _best = Math.max(_best, corners[i] * _x + corners[int(i + 1)] * _y + corners[int(i + 2)] * _z);
+                }
+            }
+            else
+            {
+                _best = limit;
+            }
+        }
+
+        // Adds the farthest points of a node and its descendants.
+        private function collect(node:HierarchyNode):void
+        {
+            var structure:BoundingStructure = node.writeBox(_box);
+            if (supportOf(structure) < _least)
+            {
+                return;
+            }
+            if (node.stopDepth < _depth)
+            {
+                collect(node.low);
+                collect(node.high);
+            }
+            else if (_isExact)
+            {
+                var corners:Vector.<Number> = _shape.hierarchy.corners;
+                for (var i:int = 9 * node.first; i < 9 * node.end; i += 3)
+                {
+                    _added.setTo(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
+                    if (_added.x * _x + _added.y * _y + _added.z * _z >= _least)
+                    {
+                        addPoint();
+                    }
+                }
+            }
+            else
+            {
+                addStructure(structure);
+            }
+        }
+
+        // How far a structure reaches in the model's space.
+        private function supportOf(structure:BoundingStructure):Number
+        {
+            if (structure.kind == BoundingStructure.SPHERE)
+            {
+                var sphere:Sphere = Sphere(structure);
+                return along(sphere.center) + sphere.radius;
+            }
+            if (structure.kind == BoundingStructure.CAPSULE)
+            {
+                var capsule:Capsule = Capsule(structure);
+                return Math.max(along(capsule.start), along(capsule.end)) + capsule.radius;
+            }
+            var box:Box = Box(structure);
+            return along(box.center) + box.halfX * Math.abs(along(box.axisX)) + box.halfY * Math.abs(along(box.axisY)) + box.halfZ * Math.abs(along(box.axisZ));
+        }
+
+        // Adds the farthest point of a structure, or the middle of several.
+        private function addStructure(structure:BoundingStructure):void
+        {
+            if (structure.kind == BoundingStructure.BOX)
+            {
+                var box:Box = Box(structure);
+                _added.copyFrom(box.center);
+                addAlong(box.axisX, box.halfX * sideOf(box.axisX));
+                addAlong(box.axisY, box.halfY * sideOf(box.axisY));
+                addAlong(box.axisZ, box.halfZ * sideOf(box.axisZ));
+                addPoint();
+                return;
+            }
+            var radius:Number = 0;
+            if (structure.kind == BoundingStructure.SPHERE)
+            {
+                var sphere:Sphere = Sphere(structure);
+                _added.copyFrom(sphere.center);
+                radius = sphere.radius;
+            }
+            else
+            {
+                var capsule:Capsule = Capsule(structure);
+                var further:Number = along(capsule.end) - along(capsule.start);
+                var share:Number = Math.abs(further) <= 2 * (_best - _least) ? 0.5 : further > 0 ? 1 : 0;
+                _added.setTo(capsule.start.x + share * (capsule.end.x - capsule.start.x), capsule.start.y + share * (capsule.end.y - capsule.start.y),
+                        capsule.start.z + share * (capsule.end.z - capsule.start.z));
+                radius = capsule.radius;
+            }
+            _added.x += radius * _x;
+            _added.y += radius * _y;
+            _added.z += radius * _z;
+            addPoint();
+        }
+
+        private function addAlong(axis:Vector3D, by:Number):void
+        {
+            _added.x += by * axis.x;
+            _added.y += by * axis.y;
+            _added.z += by * axis.z;
+        }
+
+        private function addPoint():void
+        {
+            _low.setTo(Math.min(_low.x, _added.x), Math.min(_low.y, _added.y), Math.min(_low.z, _added.z));
+            _high.setTo(Math.max(_high.x, _added.x), Math.max(_high.y, _added.y), Math.max(_high.z, _added.z));
+        }
+
+        // Whether an axis points along the direction (1), against it (-1) or across it (0).
+        private function sideOf(axis:Vector3D):int
+        {
+            var cosine:Number = along(axis);
+            return Math.abs(cosine) <= Tolerances.SEPARATION ? 0 : cosine > 0 ? 1 : -1;
+        }
+
+        private function along(vector:Vector3D):Number
+        {
+            return vector.x * _x + vector.y * _y + vector.z * _z;
+        }
+    }
+}

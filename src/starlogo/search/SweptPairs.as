@@ -1,0 +1,221 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.ContactInterval;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Finds the motions of a table's rows between the last two searches, and when and how two moving rows touch. The motions are found only if
+     * an agent sweeps.
+     */
+    internal final class SweptPairs
+    {
+        // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
+        // ground and the edges of the world do not move.
+        internal var x:Vector.<Number> = new <Number>[0, 0];
+        internal var y:Vector.<Number> = new <Number>[0, 0];
+        internal var z:Vector.<Number> = new <Number>[0, 0];
+        internal var isSweeping:Vector.<Boolean> = new <Boolean>[false, false];
+        internal var extents:Extents = new Extents();
+
+        // How far the first body moved against the normal, in the last pair whose contact was found.
+        internal var approachSpeed:Number = 0;
+
+        private var _pairs:NarrowPhase;
+
+        // The motion of the first row of a pair, relative to the second.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
+        // When the extents of a pair overlap.
+        private var _times:ContactInterval = new ContactInterval();
+
+        private var _separation:PenetrationSearch;
+
+        /** @param pairs tests which rows touch */
+        public function SweptPairs(pairs:NarrowPhase)
+        {
+            _pairs = pairs;
+            _separation = new PenetrationSearch(pairs);
+        }
+
+        /** Whether any agent in a list sweeps. */
+        public static function anySweeping(agents:Vector.<Agent>):Boolean
+        {
+            for (var i:int = agents.length - 1; i >= 0; i--)
+            {
+                if (agents[i].isSweeping)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /**
+         * Finds the motions of rows of a table that has just been read.
+         *
+         * @param rows the rows; those without an agent are left out
+         * @param count the number of rows
+         */
+        public function find(table:AgentTable, bins:Bins, rows:Vector.<int>, count:int):void
+        {
+            makeRows(table.agents.length);
+            var standing:Extents = table.extents;
+            var swept:Extents = extents;
+            for (var i:int = 0; i < count; i++)
+            {
+                var row:int = rows[i];
+                if (table.agents[row] == null)
+                {
+                    continue;
+                }
+                var hasMotion:Boolean = table.last.isMotionStart(row, table.agents[row]);
+                var motionX:Number = hasMotion ? table.now.x[row] - table.last.x[row] : 0;
+                var motionY:Number = hasMotion ? table.now.y[row] - table.last.y[row] : 0;
+                var motionZ:Number = hasMotion ? table.now.z[row] - table.last.z[row] : 0;
+                var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
+                var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
+                isSweeping[row] = hasMotion && table.agents[row].isSweeping;
+                x[row] = motionX;
+                y[row] = motionY;
+                z[row] = motionZ;
+                swept.x[row] = standing.x[row] - motionX / 2;
+                swept.y[row] = standing.y[row] - motionY / 2;
+                swept.z[row] = standing.z[row] - motionZ / 2;
+                swept.halfX[row] = halfX;
+                swept.halfY[row] = halfY;
+                swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
+                swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+                if (table.shapes[row] != null)
+                {
+                    bins.levels.fit(swept, row);
+                }
+            }
+        }
+
+        /**
+         * Finds the time at which two rows first touch, and writes it to <code>foundTime</code>. If neither of the two sweeps, they are tested
+         * where they are now.
+         *
+         * @param bins knows how far apart the extents of touching rows may be; null to make the exact test for all pairs
+         */
+        public function findTime(table:AgentTable, bins:Bins, a:int, b:int):void
+        {
+            var motion:RelativeMotion = _motion;
+            motion.endAfter(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
+            motion.time = RelativeMotion.NEVER;
+            var isSwept:Boolean = isSweeping[a] || isSweeping[b];
+            var areSpheres:Boolean = (table.forms[a] | table.forms[b]) == BoundingStructure.SPHERE;
+            if (!isSwept && bins != null && !NarrowPhase.areNear(table.extents, bins, a, b))
+            {
+                return;
+            }
+            if (!isSwept || motion.x == 0 && motion.y == 0 && motion.z == 0)
+            {
+                // two that move alike touch from the beginning on: time 0. Two that do not sweep or have not moved touch where they are: time 1
+                var found:Number = isSwept && (x[a] != 0 || y[a] != 0 || z[a] != 0) ? 0 : 1;
+                motion.time = _pairs.areTouching(table.bodyOf(a), table.bodyOf(b)) ? found : RelativeMotion.NEVER;
+            }
+            else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))
+            {
+                _pairs.sweptPairs++;
+                if (areSpheres)
+                {
+                    _pairs.spheres.findTimeOfRows(table, a, b, motion);
+                    return;
+                }
+                var bodyA:Body = table.bodyOf(a);
+                var bodyB:Body = table.bodyOf(b);
+                _pairs.testsOf(bodyA, bodyB).findTime(bodyA, bodyB, motion);
+            }
+        }
+
+        /** The time that findTime found, from 0 to 1, or RelativeMotion.NEVER. */
+        public function get foundTime():Number
+        {
+            return _motion.time;
+        }
+
+        /**
+         * Finds the contact of two rows.
+         *
+         * @param b may be the ground or the edges of the world
+         * @param isSwept whether the motions are those of the table
+         * @param out receives the contact. Its normal points from b to a
+         * @return the time of the contact in their motions; 1 if neither row sweeps
+         */
+        public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
+        {
+            if (isSwept && (isSweeping[a] || isSweeping[b]))
+            {
+                findTime(table, null, a, b);
+                var time:Number = _motion.time;
+                if (time != RelativeMotion.NEVER)
+                {
+                    separate(table.bodyOf(a), table.bodyOf(b), out);
+                    // the motion was relative to b at its present place, so the point is moved back to where b was at that time
+                    out.x -= (1 - time) * x[b];
+                    out.y -= (1 - time) * y[b];
+                    out.z -= (1 - time) * z[b];
+                    return time;
+                }
+            }
+            return findStaticContact(table.bodyOf(a), table.bodyOf(b), out);
+        }
+
+        /** Finds the contact of two bodies where they are. The parameters are those of <code>findContact()</code>. */
+        public function findStaticContact(a:Body, b:Body, out:ContactPoint):Number
+        {
+            _motion.endAfter(0, 0, 0);
+            _motion.time = 1;
+            separate(a, b, out);
+            return 1;
+        }
+
+        private function separate(a:Body, b:Body, out:ContactPoint):void
+        {
+            var motion:RelativeMotion = _motion;
+            _pairs.testsOf(a, b).findContact(a, b, motion, out);
+            if (b.form != ModelShape.EDGES)
+            {
+                _separation.find(a, b, motion, out);
+            }
+            approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
+        }
+
+        private function makeRows(length:int):void
+        {
+            if (length > x.length)
+            {
+                x.length = y.length = z.length = isSweeping.length = length;
+                extents.grow(length);
+            }
+        }
+
+        // Whether the extents of two rows overlap in all directions at the same time, on their motions.
+        private function overlapOnMotions(standing:Extents, bins:Bins, a:int, b:int):Boolean
+        {
+            _times.last = 1;
+            _times.gap = bins.slack;
+            _times.reset();
+            return !isGap(standing.x, standing.halfX, x, a, b) && !isGap(standing.y, standing.halfY, y, a, b) && !isGap(standing.z, standing.halfZ, z, a, b);
+        }
+
+        // Tests one direction. It gets the places at the end of the motions, half the lengths, and the motions.
+        private function isGap(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
+        {
+            var speed:Number = motion[a] - motion[b];
+            _times.at = at[a] - at[b] - speed;
+            _times.speed = speed;
+            _times.reach = half[a] + half[b];
+            return _times.areSeparated();
+        }
+    }
+}

@@ -1,0 +1,178 @@
+package starlogo.search
+{
+    import starlogo.broadphase.Bins;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.TreePairQuery;
+
+    use namespace engine;
+
+    /**
+     * Tests two bodies of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6).
+     *
+     * @private
+     */
+    public final class TreePairTests extends PairTests
+    {
+        /** The number of levels that a test visits in a tree, unless the agent has a depth limit of its own. */
+        public var maxDepth:int = 5;
+
+        /** Whether the triangles of trees decide. Then no depth limit applies. */
+        public var exact:Boolean = false;
+
+        /**
+         * Whether the leaves of trees are tested instead of triangles for a while. They find every touch that triangles find, in a tenth of
+         * the time.
+         */
+        public var byLeaves:Boolean = false;
+
+        private var _tests:int = 0;
+        private var _pair:TreePairQuery = new TreePairQuery();
+
+        // The motion under way: the given motion, or its opposite if the two bodies are tested in the other order.
+        private var _motion:RelativeMotion;
+        private var _reversed:RelativeMotion = new RelativeMotion();
+
+        /** See NarrowPhase.keepTouching. The row is a tree. */
+        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        {
+            var body:Body = table.bodyOf(row);
+            var tree:SolidHierarchy = body.shape.hierarchy;
+            var order:int = body.order;
+            var placement:Placement = body.placement;
+            var depth:int = depthOf(body);
+            var isExact:Boolean = exact;
+            var pair:TreePairQuery = _pair;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var otherRow:int = rows[others[i]];
+                if (!NarrowPhase.areNear(table.extents, bins, row, otherRow))
+                {
+                    continue;
+                }
+                _tests++;
+                var otherBody:Body = table.bodyOf(otherRow);
+                var other:SolidHierarchy = otherBody.shape.hierarchy;
+                var otherPlacement:Placement = otherBody.placement;
+                var otherDepth:int = depthOf(otherBody);
+                var isTouching:Boolean;
+                if (other == null || otherBody.order > order)
+                {
+                    isTouching = pair.areOverlapping(tree, placement, depth, other, otherBody.shape.structure, otherPlacement, otherDepth, isExact);
+                }
+                else
+                {
+                    isTouching = pair.areOverlapping(other, otherPlacement, otherDepth, tree, null, placement, depth, isExact);
+                }
+                if (isTouching)
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            if (NarrowPhase.isSecondFirst(a, b))
+            {
+                return areTouching(b, a);
+            }
+            _tests++;
+            var shapeB:ModelShape = b.shape;
+            return _pair.areOverlapping(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), exact && !byLeaves);
+        }
+
+        /** @inheritDoc */
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            _tests++;
+            setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
+            _pair.findTime(_motion);
+            motion.time = _motion.time;
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            setMovingPair(a, b, motion, a.form != ModelShape.TREE);
+            _pair.findContact(_motion, out);
+            // two leaves overlap by the depth at least
+            leastDepth = exact && !byLeaves ? 0 : out.depth;
+            if (_motion !== motion)
+            {
+                out.swapBodies(motion);
+            }
+        }
+
+        /** @inheritDoc */
+        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _tests++;
+            setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
+            _pair.findImpact(_motion, out);
+            motion.time = _motion.time;
+            if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
+            {
+                out.swapBodies(motion);
+            }
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        {
+            _pair.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
+        {
+            setPair(a, b);
+            _pair.findClosest(areTouching, out);
+        }
+
+        /** The number of levels that a test visits in a body's tree. */
+        public function depthOf(body:Body):int
+        {
+            var depth:int = body.depth == 0 ? maxDepth : body.depth;
+            return exact || depth > HierarchyNode.LARGEST_DEPTH ? HierarchyNode.LARGEST_DEPTH : depth;
+        }
+
+        /** Writes the numbers of tests, and sets them to 0. */
+        public function takeCounts(out:SearchCounts):void
+        {
+            out.hierarchyTests = _tests;
+            out.nodeVisits = _pair.nodeVisits;
+            out.triangleTests = _pair.triangleTests;
+            _tests = 0;
+            _pair.resetCounts();
+        }
+
+        // Sets the two bodies in this order or the opposite order, and the motion of the body that is then first.
+        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):void
+        {
+            _motion = motion;
+            if (isSwapped)
+            {
+                _motion = _reversed;
+                _reversed.setReversed(motion);
+            }
+            setPair(isSwapped ? b : a, isSwapped ? a : b);
+        }
+
+        // Sets two bodies. The first one is a tree.
+        private function setPair(a:Body, b:Body):void
+        {
+            var shapeB:ModelShape = b.shape;
+            _pair.setTo(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), exact && !byLeaves);
+        }
+    }
+}

@@ -1,0 +1,158 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.intersection.TrianglePairDistance;
+
+    use namespace engine;
+
+    /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
+    internal final class LeafDistanceTest extends LeafTest
+    {
+        /** The number of pairs of triangles measured. The caller sets it to 0. */
+        public var triangleTests:int = 0;
+
+        private var _nearest:TrianglePairDistance = new TrianglePairDistance();
+        private var _solid:Solid;
+        private var _moved:MovedTriangles;
+
+        // The vector from the first model's point to the second's in the nearest pair, and the place along it beyond which a triangle of
+        // the first model may be nearer.
+        private var _alongX:Number;
+        private var _alongY:Number;
+        private var _alongZ:Number;
+        private var _begin:Number;
+
+        /**
+         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
+         */
+        public function LeafDistanceTest(pose:RelativePose)
+        {
+            _moved = new MovedTriangles(pose);
+            points = _nearest.points;
+        }
+
+        /** Begins with two models. The pose must relate them already. */
+        public function begin(a:Solid, b:Solid):void
+        {
+            _solid = a;
+            _moved.begin(b.corners);
+            points.distance = Infinity;
+            _nearest.begin();
+        }
+
+        /** @inheritDoc */
+        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            _moved.move(b);
+            var count:int = b.end - b.first;
+            for (var i:int = 0; i < count && _nearest.squared > 0; i++)
+            {
+                addTriangle(a, i);
+            }
+            points.distance = Math.sqrt(_nearest.squared);
+            var isNearer:Boolean = points.distance < least;
+            least = points.distance;
+            return isNearer;
+        }
+
+        // Adds each triangle of a leaf of the first model, paired with a triangle of the second.
+        private function addTriangle(a:HierarchyNode, triangle:int):void
+        {
+            var corners:Vector.<Number> = _moved.corners;
+            var at:int = 9 * triangle;
+            var extents:Vector.<Number> = _moved.extents;
+            var extent:int = 6 * triangle;
+            var minX:Number = extents[extent];
+            var minY:Number = extents[int(extent + 1)];
+            var minZ:Number = extents[int(extent + 2)];
+            var maxX:Number = extents[int(extent + 3)];
+            var maxY:Number = extents[int(extent + 4)];
+            var maxZ:Number = extents[int(extent + 5)];
+            var limit:Number = _nearest.squared;
+            var isProjected:Boolean = false;
+            extents = _solid.extents;
+            var end:int = a.end;
+            for (var i:int = a.first; i < end; i++)
+            {
+                extent = 6 * i;
+                var squared:Number = 0;
+                var gap:Number = extents[extent] - maxX;
+                if (gap < 0)
+                {
+                    gap = minX - extents[int(extent + 3)];
+                }
+                if (gap > 0)
+                {
+                    squared = gap * gap;
+                }
+                gap = extents[int(extent + 1)] - maxY;
+                if (gap < 0)
+                {
+                    gap = minY - extents[int(extent + 4)];
+                }
+                if (gap > 0)
+                {
+                    squared += gap * gap;
+                }
+                gap = extents[int(extent + 2)] - maxZ;
+                if (gap < 0)
+                {
+                    gap = minZ - extents[int(extent + 5)];
+                }
+                if (gap > 0)
+                {
+                    squared += gap * gap;
+                }
+                if (squared >= limit)
+                {
+                    continue;
+                }
+                if (!isProjected)
+                {
+                    projectTo(corners, at);
+                    isProjected = true;
+                }
+                if (!isBeyond(_solid.corners, 9 * i))
+                {
+                    triangleTests++;
+                    _nearest.add(_solid.corners, 9 * i, corners, at);
+                    isProjected = _nearest.squared == limit;
+                    limit = _nearest.squared;
+                }
+            }
+        }
+
+        // Measures a triangle of the second model along the line between the closest points so far.
+        private function projectTo(corners:Vector.<Number>, at:int):void
+        {
+            var alongX:Number = points.bX - points.aX;
+            var alongY:Number = points.bY - points.aY;
+            var alongZ:Number = points.bZ - points.aZ;
+            var p:Number = alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)];
+            var q:Number = alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)];
+            var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];
+            p = p < q ? p : q;
+            p = p < r ? p : r;
+            // The projections are scaled by the vector's length, so the nearest pair's distance becomes its square.
+            _begin = p - _nearest.squared;
+            _alongX = alongX;
+            _alongY = alongY;
+            _alongZ = alongZ;
+        }
+
+        // Whether a triangle of the first model is so far away along the line that the pair cannot be nearer than the nearest one.
+        private function isBeyond(corners:Vector.<Number>, at:int):Boolean
+        {
+            var alongX:Number = _alongX;
+            var alongY:Number = _alongY;
+            var alongZ:Number = _alongZ;
+            var begin:Number = _begin;
+            return alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)] <= begin
+                && alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)] <= begin
+                && alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)] <= begin;
+        }
+    }
+}

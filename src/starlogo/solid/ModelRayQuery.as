@@ -1,0 +1,77 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.hierarchy.RayTraversal;
+    import starlogo.intersection.ray.Ray;
+
+    use namespace engine;
+
+    /**
+     * Finds where a ray first meets a model: its hierarchy, visited to a depth, or its triangles. A ray that begins inside of a closed
+     * surface meets the model at once.
+     *
+     * <p>The answers are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
+     * depth, because the leaves cover only the surface. Nothing is allocated once the stacks have grown and the model's triangles are
+     * prepared.</p>
+     *
+     * @private
+     */
+    public final class ModelRayQuery
+    {
+        /** The number of the triangle that the last ray meets, as the model counts them; or -1. */
+        public var triangle:int = -1;
+
+        private var _nodes:RayTraversal = new RayTraversal();
+        private var _triangles:TriangleRayTraversal = new TriangleRayTraversal();
+        private var _start:Vector3D = new Vector3D();
+
+        /**
+         * Narrows a ray to the part behind its first hit.
+         *
+         * @param hierarchy the model's hierarchy
+         * @param depth how many of its levels are visited
+         * @param exact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
+         * @param ray in the model's space; its beginning becomes the hit, and its normal becomes the normal there, against the ray
+         * @return whether there is a hit
+         */
+        public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean
+        {
+            _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            triangle = -1;
+            if (hierarchy.isInside(_start, 0))
+            {
+                ray.faceBack();
+                return true;
+            }
+            if (exact && hierarchy.hasTriangles)
+            {
+                return findTriangle(hierarchy, ray);
+            }
+            return _nodes.find(hierarchy.root, exact ? int.MAX_VALUE : depth, ray);
+        }
+
+        private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
+        {
+            var solid:Solid = hierarchy.facets;
+            var found:int = _triangles.find(hierarchy.root, solid.corners, ray);
+            if (found < 0)
+            {
+                return false;
+            }
+            triangle = hierarchy.order[found];
+            ray.from = _triangles.at;
+            var plane:int = 5 * found;
+            var x:Number = solid.planes[plane];
+            var y:Number = solid.planes[int(plane + 1)];
+            var z:Number = solid.planes[int(plane + 2)];
+            ray.faceBack();
+            // A triangle without area has no normal.
+            if (x != 0 || y != 0 || z != 0)
+            {
+                ray.setNormal(x, y, z);
+            }
+            return true;
+        }
+    }
+}

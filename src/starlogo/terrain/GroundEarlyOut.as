@@ -1,0 +1,103 @@
+package starlogo.terrain
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /**
+     * Answers for most agents in a tenth of the time whether they touch the ground. It decides about agents whose inner ball reaches down to
+     * the ground, and about agents that are higher above the ground than the steepest slope near them allows.
+     *
+     * @private
+     */
+    public final class GroundEarlyOut
+    {
+        /** An answer: the agent is apart from the ground. */
+        public static const APART:int = 0;
+
+        /** An answer: the agent touches the ground. */
+        public static const TOUCHING:int = 1;
+
+        /** No answer. Only a test of the agent's shape decides. */
+        public static const UNKNOWN:int = 2;
+
+        private var _grid:HeightGrid;
+
+        // The steepest slope, and the gap across which agents may still touch, because of rounding.
+        private var _slope:Number = 0;
+        private var _gap:Number = 0;
+
+        /** Begins with the ground as it is now. */
+        public function begin(grid:HeightGrid):void
+        {
+            var whole:int = grid.bounds.length - 3;
+            _grid = grid;
+            _slope = grid.isBlocky ? Infinity : grid.bounds[int(whole + 2)] / grid.cellWidth;
+            _gap = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(grid.bounds[whole])
+                    + Math.abs(grid.bounds[int(whole + 1)]));
+        }
+
+        /**
+         * Looks at an agent. Nothing is known about trees, and about agents whose middle is outside of the terrain.
+         *
+         * @param extents of agents, by row
+         * @param form the form of the agent
+         * @param row its row
+         * @return one of the three answers
+         */
+        public function lookAt(extents:Extents, form:int, row:int):int
+        {
+            var isSphere:Boolean = form == BoundingStructure.SPHERE;
+            var above:Number = extents.z[row] - _grid.heightAt(extents.x[row], extents.y[row]);
+            var inner:Number = isSphere ? extents.halfX[row] : 0;
+            // Nodes of a tree may extend beyond the tree's extents.
+            if (form > BoundingStructure.BOX || !(above <= inner || above > inner))
+            {
+                return UNKNOWN;
+            }
+            if (above <= inner)
+            {
+                return TOUCHING;
+            }
+            var reach:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ[row] + _slope * (extents.halfX[row] + extents.halfY[row]);
+            if (above > reach * Tolerances.OUTER + _gap || isFar(extents, row, isSphere, above))
+            {
+                return APART;
+            }
+            return isSphere && reachesSphere(extents, row) ? TOUCHING : UNKNOWN;
+        }
+
+        // Whether the agent of a row is above all heights near it, or higher than the slopes between them allow.
+        // Few heights are read.
+        private function isFar(extents:Extents, row:int, isSphere:Boolean, above:Number):Boolean
+        {
+            var grid:HeightGrid = _grid;
+            var width:Number = grid.cellWidth;
+            var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
+            var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
+            var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
+            grid.findAround(extents.x[row], extents.y[row], halfX, halfY);
+            if (extents.z[row] - halfZ > grid.greatest)
+            {
+                return true;
+            }
+            var riseX:Number = grid.stepX * halfX / width;
+            var riseY:Number = grid.stepY * halfY / width;
+            var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
+            return !grid.isBlocky && above > reach;
+        }
+
+        // Whether the ground reaches up to the point of a sphere that is nearest to the plane under its middle.
+        private function reachesSphere(extents:Extents, row:int):Boolean
+        {
+            var grid:HeightGrid = _grid;
+            var width:Number = grid.cellWidth;
+            grid.findFall();
+            var step:Number = extents.halfX[row] / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
+            return grid.heightAt(extents.x[row] - step * grid.fallX, extents.y[row] - step * grid.fallY) >= extents.z[row] - step * width;
+        }
+    }
+}

@@ -1,0 +1,370 @@
+package starlogo.terrain
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.GapToBox;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Finds the triangles of the ground's surface that a box may meet, one after the other. If the box moves, they come nearly in the order of
+     * its way.
+     *
+     * <p>The surface consists of the cells' tops and of upright walls. A wall stands where a column is higher than its neighbour. At the
+     * terrain's borders, walls reach down to below the box.</p>
+     *
+     * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
+     * place. The smallest squares, of level 0, are the cells.</p>
+     */
+    internal final class GroundTriangles
+    {
+        // The search begins with squares of which the box is at most this many long, because most boxes are small.
+        private static const FIRST_SQUARES:int = 3;
+
+        // How much farther than rounding errors a structure is from squares that are left out.
+        private static const FARTHER:Number = 4;
+
+        // Where the neighbour on each side of a cell is, counter-clockwise from the side with the least y on.
+        private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
+        private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
+
+        /** The middle of the box, where its way begins. The box must be set before <code>begin()</code>. */
+        public var middle:Vector3D = new Vector3D();
+
+        /** Half the box's lengths. */
+        public var half:Vector3D = new Vector3D();
+
+        /** The box's way; RelativeMotion.NONE if it stands. Only x, y and z count. */
+        public var way:RelativeMotion = RelativeMotion.NONE;
+
+        /** How far from the standing box a triangle still counts. It may be reduced during a walk, as the limit may. */
+        public var reach:Number = 0;
+
+        /** How much of the motion is searched, as a multiple of its vector. It may be reduced during a walk. */
+        public var limit:Number = 0;
+
+        /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. */
+        public var corners:Vector.<Number> = new Vector.<Number>(9, true);
+
+        /** The largest gap across which the triangle and another shape still touch. It depends on the size of the triangle. */
+        public var gap:Number = 0;
+
+        /** The place to which the box and the corners are relative. Its rotation does not count. */
+        public var origin:Placement = new Placement();
+
+        /** Only triangles count that are clearly higher than this above the bottom of the box. It may be increased during a walk. */
+        public var above:Number = -Infinity;
+
+        /** The structure that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
+        public var structure:BoundingStructure = null;
+
+        /** The height down to which walls reach at the terrain's borders; -Infinity: below the box. */
+        public var floor:Number = -Infinity;
+
+        private var _grid:HeightGrid;
+        private var _lastColumn:int;
+        private var _lastRow:int;
+
+        // Where the first cell begins, and the height 0.
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+
+        // The part of the way that cut() narrows, and the square of how far above or below the box something may be there.
+        private var _from:Number = 0;
+        private var _to:Number = 0;
+        private var _squared:Number = 0;
+
+        // Level, column and row of each square that is still to be visited, and how many numbers these are.
+        private var _squares:Vector.<int> = new Vector.<int>();
+        private var _top:int = 0;
+
+        // The current square: its place, its width, and the heights between which the box is over it.
+        private var _column:int = 0;
+        private var _row:int = 0;
+        private var _width:Number = 1;
+        private var _low:Number = 0;
+        private var _high:Number = 0;
+
+        // The gap between the structure and the current square, and the gap that rounding errors may hide.
+        private var _gap:GapToBox = new GapToBox();
+        private var _slack:Number = 0;
+
+        // The current cell: its next triangle, the number of its triangles, and the heights of its corners, counter-clockwise.
+        private var _face:int = 0;
+        private var _faceCount:int = 0;
+        private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
+
+        // The results of findRange().
+        private var _first:int = 0;
+        private var _last:int = 0;
+
+        public function GroundTriangles()
+        {
+        }
+
+        /** Begins with the box. The box becomes a little wider, because of rounding. */
+        public function begin(grid:HeightGrid):void
+        {
+            var width:Number = grid.cellWidth;
+            var border:Number = grid.isBlocky ? width / 2 : 0;
+            var fewer:int = grid.isBlocky ? 1 : 2;
+            _grid = grid;
+            _lastColumn = grid.columns - fewer;
+            _lastRow = grid.rows - fewer;
+            _x = grid.x - origin.x - border;
+            _y = grid.y - origin.y - border;
+            _z = -origin.z;
+            stop();
+            _from = 0;
+            _to = limit;
+            var wayX:Number = limit * Math.abs(way.x);
+            var wayY:Number = limit * Math.abs(way.y);
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_x) + Math.abs(middle.y) + Math.abs(_y) + Math.abs(middle.z)
+                    + Math.abs(_z) + width + wayX + wayY + limit * Math.abs(way.z));
+            half.x += rounding;
+            half.y += rounding;
+            half.z += rounding;
+            var length:Number = Math.max(2 * half.x + wayX, 2 * half.y + wayY) + 2 * reach;
+            var level:int = 0;
+            while (level < grid.levels && length > FIRST_SQUARES * width * (1 << (level * HeightGrid.SHIFT)))
+            {
+                level++;
+            }
+            _slack = FARTHER * rounding;
+            addSquares(level, 0, 0, int.MAX_VALUE);
+        }
+
+        /** Goes on to the next triangle. Returns false if there is none. */
+        public function next():Boolean
+        {
+            while (_face < _faceCount || _top > 0)
+            {
+                if (_face == _faceCount)
+                {
+                    visitSquare();
+                }
+                else if (findFace(_face++))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /** Ends the walk. */
+        public function stop():void
+        {
+            _face = _faceCount = _top = 0;
+        }
+
+        // Puts squares of a level on the stack: those of the given ones that the box may pass over on the current part of its way. The nearest
+        // is put last, and visited first.
+        private function addSquares(level:int, first:int, firstRow:int, most:int):void
+        {
+            var shift:int = level * HeightGrid.SHIFT;
+            _width = _grid.cellWidth * (1 << shift);
+            findRange(middle.x - _x, half.x + reach, way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
+            first = _first;
+            var last:int = _last;
+            findRange(middle.y - _y, half.y + reach, way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            for (var row:int = _first; row <= _last; row++)
+            {
+                for (var column:int = first; column <= last; column++)
+                {
+                    _squares[_top] = level;
+                    _squares[int(_top + 1)] = way.x < 0 ? column : first + last - column;
+                    _squares[int(_top + 2)] = way.y < 0 ? row : _first + _last - row;
+                    _top += 3;
+                }
+            }
+        }
+
+        // Takes a square from the stack. If the box comes to its heights, continues with its smaller squares, or with the cell's triangles.
+        private function visitSquare():void
+        {
+            _top -= 3;
+            var level:int = _squares[_top];
+            var shift:int = level * HeightGrid.SHIFT;
+            _column = _squares[int(_top + 1)];
+            _row = _squares[int(_top + 2)];
+            _width = _grid.cellWidth * (1 << shift);
+            if (!isOver())
+            {
+                return;
+            }
+            var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
+            if (level == 0)
+            {
+                visitCell(hasWalls || _grid.isBlocky);
+                return;
+            }
+            var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
+            var least:Number = _grid.bounds[bounds] + _z;
+            var greatest:Number = _grid.bounds[int(bounds + 1)] + _z;
+            if (hasWalls)
+            {
+                least = Math.min(least, _low);
+            }
+            if (_low <= greatest && _high >= least && !isBeyond(least, greatest))
+            {
+                if (way.z != 0)
+                {
+                    // only the part of the way that is between the heights
+                    var low:Number = (least - (middle.z + half.z)) / way.z;
+                    var high:Number = (greatest - (middle.z - half.z)) / way.z;
+                    _from = Math.max(_from, Math.min(low, high));
+                    _to = Math.min(_to, Math.max(low, high));
+                }
+                addSquares(level - 1, _column << HeightGrid.SHIFT, _row << HeightGrid.SHIFT, 1 << HeightGrid.SHIFT);
+            }
+        }
+
+        // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
+        private function visitCell(hasWalls:Boolean):void
+        {
+            var heights:Vector.<Number> = _grid.heights;
+            var at:int = _row * _grid.columns + _column;
+            // all corners of a column have one height
+            var next:int = _grid.isBlocky ? 0 : 1;
+            var far:int = next * _grid.columns;
+            _tops[0] = heights[at] + _z;
+            _tops[1] = heights[int(at + next)] + _z;
+            _tops[2] = heights[int(at + next + far)] + _z;
+            _tops[3] = heights[int(at + far)] + _z;
+            var greatest:Number = Math.max(Math.max(_tops[0], _tops[1]), Math.max(_tops[2], _tops[3]));
+            var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));
+            if (_low <= greatest && (hasWalls || _high >= least))
+            {
+                _face = 0;
+                _faceCount = hasWalls ? 10 : 2;
+            }
+        }
+
+        // Whether the box passes over the current square, within the limit. Also finds the heights between which the box is there.
+        private function isOver():Boolean
+        {
+            _from = 0;
+            _to = limit;
+            _squared = reach * reach;
+            cut(middle.x, half.x, way.x, _x, _column);
+            cut(middle.y, half.y, way.y, _y, _row);
+            var start:Number = middle.z + _from * way.z;
+            var end:Number = middle.z + _to * way.z;
+            // a triangle beside the box must be nearer in height to be within reach
+            var up:Number = Math.sqrt(Math.max(0, _squared));
+            var bottom:Number = Math.min(start, end) - half.z;
+            _low = Math.max(bottom - up, bottom + above + 2 * _slack);
+            _high = Math.max(start, end) + half.z + up;
+            return _from <= _to;
+        }
+
+        // Whether the structure on its way stays farther away from the current square than a triangle may be. The square is between two heights.
+        private function isBeyond(least:Number, greatest:Number):Boolean
+        {
+            if (structure == null)
+            {
+                return false;
+            }
+            var x:Number = _x + _column * _width;
+            var y:Number = _y + _row * _width;
+            _gap.low.setTo(x, y, least);
+            _gap.high.setTo(x + _width, y + _width, greatest);
+            _gap.find(structure);
+            var come:Number = limit * (_gap.along.x * way.x + _gap.along.y * way.y + _gap.along.z * way.z);
+            return _gap.gap + Math.min(0, come) > reach + _slack;
+        }
+
+        // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
+        // box is above or below it.
+        private function findFace(face:int):Boolean
+        {
+            if (face < 2)
+            {
+                put(0, 0);
+                put(3, face + 1);
+                put(6, face + 2);
+            }
+            else if (!findWall((face - 2) >> 1, (face & 1) == 1))
+            {
+                return false;
+            }
+            var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
+            var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
+            gap = Tolerances.SURFACES * (_width + high - low);
+            return _low <= high && _high >= low;
+        }
+
+        // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
+        // no wall near the box. Tall walls are cut a cell's width above and below the box, because long triangles have larger rounding errors.
+        private function findWall(side:int, isUpper:Boolean):Boolean
+        {
+            var end:int = (side + 1) & 3;
+            var column:int = _column + TO_COLUMN[side];
+            var row:int = _row + TO_ROW[side];
+            var top:Number = _tops[side];
+            var endTop:Number = _tops[end];
+            var low:Number = floor;
+            if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
+            {
+                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _z : Infinity;
+            }
+            if (low >= top && low >= endTop || low > _high)
+            {
+                return false;
+            }
+            low = floor > -Infinity ? low : Math.min(_low, Math.min(top, endTop)) - _width;
+            if (Math.min(top, endTop) > _high + _width)
+            {
+                top = endTop = _high + _width;
+            }
+            put(0, side);
+            put(3, end);
+            put(6, isUpper ? side : end);
+            corners[2] = low;
+            corners[5] = isUpper ? endTop : low;
+            corners[8] = isUpper ? top : endTop;
+            return true;
+        }
+
+        // Writes a corner of the cell's top.
+        private function put(to:int, corner:int):void
+        {
+            corners[to] = _x + (_column + ((corner + 1) >> 1 & 1)) * _width;
+            corners[int(to + 1)] = _y + (_row + (corner >> 1)) * _width;
+            corners[int(to + 2)] = _tops[corner];
+        }
+
+        // Narrows the part of the way to the part on which the box comes over the current square, or within reach of it, along one axis.
+        private function cut(at:Number, extent:Number, motion:Number, begin:Number, square:int):void
+        {
+            if (motion == 0)
+            {
+                var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * _width) - _width / 2 - extent);
+                _squared -= off * off;
+                if (off > reach)
+                {
+                    _to = -1;
+                }
+                return;
+            }
+            var low:Number = (begin + square * _width - (at + extent)) / motion;
+            var high:Number = (begin + (square + 1) * _width - (at - extent)) / motion;
+            _from = Math.max(_from, Math.min(low, high));
+            _to = Math.min(_to, Math.max(low, high));
+        }
+
+        // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.
+        private function findRange(place:Number, extent:Number, motion:Number, first:int, last:int):void
+        {
+            var start:Number = place + _from * motion;
+            var end:Number = place + _to * motion;
+            _first = Math.max(first, Math.min(last + 1, Math.floor((Math.min(start, end) - extent) / _width)));
+            _last = Math.max(first - 1, Math.min(last, Math.floor((Math.max(start, end) + extent) / _width)));
+        }
+    }
+}

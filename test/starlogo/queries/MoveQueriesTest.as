@@ -1,0 +1,284 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.RandomWorlds;
+    import support.SolidModels;
+    import support.agentAt;
+    import support.assertThrows;
+
+    /** How far agents go until they touch, against fine steps; and what stops nothing. */
+    public class MoveQueriesTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "hollow", "apart"];
+        private static const HAIR:Number = 1e-9;
+
+        private static var sGreatLand:GreatLand;
+
+        private var _random:SeededRandom;
+        private var _wrong:Complaints;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            for each (var model:Model in SolidModels.all())
+            {
+                sGreatLand.addModel(model);
+            }
+            sGreatLand.addModel(BuiltInModel.cylinder());
+            sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(2203);
+            _wrong = new Complaints();
+        }
+
+        [Test]
+        public function aTouchAtTheVeryEndOfAWayHasANormal():void
+        {
+            var ends:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                for each (var shape:String in ["sphere", "cube", "cylinder"])
+                {
+                    var agents:Vector.<Agent> = new <Agent>[new Agent(shape), new Agent(shape)];
+                    agents[1].x = 3;
+                    queries.update(agents);
+                    var free:Number = 4 * queries.moveUntilTouch(agents[0], 4, 0, 0);
+                    for (var i:int = -40; i <= 40; i++)
+                    {
+                        var contact:Contact = new Contact();
+                        agents[0].moveTo(0, 0, 0);
+                        var part:Number = queries.moveUntilTouch(agents[0], free * (1 + i * 1e-10), 0, 0, null, contact);
+                        if (part < 1)
+                        {
+                            ends++;
+                            assertTrue(name + ", " + shape + ", normal " + contact.normal, contact.normal.x < -0.5);
+                        }
+                        agents[0].moveTo(0, 0, 0);
+                        queries.slide(agents[0], free * (1 + i * 1e-10), 0, 0);
+                        assertEquals(name + ", " + shape, free, Math.round(agents[0].x * 1e6) == Math.round(free * 1e6) ? free : agents[0].x);
+                    }
+                }
+            }
+            assertTrue(ends + " ended in a touch", ends > 100);
+        }
+
+        [Test]
+        public function motionsOfAllSmallnesses():void
+        {
+            var stopped:int = 0;
+            var free:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var queries:AgentQueries = new AgentQueries(collider);
+                for (var i:int = Effort.choose(200, 5000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 1.5, _random);
+                    var mover:Agent = agents[0];
+                    if (_random.chance())
+                    {
+                        mover.moveTo(0, 0, 0);
+                    }
+                    queries.update(agents);
+                    var isFree:Boolean = !touchesAny(collider, mover, agents);
+                    var contact:Contact = new Contact();
+                    var smallness:Number = Math.pow(10, -_random.between(0, 320));
+                    var dx:Number = _random.between(-1, 1) * smallness;
+                    var dy:Number = _random.between(-1, 1) * smallness;
+                    var dz:Number = _random.chance() ? 0 : _random.between(-1, 1) * smallness;
+                    var x:Number = mover.x;
+                    var slides:Boolean = _random.chance();
+                    var part:Number = slides ? queries.slide(mover, dx, dy, dz) : queries.moveUntilTouch(mover, dx, dy, dz, null, contact);
+                    if (!(part >= 0 && part <= 1) || !(contact.time >= 0 && contact.time <= 1))
+                    {
+                        _wrong.add(name + ": no part", part + " of " + [dx, dy, dz] + " at " + contact.time);
+                    }
+                    // along a plane it may go farther along x, but never farther than the whole way
+                    if (!(Math.abs(mover.x - x) <= 2 * smallness + 1e-8))
+                    {
+                        _wrong.add(name + ": elsewhere", mover.x + " from " + x + " by " + dx);
+                    }
+                    if (part == 1 && isFree && mover.x != x + dx)
+                    {
+                        _wrong.add(name + ": free, and not there", mover.x + " from " + x + " by " + dx);
+                    }
+                    part == 1 ? free++ : stopped++;
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(stopped + " stopped, " + free + " free", stopped > 60 && free > 300);
+        }
+
+        [Test]
+        public function goesAsFarAsNothingTouches():void
+        {
+            var stopped:int = 0;
+            var free:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var queries:AgentQueries = new AgentQueries(collider);
+                for (var i:int = Effort.choose(100, 3000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 3, _random);
+                    queries.update(agents);
+                    var mover:Agent = agents[0];
+                    if (touchesAny(collider, mover, agents))
+                    {
+                        continue;
+                    }
+                    var d:Array = [_random.between(-4, 4), _random.between(-4, 4), _random.between(-2, 2)];
+                    var from:Array = [mover.x, mover.y, mover.z];
+                    var contact:Contact = new Contact();
+                    var part:Number = queries.moveUntilTouch(mover, d[0], d[1], d[2], null, contact);
+                    var at:Array = [mover.x, mover.y, mover.z];
+                    if (contact.time != part || !(part >= 0 && part <= 1))
+                    {
+                        _wrong.add(name + ": another time", part + ", " + contact.time);
+                    }
+                    // nothing touches before
+                    for (var k:int = 0; k <= 50; k++)
+                    {
+                        var t:Number = part * (1 - 1e-7) * k / 50;
+                        mover.moveTo(from[0] + t * d[0], from[1] + t * d[1], from[2] + t * d[2]);
+                        if (touchesAny(collider, mover, agents))
+                        {
+                            _wrong.add(name + ": goes through", t + " of " + part);
+                            break;
+                        }
+                    }
+                    if (part == 1)
+                    {
+                        free++;
+                        assertEquals(from[0] + d[0], at[0]);
+                        continue;
+                    }
+                    stopped++;
+                    mover.moveTo(at[0], at[1], at[2]);
+                    if (!touchesAny(collider, mover, agents))
+                    {
+                        _wrong.add(name + ": ends without a touch", String(part));
+                    }
+                    if (isDeep(collider, mover, agents, contact))
+                    {
+                        _wrong.add(name + ": ends deep", String(part));
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(stopped + " stopped, " + free + " free", stopped > 50 && free > 50);
+        }
+
+        [Test]
+        public function outOfADeepOverlapTheWayIsFree():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var mover:Agent = agentAt("cube", 0.7, 0.02, 0);
+                queries.update(new <Agent>[mover, agentAt("cube", 0, 0, 0)]);
+                var contact:Contact = new Contact();
+                assertEquals(name, 0, queries.moveUntilTouch(mover, -0.1, 0, 0, null, contact));
+                assertNear(name, mover, 0.7, 0.02, 0);
+                assertTrue(name, contact.normal.x > 0.9 && contact.time == 0 && contact.depth > 0.2);
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 0.1, 0, 0));
+                assertNear(name, mover, 0.8, 0.02, 0);
+                queries.slide(mover, -0.1, 0.2, 0);
+                assertTrue(name, mover.y > 0.2 && mover.x > 0.79);
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 3, 0, 0));
+                assertTrue(name, queries.moveUntilTouch(mover, -5, 0, 0) < 0.9);
+            }
+        }
+
+        [Test]
+        public function motionsMustBeNumbersAndNoneIsNone():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
+            var mover:Agent = agentAt("cube", 0, 0, 0);
+            queries.update(new <Agent>[agentAt("cube", 0.5, 0, 0), agentAt("cube", 3, 0, 0)]);
+            assertThrows(RangeError, /NaN/, queries.moveUntilTouch, mover, NaN, 0, 0);
+            assertThrows(RangeError, /Infinity/, queries.slide, mover, 0, 0, Infinity);
+            assertThrows(ArgumentError, /null/, queries.slide, null, 0, 0, 1);
+            var revision:Number = mover.x;
+            assertEquals(1, queries.moveUntilTouch(mover, 0, 0, 0));
+            assertEquals(1, queries.slide(mover, 0, 0, 0));
+            assertEquals(revision, mover.x);
+        }
+
+        [Test]
+        public function filtersLetThrough():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("hierarchies", sGreatLand));
+            var mover:Agent = agentAt("cube", 0, 0, 0);
+            var ghost:Agent = agentAt("cube", 2, 0, 0);
+            ghost.breed = "ghosts";
+            queries.update(new <Agent>[mover, ghost, agentAt("cube", 4, 0, 0)]);
+            var filter:AgentFilter = new AgentFilter();
+            filter.exceptBreeds = new <String>["ghosts"];
+            assertTrue(Math.abs(queries.moveUntilTouch(mover, 8, 0, 0, filter) - 3 / 8) < 1e-9);
+            mover.moveTo(0, 0, 0);
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                // a question of its own
+                queries.moveUntilTouch(agentAt("cube", 0, 50, 0), 1, 0, 0);
+                return agent.x < 0;
+            };
+            assertEquals(1, queries.moveUntilTouch(mover, 8, 0, 0, filter));
+            assertEquals(1, queries.countNear(agentAt("cube", 8, 0, 0), 0.1));
+        }
+
+        private static function assertNear(message:String, agent:Agent, x:Number, y:Number, z:Number):void
+        {
+            var distance:Number = Math.abs(agent.x - x) + Math.abs(agent.y - y) + Math.abs(agent.z - z);
+            assertTrue(message + ": " + agent.x + ", " + agent.y + ", " + agent.z, distance < 3e-9);
+        }
+
+        // Whether it still touches another after a hair along the normal of its contact.
+        private static function isDeep(collider:Collider, agent:Agent, others:Vector.<Agent>, contact:Contact):Boolean
+        {
+            var largest:Number = 0;
+            for each (var other:Agent in others)
+            {
+                largest = Math.max(largest, 2.5 * other.size);
+            }
+            var hair:Number = HAIR * largest;
+            agent.moveTo(agent.x + hair * contact.normal.x, agent.y + hair * contact.normal.y, agent.z + hair * contact.normal.z);
+            return touchesAny(collider, agent, others);
+        }
+
+        private static function touchesAny(collider:Collider, agent:Agent, others:Vector.<Agent>):Boolean
+        {
+            for each (var other:Agent in others)
+            {
+                if (other !== agent && collider.areColliding(agent, other))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+}

@@ -1,0 +1,277 @@
+package starlogo.search
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.SolidModels;
+    import support.ThinModels;
+
+    /**
+     * Contacts separate: moved by the depth and a hair more along the normal, the collider does not touch the collidee any more; by a hair less it
+     * still does. A hair is 1e-9 of the larger extent. The system's own areColliding() decides, so that nothing is computed as the contact was.
+     */
+    public class PenetrationSearchTest
+    {
+        private static const HAIR:Number = 1e-9;
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "hollow", "crossed", "apart", "open cube", "doll", "horns"];
+        private static const SYSTEMS:Array = EachCollider.NAMES;
+
+        private static var sGreatLand:GreatLand;
+
+        private var _random:SeededRandom;
+        private var _wrong:Complaints;
+        private var _overlapping:int;
+        private var _deep:int;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = withModels(new GreatLand());
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(2201);
+            _wrong = new Complaints();
+            _overlapping = _deep = 0;
+        }
+
+        [Test]
+        public function standing():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                var collider:Collider = make(name);
+                for (var i:int = Effort.choose(300, 10000); i > 0; i--)
+                {
+                    var a:Agent = anyAgent();
+                    var b:Agent = anyAgent();
+                    place(a, b, 1, 10);
+                    if (collider.areColliding(a, b))
+                    {
+                        check(name + ", " + pairName(a, b), collider, a, b, collider.contactOf(a, b));
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_overlapping + " overlap, " + _deep + " deep", _overlapping > 600 && _deep > 500);
+        }
+
+        [Test]
+        public function insideOfALargeOne():void
+        {
+            for each (var name:String in ["triangles", "hierarchies", "combinations"])
+            {
+                var collider:Collider = make(name);
+                for (var i:int = Effort.choose(100, 5000); i > 0; i--)
+                {
+                    var a:Agent = anyAgent();
+                    var b:Agent = anyAgent();
+                    a.size = _random.logBetween(1e-4, 0.3) * b.size;
+                    place(a, b, 0.5, 1);
+                    if (_random.chance())
+                    {
+                        var c:Agent = a;
+                        a = b;
+                        b = c;
+                    }
+                    if (collider.areColliding(a, b))
+                    {
+                        check(name + ", " + pairName(a, b), collider, a, b, collider.contactOf(a, b));
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_overlapping + " overlap, " + _deep + " deep", _overlapping > 100 && _deep > 50);
+        }
+
+        [Test]
+        public function passing():void
+        {
+            var late:int = 0;
+            for each (var name:String in SYSTEMS)
+            {
+                for (var i:int = Effort.choose(200, 10000); i > 0; i--)
+                {
+                    var collider:Collider = i % 50 == 0 || collider == null ? make(name) : collider;
+                    var a:Agent = anyAgent();
+                    var b:Agent = anyAgent();
+                    a.sweeps = true;
+                    b.sweeps = _random.chance();
+                    var agents:Vector.<Agent> = new <Agent>[a, b];
+                    place(a, b, _random.chance(0.2) ? 1 : 4, 10);
+                    var from:Array = [a.x, a.y, a.z, b.x, b.y, b.z];
+                    collider.findCollisions(agents);
+                    place(a, b, 1, 10);
+                    if (collider.findCollisions(agents).length == 2)
+                    {
+                        var contact:Contact = collider.contactOf(a, b);
+                        late += contact.time > 0 ? 1 : 0;
+                        moveBack(a, from, 0, contact.time);
+                        moveBack(b, from, 3, contact.time);
+                        check(name + ", " + pairName(a, b), collider, a, b, contact);
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_overlapping + " overlap, " + late + " late", _overlapping > 600 && late > 500);
+        }
+
+        // Where a sheet meets another on its way, a little back against the normal the two are apart too.
+        [Test]
+        public function noDepthIsNegative():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                var collider:Collider = make(name);
+                for (var i:int = Effort.choose(150, 5000); i > 0; i--)
+                {
+                    var a:Agent = new Agent("plane");
+                    var b:Agent = new Agent("plane");
+                    a.size = _random.logBetween(0.05, 60);
+                    b.size = _random.logBetween(0.05, 60);
+                    a.hierarchical = b.hierarchical = a.sweeps = b.sweeps = true;
+                    a.moveTo(_random.normal(), _random.normal(), 1);
+                    collider.findCollisions(new <Agent>[a, b]);
+                    a.moveTo(a.x + _random.normal(), a.y, -_random.between(0, 1));
+                    b.moveTo(_random.normal(), 0, 0);
+                    if (collider.findCollisions(new <Agent>[a, b]).length == 2)
+                    {
+                        var depth:Number = collider.contactOf(a, b).depth;
+                        _overlapping++;
+                        if (!(depth >= 0))
+                        {
+                            _wrong.add(name, String(depth));
+                        }
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_overlapping + " touch", _overlapping > 200);
+        }
+
+        private static function moveBack(agent:Agent, from:Array, at:int, time:Number):void
+        {
+            agent.moveTo(from[at] + time * (agent.x - from[at]), from[at + 1] + time * (agent.y - from[at + 1]),
+                    from[at + 2] + time * (agent.z - from[at + 2]));
+        }
+
+        private static function pairName(a:Agent, b:Agent):String
+        {
+            return a.shape < b.shape ? a.shape + " and " + b.shape : b.shape + " and " + a.shape;
+        }
+
+        private function check(name:String, collider:Collider, a:Agent, b:Agent, contact:Contact):void
+        {
+            var n:Number = contact.normal.length;
+            if (Math.abs(n - 1) > 1e-12 || !(contact.depth >= 0) || contact.depth == Infinity)
+            {
+                _wrong.add(name + " has no unit normal, or no depth", contact.normal + ", " + contact.depth);
+                return;
+            }
+            if (!isInReach(contact.point, a) || !isInReach(contact.point, b))
+            {
+                _wrong.add(name + " has its point outside", contact.point + ", " + describe(a, b, contact));
+            }
+            _overlapping++;
+            var extent:Number = Math.max(a.size, b.size);
+            if (contact.depth > 0.01 * extent)
+            {
+                _deep++;
+            }
+            var x:Number = a.x;
+            var y:Number = a.y;
+            var z:Number = a.z;
+            var far:Number = contact.depth + HAIR * extent;
+            a.moveTo(x + far * contact.normal.x, y + far * contact.normal.y, z + far * contact.normal.z);
+            if (collider.areColliding(a, b))
+            {
+                _wrong.add(name + " still collide", describe(a, b, contact));
+            }
+            far = contact.depth - HAIR * extent;
+            a.moveTo(x + far * contact.normal.x, y + far * contact.normal.y, z + far * contact.normal.z);
+            if (!collider.areColliding(a, b))
+            {
+                _wrong.add(name + " are apart before", describe(a, b, contact));
+            }
+            a.moveTo(x, y, z);
+        }
+
+        // No model is farther across than 2.5, and none farther than that from its origin.
+        private static function isInReach(point:Vector3D, agent:Agent):Boolean
+        {
+            return Vector3D.distance(point, new Vector3D(agent.x, agent.y, agent.z)) < 2.6 * agent.size;
+        }
+
+        private static function describe(a:Agent, b:Agent, contact:Contact):String
+        {
+            return "depth " + contact.depth + " along " + contact.normal + " of " + a.shape + " size " + a.size + " at " + a.x + ", " + a.y + ", " + a.z
+                + " turned " + a.heading + ", " + a.pitch + ", " + a.roll + " and " + b.shape + " size " + b.size + " at " + b.x + ", " + b.y + ", "
+                + b.z + " turned " + b.heading + ", " + b.pitch + ", " + b.roll;
+        }
+
+        private function anyAgent():Agent
+        {
+            var agent:Agent = new Agent(_random.pick(SHAPES));
+            agent.size = _random.chance(0.3) ? 1 : _random.logBetween(0.1, 4);
+            agent.hierarchical = _random.chance();
+            if (_random.chance(0.7))
+            {
+                agent.heading = _random.between(0, 360);
+            }
+            if (_random.chance())
+            {
+                agent.pitch = _random.between(0, 360);
+                agent.roll = _random.between(0, 360);
+            }
+            if (_random.chance(0.3))
+            {
+                agent.collideAs = _random.pick(["sphere", "box", "capsule"]);
+            }
+            agent.traversalDepth = _random.pick([0, 0, 0, 1, 2, 4, 8]);
+            return agent;
+        }
+
+        private function place(a:Agent, b:Agent, share:Number, far:Number):void
+        {
+            var reach:Number = share * 0.5 * (a.size + b.size);
+            b.moveTo(_random.between(-far, far), _random.between(-far, far), _random.between(-far, far));
+            a.moveTo(b.x + _random.between(-reach, reach), b.y + _random.between(-reach, reach), b.z + _random.between(-reach, reach));
+        }
+
+        private static function make(name:String):Collider
+        {
+            return EachCollider.make(name, sGreatLand);
+        }
+
+        private static function withModels(greatLand:GreatLand):GreatLand
+        {
+            for each (var model:Model in SolidModels.all())
+            {
+                greatLand.addModel(model);
+            }
+            greatLand.addModel(BuiltInModel.cylinder());
+            greatLand.addModel(ThinModels.make("plane"));
+            greatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
+            greatLand.addModel(SolidModels.of("horns", [[1, 0, 0, 0, false], [0.3, -0.5, 0, 0.9, false], [0.3, 0.5, 0, 0.9, false],
+                            [0.2, -0.5, 0, 1.1, false], [0.2, 0.5, 0, 1.1, false]]));
+            return greatLand;
+        }
+    }
+}

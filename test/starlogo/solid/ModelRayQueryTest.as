@@ -1,0 +1,281 @@
+package starlogo.solid
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.rayStructure;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.ColladaModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import starlogo.steps.finish;
+    import support.Effort;
+    import support.Fixtures;
+    import support.RayReference;
+    import support.SolidAngles;
+    import support.SolidModels;
+
+    use namespace engine;
+
+    /** Rays against models: by their triangles, and by their hierarchies at every depth. */
+    public class ModelRayQueryTest
+    {
+        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj", "/assets/seagull.dae"];
+
+        private static const DEPTHS:Array = [1, 2, 3, 5, 8, 40];
+
+        private var _rays:ModelRayQuery = new ModelRayQuery();
+        private var _random:SeededRandom;
+        private var _structures:RandomStructures;
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(2211);
+            _structures = new RandomStructures(_random);
+        }
+
+        [Test]
+        public function meetsTheFirstOfAllTriangles():void
+        {
+            var counts:Object = {hit: 0, missed: 0, inside: 0};
+            for each (var model:Model in models())
+            {
+                var hierarchy:SolidHierarchy = hierarchyOf(model);
+                var isClosed:Boolean = hierarchy.solid.isClosed;
+                for (var i:int = 0; i < Effort.choose(150, 3000); i++)
+                {
+                    var ray:Ray = randomRay();
+                    var origin:Vector3D = new Vector3D(ray.x, ray.y, ray.z);
+                    var expected:Number = RayReference.firstTriangle(cornersOf(model), origin, directionOf(ray));
+                    var isInside:Boolean = isClosed && Math.abs(SolidAngles.windingAround(model, ray.x, ray.y, ray.z)) > 0.5;
+                    var isMet:Boolean = _rays.find(hierarchy, 1, true, ray);
+                    var message:String = model.name + ", from " + origin + " along " + directionOf(ray);
+                    if (isInside)
+                    {
+                        counts.inside++;
+                        assertTrue(message + ": inside", isMet && ray.from == 0);
+                        assertEquals(message, -ray.directionX, ray.normalX);
+                        continue;
+                    }
+                    assertEquals(message, expected < Infinity, isMet);
+                    isMet ? counts.hit++ : counts.missed++;
+                    if (isMet)
+                    {
+                        assertTrue(message + ": " + expected + ", not " + ray.from, Math.abs(expected - ray.from) < 1e-9);
+                        assertTrue(message + ": against the ray", ray.normalX * ray.directionX + ray.normalY * ray.directionY + ray.normalZ * ray.directionZ <= 0);
+                        assertTrue(message + ": of length 1", Math.abs(ray.normalX * ray.normalX + ray.normalY * ray.normalY + ray.normalZ * ray.normalZ - 1) < 1e-9);
+                    }
+                }
+            }
+            assertTrue("hit " + counts.hit + ", missed " + counts.missed + ", inside " + counts.inside, counts.hit > 300 && counts.missed > 300 && counts.inside > 100);
+        }
+
+        [Test]
+        public function noRaySlipsThroughAnEdgeOrAVertex():void
+        {
+            var closed:Array = models().filter(function(model:Model, ...rest):Boolean
+                {
+                    return hierarchyOf(model).solid.isClosed;
+                });
+            assertTrue("closed ones: " + closed.length, closed.length > 5);
+            var count:int = Effort.choose(20000, 1000000) / closed.length + 1;
+            for each (var model:Model in closed)
+            {
+                castThroughEdges(model, count);
+            }
+        }
+
+        // From outside, past nothing but the surface; and from inside, where a ray that slipped through would meet nothing.
+        private function castThroughEdges(model:Model, count:int):void
+        {
+            var hierarchy:SolidHierarchy = hierarchyOf(model);
+            var solid:Solid = hierarchy.solid;
+            var triangles:TriangleRayTraversal = new TriangleRayTraversal();
+            var ray:Ray = new Ray();
+            var origin:Vector3D = new Vector3D();
+            var inside:Vector3D = pointInside(hierarchy);
+            for (var i:int = 0; i < count; i++)
+            {
+                var isFromInside:Boolean = i % 2 == 0;
+                if (isFromInside)
+                {
+                    origin.copyFrom(inside);
+                }
+                else
+                {
+                    // some along an axis, towards vertices that have simple numbers
+                    origin.setTo(_random.between(-2, 2), _random.between(-2, 2), _random.pick([-1, 2]) * _random.between(1, 2));
+                }
+                var corner:int = 9 * _random.integer(0, solid.corners.length / 9 - 1);
+                var share:Number = i % 3 == 0 ? 0 : _random.next();
+                var from:int = corner + 3 * _random.integer(0, 2);
+                var to:int = from == corner + 6 ? corner : from + 3;
+                var x:Number = solid.corners[from] + share * (solid.corners[to] - solid.corners[from]);
+                var y:Number = solid.corners[from + 1] + share * (solid.corners[to + 1] - solid.corners[from + 1]);
+                var z:Number = solid.corners[from + 2] + share * (solid.corners[to + 2] - solid.corners[from + 2]);
+                if (i % 5 == 1)
+                {
+                    origin.setTo(x, y, _random.pick([-3, 5]));
+                }
+                else if (i % 5 == 3)
+                {
+                    origin.setTo(_random.pick([-4, 4]), y, z);
+                }
+                isFromInside &&= i % 5 != 1 && i % 5 != 3;
+                var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
+                ray.aim(origin, direction);
+                if (!(triangles.find(hierarchy.root, solid.corners, ray) >= 0 && triangles.at <= direction.length + 1e-12))
+                {
+                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.at, false);
+                }
+            }
+        }
+
+        [Test]
+        public function visitsEveryNodeThatCounts():void
+        {
+            var hits:int = 0;
+            for each (var model:Model in [SolidModels.openCube(), read("/assets/kelp.obj"), new Model("cloud", BuiltInModel.sphere().vertices)])
+            {
+                var hierarchy:SolidHierarchy = hierarchyOf(model);
+                for (var i:int = 0; i < Effort.choose(100, 1000); i++)
+                {
+                    var ray:Ray = randomRay();
+                    var depth:int = DEPTHS[i % DEPTHS.length];
+                    var expected:Number = nearestEnd(hierarchy.root, depth, ray, 0, Infinity);
+                    var found:Number = distanceAt(hierarchy, depth, false, ray);
+                    hits += found < Infinity ? 1 : 0;
+                    if (found > 0 && found < Infinity)
+                    {
+                        checkNodeNormal(model.name + ", depth " + depth, ray);
+                    }
+                    assertTrue(model.name + ", depth " + depth + ": " + expected + ", not " + found, expected == found || Math.abs(expected - found) < 1e-12);
+                }
+            }
+            assertTrue("hits: " + hits, hits > 120);
+        }
+
+        // Out of a structure's surface, which no ray meets at a right angle by chance.
+        private static function checkNodeNormal(message:String, ray:Ray):void
+        {
+            var normal:Vector3D = new Vector3D(ray.normalX, ray.normalY, ray.normalZ);
+            var along:Number = normal.dotProduct(directionOf(ray));
+            assertTrue(message + ": " + normal, Math.abs(normal.length - 1) < 1e-12 && along < 0 && along > -1 + 1e-12);
+            assertEquals(message + ": " + normal, 1, Math.abs(normal.x) + Math.abs(normal.y) + Math.abs(normal.z));
+        }
+
+        [Test]
+        public function oddTriangles():void
+        {
+            var ray:Ray = new Ray();
+            // one alone, and none that has an area
+            var one:SolidHierarchy = hierarchyOf(new Model("one", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]));
+            ray.aim(new Vector3D(one.vertices[0], one.vertices[1], -2), new Vector3D(0, 0, 1));
+            assertEquals("through its corner", 2, distanceAt(one, 1, true, ray));
+            var line:SolidHierarchy = hierarchyOf(new Model("line", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0], new <uint>[0, 1, 2]));
+            ray.aim(new Vector3D(0.1, 0, -2), new Vector3D(0, 0, 1));
+            distanceAt(line, 1, true, ray);
+            // many in one place, which no division tells apart
+            var vertices:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 1];
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < 500; i++)
+            {
+                triangles.push(0, 1, 2);
+            }
+            var pile:SolidHierarchy = hierarchyOf(new Model("pile", vertices, triangles));
+            ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, 1));
+            assertTrue(distanceAt(pile, 1, true, ray) < 3);
+            ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, -1));
+            assertEquals(Infinity, distanceAt(pile, 1, true, ray));
+        }
+
+        private static function models():Array
+        {
+            return SolidModels.all().concat(FIXTURES.map(function(address:String, ...rest):Model
+                    {
+                        return read(address);
+                    }));
+        }
+
+        private static function read(address:String):Model
+        {
+            return /obj$/.test(address) ? new ObjModel(address, Fixtures.text(address)) : new ColladaModel(address, Fixtures.text(address));
+        }
+
+        private static function hierarchyOf(model:Model):SolidHierarchy
+        {
+            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, 5, 10, false);
+            finish(builder);
+            return builder.hierarchy;
+        }
+
+        private static function cornersOf(model:Model):Vector.<Number>
+        {
+            var corners:Vector.<Number> = new Vector.<Number>();
+            for each (var vertex:uint in model.triangles)
+            {
+                corners.push(model.vertices[3 * vertex], model.vertices[3 * vertex + 1], model.vertices[3 * vertex + 2]);
+            }
+            return corners;
+        }
+
+        // All end nodes, one after the other, with what is inside of their ancestors.
+        private static function nearestEnd(node:HierarchyNode, depth:int, ray:Ray, from:Number, to:Number):Number
+        {
+            var part:Ray = new Ray();
+            part.bringInto(new Placement(), ray);
+            part.from = from;
+            part.to = to;
+            if (!rayStructure(part, node.bounds))
+            {
+                return Infinity;
+            }
+            if (node.isLeaf || depth == 1)
+            {
+                return part.from;
+            }
+            return Math.min(nearestEnd(node.left, depth - 1, ray, part.from, part.to), nearestEnd(node.right, depth - 1, ray, part.from, part.to));
+        }
+
+        private function distanceAt(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Number
+        {
+            ray.from = 0;
+            ray.to = Infinity;
+            return _rays.find(hierarchy, depth, exact, ray) ? ray.from : Infinity;
+        }
+
+        private function pointInside(hierarchy:SolidHierarchy):Vector3D
+        {
+            var root:HierarchyNode = hierarchy.root;
+            var point:Vector3D = new Vector3D();
+            do
+            {
+                point.setTo(root.x + root.halfX * _random.between(-1, 1), root.y + root.halfY * _random.between(-1, 1), root.z + root.halfZ * _random.between(-1, 1));
+            }
+            while (!hierarchy.solid.isInside(point));
+            return point;
+        }
+
+        private function randomRay():Ray
+        {
+            var ray:Ray = new Ray();
+            var origin:Vector3D = _structures.position(_random.pick([0.5, 2]));
+            var target:Vector3D = _structures.position(0.6);
+            target.z += 0.5;
+            ray.aim(origin, target.subtract(origin));
+            return ray;
+        }
+
+        private static function directionOf(ray:Ray):Vector3D
+        {
+            return new Vector3D(ray.directionX, ray.directionY, ray.directionZ);
+        }
+    }
+}

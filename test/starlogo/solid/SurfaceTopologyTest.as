@@ -1,0 +1,277 @@
+package starlogo.solid
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.steps.finish;
+    import support.SolidModels;
+
+    public class SurfaceTopologyTest
+    {
+        [Test]
+        public function theBuiltInModelsAreClosed():void
+        {
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
+            {
+                var surface:SurfaceTopology = surfaceOf(model.vertices, model.triangles);
+                assertEquals(model.name, "-1", surface.shells.join());
+                assertEquals(model.name, 0, turnedIn(surface).length);
+                assertEquals("pieces", 1, surface.partNumberEnd);
+            }
+        }
+
+        [Test]
+        public function aMissingTriangleOpensIt():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var surface:SurfaceTopology = surfaceOf(cube.vertices, cube.triangles.slice(3));
+            assertFalse(surface.isClosed);
+            assertEquals("pieces", 1, surface.partNumberEnd);
+        }
+
+        [Test]
+        public function aTriangleTurnedRoundLeavesItClosed():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            var first:uint = triangles[0];
+            triangles[0] = triangles[1];
+            triangles[1] = first;
+            var surface:SurfaceTopology = surfaceOf(cube.vertices, triangles);
+            assertTrue(surface.isClosed);
+            assertEquals("turned back", "0", turnedIn(surface).join());
+        }
+
+        [Test]
+        public function trianglesWithoutAreaDoNotMatter():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            triangles.fixed = false;
+            triangles.push(3, 3, 5, 7, 7, 7);
+            assertTrue(surfaceOf(cube.vertices, triangles).isClosed);
+        }
+
+        [Test]
+        public function countsPieces():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var piece:int = 0; piece < 3; piece++)
+            {
+                // three tetrahedra in a row
+                vertices.push(5 * piece, 0, 0, 5 * piece + 1, 0, 0, 5 * piece, 1, 0, 5 * piece, 0, 1);
+                for each (var corner:int in [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3])
+                {
+                    triangles.push(4 * piece + corner);
+                }
+            }
+            var surface:SurfaceTopology = surfaceOf(vertices, triangles);
+            assertTrue(surface.isClosed);
+            assertEquals(3, surface.partNumberEnd);
+        }
+
+        [Test]
+        public function aSingleTriangleIsOpen():void
+        {
+            assertFalse(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).isClosed);
+            // there and back: closed around nothing
+            assertTrue(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).isClosed);
+            assertFalse(surfaceOf(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).isClosed);
+        }
+
+        [Test]
+        public function seamsThatRoundingPartedAreClosed():void
+        {
+            var random:SeededRandom = new SeededRandom(161);
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
+            {
+                // a few last bits of a double, and of single precision on either side
+                for each (var rounding:Number in [4e-16, 1e-12, 6e-8])
+                {
+                    var vertices:Vector.<Number> = new Vector.<Number>();
+                    var triangles:Vector.<uint> = new Vector.<uint>();
+                    for (var i:int = 0; i < model.triangles.length; i++)
+                    {
+                        // a corner of its own for each triangle
+                        for (var axis:int = 0; axis < 3; axis++)
+                        {
+                            vertices.push(model.vertices[3 * model.triangles[i] + axis] + rounding * random.between(-1, 1));
+                        }
+                        triangles.push(i);
+                    }
+                    var surface:SurfaceTopology = surfaceOf(vertices, triangles);
+                    assertEquals(model.name + ", " + rounding, "-1", surface.shells.join());
+                    assertEquals(1, surface.partNumberEnd);
+                    assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
+                }
+            }
+        }
+
+        [Test]
+        public function smallFeaturesAreNotWelded():void
+        {
+            // a cube of a millionth of the other beside it, and one on its own that is open by as much
+            var cube:Model = BuiltInModel.cube();
+            var vertices:Vector.<Number> = cube.vertices.slice();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            vertices.fixed = triangles.fixed = false;
+            for (var i:int = 0; i < cube.vertices.length; i++)
+            {
+                vertices.push(i % 3 == 0 ? 0.6 + 1e-6 * cube.vertices[i] : 1e-6 * cube.vertices[i]);
+            }
+            for (i = 0; i < cube.triangles.length; i++)
+            {
+                triangles.push(24 + cube.triangles[i]);
+            }
+            assertEquals(2, surfaceOf(vertices, triangles).partNumberEnd);
+            assertTrue(surfaceOf(vertices, triangles).isClosed);
+            assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
+            // without a triangle of the small one
+            assertEquals("-1,-3", surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).shells.join());
+        }
+
+        [Test]
+        public function aWallOfManyCornersTakesNoTime():void
+        {
+            // comparing each with each would take minutes
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < 100; i++)
+            {
+                for (var k:int = 0; k < 100; k++)
+                {
+                    var first:uint = vertices.length / 3;
+                    vertices.push(0, i, k, 0, i + 1, k, 0, i + 1, k + 1, 0, i, k + 1);
+                    triangles.push(first, first + 1, first + 2, first, first + 2, first + 3);
+                }
+            }
+            var surface:SurfaceTopology = surfaceOf(vertices, triangles);
+            assertEquals(1, surface.partNumberEnd);
+            assertFalse(surface.isClosed);
+            // in a plane across the direction along which an earlier engine sorted vertices
+            for (i = 0; i < vertices.length; i += 3)
+            {
+                vertices[i] = -(0.2717819 * vertices[i + 1] + 0.7972148 * vertices[i + 2]) / 0.5390711;
+            }
+            assertEquals(1, surfaceOf(vertices, triangles).partNumberEnd);
+            // all in one place
+            for (i = 0; i < vertices.length; i++)
+            {
+                vertices[i] = 1;
+            }
+            assertEquals(1, surfaceOf(vertices, triangles).partNumberEnd);
+        }
+
+        [Test]
+        public function trianglesTurnedRoundAreTurnedBack():void
+        {
+            // two cubes that cross, a fifth of each turned round: each keeps its front
+            var model:Model = SolidModels.crossed();
+            var triangles:Vector.<uint> = model.triangles.slice();
+            for (var i:int = 0; i < triangles.length; i += 15)
+            {
+                swap(triangles, i);
+            }
+            var surface:SurfaceTopology = surfaceOf(model.vertices, triangles);
+            assertEquals("-1,-1,-1", surface.shells.join());
+            assertEquals("0,5,10,15,20,25,30,35", turnedIn(surface).join());
+            assertEquals(0, turnedIn(surfaceOf(model.vertices, model.triangles)).length);
+        }
+
+        [Test]
+        public function aOneSidedSurfaceHasNoFront():void
+        {
+            // the projective plane: six vertices, each pair of them an edge of two triangles
+            var triangles:Vector.<uint> = new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3];
+            var surface:SurfaceTopology = surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
+            assertTrue(surface.isClosed);
+            assertEquals("-2", surface.shells.join());
+        }
+
+        [Test]
+        public function aLargeOneIsAsASmallOne():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            addTorus(90, 60, vertices, triangles);
+            var random:SeededRandom = new SeededRandom(5);
+            var isTurned:Vector.<Boolean> = new Vector.<Boolean>(triangles.length / 3);
+            for (var i:int = 0; i < triangles.length; i += 3)
+            {
+                isTurned[i / 3] = random.next() < 0.3;
+                if (isTurned[i / 3])
+                {
+                    swap(triangles, i);
+                }
+            }
+            var surface:SurfaceTopology = surfaceOf(vertices, triangles);
+            assertEquals("-1", surface.shells.join());
+            assertEquals(1, surface.partNumberEnd);
+            for each (i in turnedIn(surface))
+            {
+                isTurned[i] = !isTurned[i];
+            }
+            // all are alike now
+            assertEquals(-1, isTurned.indexOf(!isTurned[0]));
+            assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+            // a wall from one vertex to the next: three triangles at its edges
+            surface = surfaceOf(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
+            assertEquals("-1,-1", surface.shells.join());
+        }
+
+        // Of so many columns and rows of squares, each of two triangles.
+        private static function addTorus(columns:int, rows:int, vertices:Vector.<Number>, triangles:Vector.<uint>):void
+        {
+            for (var i:int = 0; i < columns; i++)
+            {
+                var around:Number = 2 * Math.PI * i / columns;
+                for (var k:int = 0; k < rows; k++)
+                {
+                    var across:Number = 2 * Math.PI * k / rows;
+                    var radius:Number = 3 + Math.cos(across);
+                    vertices.push(radius * Math.cos(around), radius * Math.sin(around), Math.sin(across));
+                    var right:int = (i + 1) % columns * rows;
+                    var above:int = (k + 1) % rows;
+                    triangles.push(i * rows + k, right + k, right + above, i * rows + k, right + above, i * rows + above);
+                }
+            }
+        }
+
+        private static function swap(triangles:Vector.<uint>, at:int):void
+        {
+            var corner:uint = triangles[at];
+            triangles[at] = triangles[at + 1];
+            triangles[at + 1] = corner;
+        }
+
+        // The triangles that are turned, or the others, if these are fewer: of each piece.
+        private static function turnedIn(surface:SurfaceTopology):Array
+        {
+            var turned:Array = [];
+            for (var piece:int = 1; piece <= surface.shells.length; piece++)
+            {
+                var sides:Array = [[], []];
+                for (var i:int = 0; i < surface.sides.length; i++)
+                {
+                    if (Math.abs(surface.sides[i]) == piece)
+                    {
+                        sides[surface.sides[i] > 0 ? 0 : 1].push(i);
+                    }
+                }
+                turned = turned.concat(sides[0].length < sides[1].length ? sides[0] : sides[1]);
+            }
+            return turned;
+        }
+
+        private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology
+        {
+            var builder:SurfaceBuilder = new SurfaceBuilder(vertices, triangles);
+            finish(builder);
+            return builder.surface;
+        }
+    }
+}

@@ -1,0 +1,228 @@
+package starlogo.solid
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.UprightBoxTraversal;
+    import starlogo.intersection.intersects;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import support.Effort;
+    import support.Fixtures;
+
+    use namespace engine;
+
+    /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
+    public class TreePairQueryTest
+    {
+        public static const FIXTURES:Array = ["/assets/bear.obj"];
+
+        private static var sHierarchies:Object;
+
+        private var _pair:TreePairQuery = new TreePairQuery();
+
+        [BeforeClass]
+        public static function begin():void
+        {
+            sHierarchies = {};
+        }
+
+        [AfterClass]
+        public static function forget():void
+        {
+            sHierarchies = null;
+        }
+
+        [Test]
+        public function specksBesideGiants():void
+        {
+            var random:SeededRandom = new SeededRandom(171);
+            for each (var size:Number in [1e-6, 1e-9, 1e-12])
+            {
+                for each (var giant:Number in [1, 1e3, 1e6])
+                {
+                    checkSpeck(random, size, giant, hierarchyOf(BuiltInModel.cube()), hierarchyOf(BuiltInModel.sphere()));
+                }
+            }
+        }
+
+        /** The traversals find what a loop over all pairs of nodes that decide finds. */
+        [Test]
+        public function boxesFindWhatStructuresDo():void
+        {
+            var random:SeededRandom = new SeededRandom(2117);
+            var pose:RelativePose = new RelativePose();
+            var boxes:BoxTraversal = new BoxTraversal();
+            var uprightBoxes:UprightBoxTraversal = new UprightBoxTraversal();
+            var upright:int = 0;
+            var bear:Hierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var ball:Hierarchy = hierarchyOf(BuiltInModel.sphere());
+            var count:int = Effort.choose(300, 30000);
+            var hits:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var a:Hierarchy = random.pick([bear, ball]);
+                var b:Hierarchy = random.pick([bear, ball]);
+                pose.relate(randomPlacement(random), randomPlacement(random));
+                var depthA:int = random.integer(1, 6);
+                var depthB:int = random.integer(1, 6);
+                var answer:Boolean = someOverlap(pose, deciding(a.root, depthA, []), deciding(b.root, depthB, []));
+                assertEquals("pair " + i, answer, boxes.find(pose, a.root, depthA, b.root, depthB, null));
+                if (pose.isUpright)
+                {
+                    upright++;
+                    assertEquals("upright pair " + i, answer, uprightBoxes.find(pose, a.root, depthA, b.root, depthB, null));
+                }
+                hits += answer ? 1 : 0;
+            }
+            assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);
+            assertTrue(upright + " of " + count, upright > count / 10 && upright < count / 4);
+        }
+
+        private static function deciding(node:HierarchyNode, depth:int, out:Array):Array
+        {
+            if (node.stopDepth >= depth)
+            {
+                out.push(node.bounds);
+                return out;
+            }
+            return deciding(node.high, depth, deciding(node.low, depth, out));
+        }
+
+        private static function someOverlap(pose:RelativePose, a:Array, b:Array):Boolean
+        {
+            for each (var second:BoundingStructure in b)
+            {
+                second = second.place(pose.placement);
+                for each (var first:BoundingStructure in a)
+                {
+                    if (intersects(first, second))
+                    {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        }
+
+        private static function randomPlacement(random:SeededRandom):Placement
+        {
+            var placement:Placement = placed(random.logBetween(0.5, 2), random.between(-0.8, 0.8), random.between(-0.8, 0.8), random.between(-0.8, 0.8));
+            var isUpright:Boolean = random.chance(0.4);
+            placement.setRotation(random.between(0, 360), isUpright ? 0 : random.between(0, 360), isUpright ? 0 : random.between(0, 360));
+            return placement;
+        }
+
+        [Test]
+        public function depthsBelongToTheirModelsInAnyOrder():void
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.minVerticesToSplit = 1;
+            // two walls far apart, and nothing between them
+            library.add("walls", new <Number>[-0.5, -0.5, 0, -0.5, 0.5, 0, -0.5, 0, 1, 0.5, -0.5, 0, 0.5, 0.5, 0, 0.5, 0, 1], new <uint>[0, 1, 2, 3, 4, 5]);
+            var walls:SolidHierarchy = library.hierarchy("walls");
+            var speck:SolidHierarchy = hierarchyOf(BuiltInModel.sphere());
+            var large:Placement = placed(1e6, 0, 0, 0);
+            var small:Placement = placed(1e-6, 0, 0, 0.5e6);
+            assertTrue("one box", treesOverlap(walls, large, 1, speck, small, 9, false));
+            assertTrue("one box, the other way round", treesOverlap(speck, small, 9, walls, large, 1, false));
+            assertFalse("two boxes", treesOverlap(walls, large, 9, speck, small, 1, false));
+            assertFalse("two boxes, the other way round", treesOverlap(speck, small, 1, walls, large, 9, false));
+        }
+
+        private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:SolidHierarchy, ball:SolidHierarchy):void
+        {
+            // a corner of the cube, a point of a face, well inside; beside it, far off: x, y, z, whether it collides, and is near
+            var places:Array = [[0.5, 0.5, 1, true, true], [0.5, 0.1, 0.3, true, true], [0.1, 0.2, 0.3, true, true],
+                    [0.50001, 0.1, 0.3, false, true], [5, 4, 3, false, false]];
+            for each (var place:Array in places)
+            {
+                var heading:Number = random.pick([0, 90, 180]);
+                var large:Placement = placed(giant, 0, 0, 0);
+                large.setRotation(0, 0, 0);
+                var small:Placement = placed(size * giant, place[0] * giant, place[1] * giant, place[2] * giant);
+                small.setRotation(heading, random.pick([0, 90]), 0);
+                var message:String = [size, giant, place, heading].join(", ");
+                for each (var depth:int in [1, 3, 10])
+                {
+                    assertEquals(message, place[3], treesOverlap(cube, large, depth, ball, small, depth, false));
+                    assertEquals(message, place[3], treesOverlap(ball, small, depth, cube, large, depth, false));
+                    for each (var box:BoundingStructure in structures(0.5))
+                    {
+                        assertEquals(message + box, place[3], structureOverlaps(cube, large, depth, box, small));
+                    }
+                    // a cube's sphere and capsule reach farther
+                    if (place[3])
+                    {
+                        for each (box in structures(1))
+                        {
+                            assertTrue(message + box, structureOverlaps(ball, small, depth, box, large));
+                        }
+                    }
+                    else
+                    {
+                        assertFalse(message, structureOverlaps(ball, small, depth, structures(0.5)[2], large));
+                    }
+                }
+                assertEquals(message, place[3], treesOverlap(cube, large, 1, ball, small, 1, true));
+                assertEquals(message, place[3], treesOverlap(ball, small, 1, cube, large, 1, true));
+            }
+        }
+
+        private function treesOverlap(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
+                exact:Boolean):Boolean
+        {
+            return _pair.areOverlapping(a, placementA, depthA, b, null, placementB, depthB, exact);
+        }
+
+        private function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
+        {
+            return _pair.areOverlapping(a, placementA, depth, null, structure, placementB, 1, false);
+        }
+
+        // About the middle of a model of size 1.
+        private static function structures(half:Number):Array
+        {
+            var middle:Vector3D = new Vector3D(0, 0, 0.5);
+            return [new Sphere(middle, half), new Capsule(new Vector3D(0, 0, 0.3), new Vector3D(0, 0, 0.7), half),
+                    new Box(middle, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half)];
+        }
+
+        private static function placed(size:Number, x:Number, y:Number, z:Number):Placement
+        {
+            var placement:Placement = new Placement();
+            placement.size = size;
+            placement.x = x;
+            placement.y = y;
+            placement.z = z;
+            return placement;
+        }
+
+        private static function hierarchyOf(model:Model):SolidHierarchy
+        {
+            sHierarchies[model.name] ||= built(model);
+            return sHierarchies[model.name];
+        }
+
+        private static function built(model:Model):SolidHierarchy
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.add(model.name, model.vertices, model.triangles);
+            return library.hierarchy(model.name);
+        }
+    }
+}

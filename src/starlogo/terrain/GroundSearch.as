@@ -119,7 +119,7 @@ package starlogo.terrain
         {
             while (!_faces.next())
             {
-                if (_under >= 0 && _point != null && _grid.heightAt(_point.x + _origin.x, _point.y + _origin.y) - _under >= _point.z + _origin.z)
+                if (_under >= 0 && _point != null && isPointUnder())
                 {
                     _isUnder = true;
                     return false;
@@ -143,6 +143,14 @@ package starlogo.terrain
             _piece.setTriangle(_faces.corners, 0);
             _piece.gap = _faces.gap;
             return true;
+        }
+
+        private function isPointUnder():Boolean
+        {
+            _grid.atX = _point.x + _origin.x;
+            _grid.atY = _point.y + _origin.y;
+            _grid.findHeight();
+            return _grid.height - _under >= _point.z + _origin.z;
         }
 
         // Ends the search.

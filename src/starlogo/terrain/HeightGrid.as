@@ -79,6 +79,15 @@ package starlogo.terrain
         /** The greatest along y. */
         public var stepY:Number = 0;
 
+        /** The place along x of <code>findHeight()</code>. */
+        public var atX:Number = NaN;
+
+        /** The place along y. */
+        public var atY:Number = NaN;
+
+        /** The height that it has found; NaN outside. */
+        public var height:Number = NaN;
+
         // The triangle of the last place of heightAt(): the corner of the cell with the least x and y, and the corner beside the diagonal.
         private var _corner:int = 0;
         private var _side:int = 0;
@@ -135,10 +144,20 @@ package starlogo.terrain
         /** The height at a place; NaN outside. Where columns meet, it is the height of the highest. */
         public function heightAt(atX:Number, atY:Number):Number
         {
+            this.atX = atX;
+            this.atY = atY;
+            findHeight();
+            return height;
+        }
+
+        /** Finds the height at the place of <code>atX</code> and <code>atY</code>. V8 makes objects for Numbers that are passed or returned. */
+        public function findHeight():void
+        {
             // Slopes are between heights. Columns begin half a cell before their heights.
             if (!isWithin(atX, atY, isBlocky ? cellWidth / 2 : 0))
             {
-                return NaN;
+                height = NaN;
+                return;
             }
             var toX:Number = (atX - x) / cellWidth;
             var toY:Number = (atY - y) / cellWidth;
@@ -148,7 +167,8 @@ package starlogo.terrain
                 toX = Math.min(toX + 0.5, columns);
                 toY = Math.min(toY + 0.5, rows);
                 findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
-                return greatest;
+                height = greatest;
+                return;
             }
             // The conversion to int rounds down, because the numbers are not negative.
             var column:int = Math.min(toX, columns - 2);
@@ -159,7 +179,7 @@ package starlogo.terrain
             _side = toX >= toY ? _corner + 1 : _corner + columns;
             var more:Number = toX >= toY ? toX : toY;
             var less:Number = toX >= toY ? toY : toX;
-            return (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
+            height = (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
         }
 
         /** Finds the fall of sloping ground at the last place of <code>heightAt()</code>. */

@@ -32,9 +32,9 @@ package growth
                         {
                             return queries.nearest(agent);
                         }),
-                    ofEach("nearestOf 8", function(queries:AgentQueries, agent:Agent):Object
+                    ofEach("nearestFew 8", function(queries:AgentQueries, agent:Agent):Object
                         {
-                            return queries.nearestOf(agent, 8, Infinity, null, FOUND);
+                            return queries.nearestFew(agent, 8, Infinity, null, FOUND);
                         }),
                     ofEach("inCone", function(queries:AgentQueries, agent:Agent):Object
                         {
@@ -52,9 +52,9 @@ package growth
                         {
                             return queries.overlapping(new Sphere(new Vector3D(agent.x, agent.y, 0), 2), null, FOUND);
                         }),
-                    ofEach("overlapsAgent", function(queries:AgentQueries, agent:Agent):Object
+                    ofEach("wouldTouchAt", function(queries:AgentQueries, agent:Agent):Object
                         {
-                            return queries.overlapsAgent(agent, agent.x + 0.3, agent.y, 0);
+                            return queries.wouldTouchAt(agent, agent.x + 0.3, agent.y, 0);
                         }),
                     ofEach("cast", function(queries:AgentQueries, agent:Agent):Object
                         {
@@ -68,22 +68,22 @@ package growth
                         {
                             return queries.castAgent(agent, 3, 2, 0);
                         }),
-                    ofEach("moveUntilTouch, then moved", function(queries:AgentQueries, agent:Agent):Object
+                    ofEach("moveUntilTouch, then refresh", function(queries:AgentQueries, agent:Agent):Object
                         {
                             queries.moveUntilTouch(agent, 0.2, 0.1, 0);
-                            queries.moved(agent);
+                            queries.refresh(agent);
                             return agent;
                         }),
-                    ofEach("slide, then moved", function(queries:AgentQueries, agent:Agent):Object
+                    ofEach("slide, then refresh", function(queries:AgentQueries, agent:Agent):Object
                         {
                             queries.slide(agent, 0.4, 0.1, 0);
-                            queries.moved(agent);
+                            queries.refresh(agent);
                             return agent;
                         }),
-                    ofEach("moved, then nearest", function(queries:AgentQueries, agent:Agent):Object
+                    ofEach("refresh, then nearest", function(queries:AgentQueries, agent:Agent):Object
                         {
                             agent.moveTo(agent.x + 0.7, agent.y + 0.2, 0);
-                            queries.moved(agent);
+                            queries.refresh(agent);
                             return queries.nearest(agent);
                         }),
                     new GrowthRow("ask: a ray past all of them", "agents", 100, 1000000, beginLongRays),

@@ -66,7 +66,7 @@ package starlogo.handlers
                     {
                         return !seen.hasOwnProperty(each);
                     });
-                _tracker.separateEnded();
+                _tracker.collectEnded();
                 assertEquals(ended.join(), namesOf(_tracker.ended, _tracker.endedCount));
                 _tracker.forgetEnded();
                 var touching:Vector.<Touch> = new Vector.<Touch>();

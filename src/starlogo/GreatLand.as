@@ -141,8 +141,8 @@ package starlogo
             var build:ModelResultsBuilder = newBuild(model, fitStore);
             return new StepSequence().add(build).call(function():void
                 {
-                    // null if there is none, because the entry's old data belong to another model
-                    var shape:ShapeEntry = _shapes.made(model.name);
+                    // a result that was not computed is set to null too, because the entry's old result belongs to another model
+                    var shape:ShapeEntry = _shapes.entryFor(model.name);
                     shape.setHierarchy(build.hierarchy);
                     shape.setStructures(build.structures);
                     shape.setModel(model);
@@ -170,7 +170,7 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _shapes.made(name).loading++;
+            _shapes.entryFor(name).loading++;
         }
 
         /** @inheritDoc */

@@ -42,7 +42,7 @@ package starlogo
             assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
             assertFalse(_greatLand.removeModel("a"));
             assertStrictlyEquals(table.of("a"), table.of("b"));
-            table.made("a").loading++;
+            table.entryFor("a").loading++;
             assertTrue(_greatLand.isLoading("a"));
             assertFalse(_greatLand.isLoading("b"));
         }

@@ -215,7 +215,7 @@ package starlogo.agents
         }
 
         /**
-         * The height of the model's origin over the ground, from -LARGEST_COORDINATE to LARGEST_COORDINATE. For an upright
+         * The place of the model's origin along z, which is up, from -LARGEST_COORDINATE to LARGEST_COORDINATE. For an upright
          * agent, the origin is its lowest point.
          */
         public function get z():Number

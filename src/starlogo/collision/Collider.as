@@ -32,7 +32,7 @@ package starlogo.collision
         engine var choice:ShapeChoice;
 
         /** @private Tests pairs of agents, for questions too. */
-        engine var pairs:NarrowPhase;
+        engine var narrowPhase:NarrowPhase;
 
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
@@ -42,7 +42,7 @@ package starlogo.collision
 
         // The Collision that has it, or null; the search for other calls of findCollisions, or null.
         private var _owner:Object = null;
-        private var _asked:CollisionSearch = null;
+        private var _extraSearch:CollisionSearch = null;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
@@ -56,8 +56,8 @@ package starlogo.collision
         public function Collider(choice:ShapeChoice)
         {
             super();
-            pairs = new NarrowPhase(choice);
-            search = new CollisionSearch(choice, pairs);
+            narrowPhase = new NarrowPhase(choice);
+            search = new CollisionSearch(choice, narrowPhase);
             this.choice = choice;
         }
 
@@ -91,8 +91,8 @@ package starlogo.collision
             if (_owner != null && !isInFrame)
             {
                 // the game's own call must not change where the next frame's motions begin
-                _asked ||= new CollisionSearch(choice, pairs);
-                asked = _asked;
+                _extraSearch ||= new CollisionSearch(choice, narrowPhase);
+                asked = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             measure(asked, agents, interests, null, null, _found, found);

@@ -87,11 +87,11 @@ package starlogo.collision
         private var _isRefused:Boolean = false;
         private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
 
-        // Whether the game has _lastAgents, so that it may have changed it; the number that its agents have as a list in the table of _searched,
+        // _isLent: the game has got _lastAgents, so it may have changed the list. _listNumber: the number of this list in the table of _searched,
         // or -1.
         private var _isLent:Boolean = false;
         private var _listNumber:int = -1;
-        private var _asked:FilteredList = new FilteredList();
+        private var _filteredList:FilteredList = new FilteredList();
 
         /**
          * Creates a Collision without handlers.
@@ -277,9 +277,9 @@ package starlogo.collision
             _updating = system;
             try
             {
-                var listed:Vector.<Agent> = asked == null ? agents : _asked.ask(asked, agents);
+                var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
                 _isRefused = true;
-                findPairs(system, collider, listed, asked == null ? null : _asked.takePart);
+                findPairs(system, collider, listed, asked == null ? null : _filteredList.takePart);
                 _isRefused = false;
                 keepList(listed, system.collider);
                 if (collider != null)

@@ -27,7 +27,7 @@ package starlogo.collision
          */
         public function get maxDepth():int
         {
-            return pairs.trees.maxDepth;
+            return narrowPhase.trees.maxDepth;
         }
 
         public function set maxDepth(value:int):void
@@ -36,7 +36,7 @@ package starlogo.collision
             {
                 throw new RangeError("maxDepth must be at least 1: " + value);
             }
-            pairs.trees.maxDepth = value;
+            narrowPhase.trees.maxDepth = value;
         }
 
         /**
@@ -51,12 +51,12 @@ package starlogo.collision
          */
         public function get exact():Boolean
         {
-            return pairs.trees.exact;
+            return narrowPhase.trees.exact;
         }
 
         public function set exact(value:Boolean):void
         {
-            pairs.trees.exact = value;
+            narrowPhase.trees.exact = value;
         }
     }
 }

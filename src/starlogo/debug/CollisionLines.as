@@ -78,7 +78,7 @@ package starlogo.debug
             }
             // a system that is not the engine's tells nothing about its shapes
             var choice:ShapeChoice = collider == null ? new TightestFits(_greatLand) : collider.choice;
-            var level:int = collider == null || collider.pairs.trees == null ? 0 : levelOf(agent, collider.pairs.trees);
+            var level:int = collider == null || collider.narrowPhase.trees == null ? 0 : levelOf(agent, collider.narrowPhase.trees);
             var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)
             {

@@ -422,7 +422,7 @@ package starlogo.intersection
             _point.z = -out.normalZ;
             _sum.setTo(_structure, displacement);
             _sum.supportInto(_feature, _point);
-            _feature.setStep(_radius * _point.x, _radius * _point.y, _radius * _point.z);
+            _feature.setVector(_radius * _point.x, _radius * _point.y, _radius * _point.z);
             _feature.move();
             _otherFeature.setFarthest(_triangle, _at, out, 1);
             _feature.findCommonPoint(_otherFeature, out);

@@ -16,7 +16,7 @@ package starlogo.intersection
      * capsule.
      *
      * <p>A core is a sphere's centre, a capsule's axis or a whole box. Two structures touch when the distance of their cores is the sum of
-     * their radiusSum.</p>
+     * their radii.</p>
      */
     internal class RoundPairKernel extends PairKernel
     {
@@ -40,7 +40,7 @@ package starlogo.intersection
         /** The place of a's closest point on a capsule's axis, from 0 at its start to 1 at its end. */
         public var share:Number = 0;
 
-        /** The sum of the radiusSum: the distance of the cores when the structures touch. */
+        /** The sum of the radii: the distance of the cores when the structures touch. */
         public var radiusSum:Number;
 
         /**
@@ -58,7 +58,7 @@ package starlogo.intersection
             throw new IllegalOperationError("abstract");
         }
 
-        /** Finds the closest points at the timeParameter. */
+        /** Finds the closest points at the time in <code>timeParameter</code>. */
         protected function find():void
         {
             throw new IllegalOperationError("abstract");

@@ -98,7 +98,7 @@ package starlogo.libraries
         {
             var build:StructuresBuilder = newBuild(name, vertices);
             finish(build);
-            shapes.made(name).setStructures(build.structures);
+            shapes.entryFor(name).setStructures(build.structures);
         }
 
         /** Whether the library has structures for a shape. */

@@ -96,7 +96,7 @@ package starlogo.libraries
         {
             var builder:SolidHierarchyBuilder = newBuilder(name, vertices, triangles);
             finish(builder);
-            shapes.made(name).setHierarchy(builder);
+            shapes.entryFor(name).setHierarchy(builder);
         }
 
         /** Whether the library has a hierarchy for a shape. */
@@ -144,7 +144,8 @@ package starlogo.libraries
         }
 
         /**
-         * The same for vertices and triangles that are right and never change, as a Model's. They are not checked or copied.
+         * As <code>newBuilder()</code>, for a Model's vertices and triangles. They are neither checked nor copied, because a Model checks them and
+         * never changes.
          *
          * @private
          */

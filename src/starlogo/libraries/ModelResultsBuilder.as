@@ -77,7 +77,7 @@ package starlogo.libraries
         }
 
         /** Whether the structures were read and not computed. Read it when no step is left. */
-        public function get areStructuresRead():Boolean
+        public function get usesStoredStructures():Boolean
         {
             return _structures != null && _fits.hasStructures;
         }
@@ -104,9 +104,9 @@ package starlogo.libraries
 
         private function useFits():void
         {
-            if (areStructuresRead)
+            if (usesStoredStructures)
             {
-                _structures.useRead(_fits.structures);
+                _structures.useStored(_fits.structures);
             }
             if (hierarchy != null && _fits.hasHierarchy)
             {
@@ -117,12 +117,12 @@ package starlogo.libraries
         // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
         private function divide():Steps
         {
-            return hierarchy.isTaken && !_settings.wantsSurface ? null : hierarchy;
+            return hierarchy.isStored && !_settings.wantsSurface ? null : hierarchy;
         }
 
         private function keep():void
         {
-            if ((!isComplete || hierarchy != null && !hierarchy.isTaken) && _store.mayHold(_model))
+            if ((!isComplete || hierarchy != null && !hierarchy.isStored) && _store.mayHold(_model))
             {
                 _store.keep(_geometry.fingerprint, _settings, fits);
             }

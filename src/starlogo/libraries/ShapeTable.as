@@ -29,7 +29,7 @@ package starlogo.libraries
         }
 
         /** The entry of a name, to write to. An entry is never removed, so its revision only increases. */
-        public function made(name:String):ShapeEntry
+        public function entryFor(name:String):ShapeEntry
         {
             return _entries[PREFIX + name] ||= new ShapeEntry(this);
         }

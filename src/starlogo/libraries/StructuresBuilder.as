@@ -67,7 +67,7 @@ package starlogo.libraries
          *
          * @param read the smallest structure of each kind that the fitters found before, or null; the index is the kind's number
          */
-        public function useRead(read:Vector.<BoundingStructure>):void
+        public function useStored(read:Vector.<BoundingStructure>):void
         {
             structures = new ShapeStructures(read, _keepsAll);
         }

@@ -29,7 +29,7 @@ package starlogo.models
         }
 
         /** Whether no download is running. */
-        public function get areThere():Boolean
+        public function get areDone():Boolean
         {
             return !_all.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
         }

@@ -60,7 +60,7 @@ package starlogo.models
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return _downloads.areThere;
+            return _downloads.areDone;
         }
 
         /** The share of the load that is done, from 0 to 1. */

@@ -218,7 +218,7 @@ package starlogo.models
             }
         }
 
-        // A mirror image's triangles get the reverse corner order, so that they still face outwards.
+        // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
         private function turnRound():void
         {
             if (_factors.x * _factors.y * _factors.z < 0)

@@ -29,7 +29,7 @@ package starlogo.queries
          * Collision calls it once a frame for each agent that the other properties do not exclude.</p>
          *
          * <p>The function may ask questions itself. It must not change what the AgentQueries sees. So it must not call <code>update()</code> or
-         * <code>moved()</code>. It must not call <code>moveUntilTouch()</code> or <code>slide()</code> for an agent in the list.</p>
+         * <code>refresh()</code>. It must not call <code>moveUntilTouch()</code>, <code>slide()</code> or <code>walk()</code> for an agent in the list.</p>
          */
         public var accepts:Function = null;
 

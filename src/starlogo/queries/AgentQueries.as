@@ -24,7 +24,8 @@ package starlogo.queries
      *
      * <p>Every list is complete, and sorted by distance. Agents at the same distance keep the order of the list given to <code>update()</code>.
      * The distance of two agents is the distance of their places <code>(x, y, z)</code>. An agent exactly on the border of a radius or a cone is
-     * in the answer. Distances have the rounding errors of Numbers: 4.4 - 1.1 is not within 3.3. If you pass <code>out</code>, nothing is allocated. An agent whose model is loading has a place, but touches nothing.</p>
+     * in the answer. Distances have the rounding errors of Numbers: 4.4 - 1.1 is not within 3.3. An agent whose
+     * model is loading has a place, but touches nothing.</p>
      *
      * <p>The agents of the ground and of the edges of the world have no place. Questions that begin at an agent's place refuse them with an
      * ArgumentError.</p>
@@ -284,7 +285,7 @@ package starlogo.queries
                 throw new ArgumentError("bounds must not be null");
             }
             var body:Body = _seen.bodyOf(agent);
-            return body.shape != null && _seen.pairs.areTouching(body, _seen.bodyOf(bounds.agent, _seen.other));
+            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _seen.other));
         }
 
         /**

@@ -62,7 +62,7 @@ package starlogo.queries
         /** When the row in its whole size touches the row of <code>findWhole()</code>. */
         public var wholeTime:Number = 0;
 
-        private var _pairs:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
         private var _separation:PenetrationSearch;
         private var _table:AgentTable;
 
@@ -90,11 +90,11 @@ package starlogo.queries
         private var _end:Vector3D = new Vector3D();
         private var _tried:ContactPoint = new ContactPoint();
 
-        /** @param pairs decides which rows touch */
-        public function CoreSweep(pairs:NarrowPhase)
+        /** @param narrowPhase decides which rows touch */
+        public function CoreSweep(narrowPhase:NarrowPhase)
         {
-            _pairs = pairs;
-            _separation = new PenetrationSearch(pairs);
+            _narrowPhase = narrowPhase;
+            _separation = new PenetrationSearch(narrowPhase);
         }
 
         /** Begins with the body that moves, and the table of the rows in its way. */
@@ -154,7 +154,7 @@ package starlogo.queries
                 return false;
             }
             put(at, _shrink);
-            return _pairs.areTouching(_moving, _table.bodyOf(other));
+            return _narrowPhase.areTouching(_moving, _table.bodyOf(other));
         }
 
         /**
@@ -168,7 +168,7 @@ package starlogo.queries
             put(at, 0);
             if (body.form == ModelShape.GROUND)
             {
-                return GroundPairTests(_pairs.testsOf(_moving, body)).isDeeper(_moving, body, slop);
+                return GroundPairTests(_narrowPhase.testsOf(_moving, body)).isDeeper(_moving, body, slop);
             }
             _standing.readShrunk(body, null, shrinkOf(body, slop));
             return touches(_standing);
@@ -215,7 +215,7 @@ package starlogo.queries
             var shallow:Number = SHALLOW * extentWith(other);
             put(at, 0);
             var body:Body = _table.bodyOf(other);
-            _pairs.testsOf(_moving, body).findContact(_moving, body, RelativeMotion.NONE, out);
+            _narrowPhase.testsOf(_moving, body).findContact(_moving, body, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
                 _separation.find(_moving, body, RelativeMotion.NONE, out);
@@ -278,7 +278,7 @@ package starlogo.queries
         private function impactOf(other:int, out:ContactPoint):Number
         {
             var body:Body = _table.bodyOf(other);
-            _pairs.testsOf(_moving, body).findImpact(_moving, body, _motion, out);
+            _narrowPhase.testsOf(_moving, body).findImpact(_moving, body, _motion, out);
             return _motion.time;
         }
 
@@ -326,7 +326,7 @@ package starlogo.queries
 
         private function touches(other:Body):Boolean
         {
-            return isNear(other, RelativeMotion.NONE, slop) && _pairs.areTouching(_moving, other);
+            return isNear(other, RelativeMotion.NONE, slop) && _narrowPhase.areTouching(_moving, other);
         }
 
         // Whether the extents of the row come this close to another's, anywhere on a motion that ends where the row is.

@@ -73,38 +73,38 @@ package starlogo.queries
         /**
          * Finds the distance between two bodies, and writes it to <code>closest</code>.
          *
-         * @param pairs tests whether bodies touch
+         * @param narrowPhase tests whether bodies touch
          * @param withPoints whether the closest points are needed too
          */
-        public function measure(pairs:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
+        public function measure(narrowPhase:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
         {
             if (NarrowPhase.isSecondFirst(a, b))
             {
-                measureInOrder(pairs, b, a, withPoints);
+                measureInOrder(narrowPhase, b, a, withPoints);
                 closest.swapShapes();
             }
             else
             {
-                measureInOrder(pairs, a, b, withPoints);
+                measureInOrder(narrowPhase, a, b, withPoints);
             }
         }
 
-        private function measureInOrder(pairs:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
+        private function measureInOrder(narrowPhase:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
         {
             if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
             {
                 findClosest(a.structure(), b.structure(), closest);
                 var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
-                closest.settle(closest.distance <= Tolerances.APART * size && pairs.areTouching(a, b));
+                closest.settle(closest.distance <= Tolerances.APART * size && narrowPhase.areTouching(a, b));
                 return;
             }
-            var areTouching:Boolean = pairs.areTouching(a, b);
+            var areTouching:Boolean = narrowPhase.areTouching(a, b);
             if (areTouching && !withPoints)
             {
                 closest.distance = 0;
                 return;
             }
-            pairs.testsOf(a, b).findClosest(a, b, areTouching, closest);
+            narrowPhase.testsOf(a, b).findClosest(a, b, areTouching, closest);
         }
 
         private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
@@ -113,7 +113,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            measure(_seen.pairs, a, b, pointA != null || pointB != null);
+            measure(_seen.narrowPhase, a, b, pointA != null || pointB != null);
             write(pointA, closest.aX, closest.aY, closest.aZ);
             write(pointB, closest.bX, closest.bY, closest.bZ);
             return closest.distance;

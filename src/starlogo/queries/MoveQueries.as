@@ -152,9 +152,9 @@ package starlogo.queries
         {
             requireInWorld("a motion", dx, dy, dz);
             _way.setTo(dx, dy, dz);
-            if (mover == null || mover.pairs !== _seen.pairs)
+            if (mover == null || mover.narrowPhase !== _seen.narrowPhase)
             {
-                mover = new Mover(_seen.pairs);
+                mover = new Mover(_seen.narrowPhase);
             }
             body = asking;
             nearCount = 0;

@@ -38,7 +38,7 @@ package starlogo.queries
         // If the next row is met within this many slops, this is the same corner.
         private static const NEXT:Number = 4;
 
-        // A contact is upright if the horizontal fraction of its normal is shorter than the square root of this. The rest is a rounding error.
+        // A normal is vertical if the square of its horizontal part is at most this. The rest is a rounding error.
         private static const UPRIGHT:Number = 1e-20;
 
         // Between two walls the row may be lifted to and fro. After this many rounds it stays where it is.
@@ -51,7 +51,7 @@ package starlogo.queries
         private static const MOST_ITERATIONS:int = 8;
 
         /** Tests which rows touch. */
-        public var pairs:NarrowPhase;
+        public var narrowPhase:NarrowPhase;
 
         /** Whether the last slide met a wall: a surface that was too steep for it. */
         public var metWall:Boolean = false;
@@ -106,11 +106,11 @@ package starlogo.queries
 
         private var _standing:ContactPoint = new ContactPoint();
 
-        /** @param pairs tests which rows touch */
-        public function Mover(pairs:NarrowPhase)
+        /** @param narrowPhase tests which rows touch */
+        public function Mover(narrowPhase:NarrowPhase)
         {
-            this.pairs = pairs;
-            _sweep = new CoreSweep(pairs);
+            this.narrowPhase = narrowPhase;
+            _sweep = new CoreSweep(narrowPhase);
         }
 
         /**
@@ -346,7 +346,7 @@ package starlogo.queries
             fraction = gone < whole ? gone / whole : 1;
         }
 
-        // If a contact is too steep, this iterations it into an upright wall. The rest of the motion becomes level, because the slope would stop
+        // If a contact is too steep, this turns it into an upright wall. The rest of the motion becomes level, because the slope would stop
         // a motion up or down.
         private function standUp():void
         {

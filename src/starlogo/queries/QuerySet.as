@@ -92,7 +92,7 @@ package starlogo.queries
             // if one row is wanted, it may be any that touches
             for (var other:int = found.nextOf(_way); other >= 0 && !(found.keepsFirst && found.count > 0); other = found.nextOf(_way))
             {
-                if (_seen.pairs.areTouching(body, table.bodyOf(other)))
+                if (_seen.narrowPhase.areTouching(body, table.bodyOf(other)))
                 {
                     var toX:Number = table.now.x[other] - body.placement.x;
                     var toY:Number = table.now.y[other] - body.placement.y;

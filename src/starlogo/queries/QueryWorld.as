@@ -34,7 +34,7 @@ package starlogo.queries
         public var table:AgentTable;
 
         /** Tests which rows touch. It belongs to the collision system and has its settings. */
-        public var pairs:NarrowPhase;
+        public var narrowPhase:NarrowPhase;
 
         /** The number of questions under way that are calling a filter's accepts. Meanwhile the list must not change. */
         public var asking:int = 0;
@@ -60,7 +60,7 @@ package starlogo.queries
         {
             _source = source;
             var collider:Collider = findCollider();
-            pairs = collider.pairs;
+            narrowPhase = collider.narrowPhase;
             table = tableFor(collider);
             _system = collider;
         }
@@ -94,7 +94,7 @@ package starlogo.queries
             next.read(agents);
             next.readWorldAgent(RowList.GROUND, terrain == null ? null : terrain.agent);
             table = next;
-            pairs = collider.pairs;
+            narrowPhase = collider.narrowPhase;
             _system = collider;
             _places.isStale = _extents.isStale = true;
             _extents.beyond = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;

@@ -104,7 +104,7 @@ package starlogo.queries
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var isMet:Boolean = _solid.find(shape.hierarchy, _seen.pairs.trees.depthOf(body), _seen.pairs.trees.exact, found);
+                var isMet:Boolean = _solid.find(shape.hierarchy, _seen.narrowPhase.trees.depthOf(body), _seen.narrowPhase.trees.exact, found);
                 triangle = _solid.triangle;
                 return isMet;
             }

@@ -58,8 +58,8 @@ package starlogo.search
         internal var revision:int = 0;
         private var _kept:Placement;
 
-        // The structure in the world, and whether it is at the place; the structures that are tested before it; by kind, structures of other shapes
-        // that the body had; the shapes for structures that belong to no model; and such structures of other bodies, by kind.
+        // The structure in the world, and whether it is at the body's place. By kind: structures of other shapes, for later use; shapes for
+        // structures without a model; the structures that readPlaced() makes.
         private var _placed:BoundingStructure = null;
         private var _isPlaced:Boolean = false;
         private var _spares:Vector.<BoundingStructure> = null;

@@ -26,7 +26,7 @@ package starlogo.search
         /** The agents of the last search. */
         public var table:AgentTable;
 
-        private var _pairs:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
         private var _motions:SweptPairs;
@@ -35,7 +35,7 @@ package starlogo.search
         private var _bodyB:Body = new Body();
         private var _isSwept:Boolean = false;
 
-        /** Whether the shapes of all rows are spheres. */
+        /** Whether all shapes that the collider has made are spheres. */
         internal var areSpheres:Boolean = false;
 
         // The rows that the bins get, called members: all rows, or only rows of breeds of interest.
@@ -67,15 +67,15 @@ package starlogo.search
 
         /**
          * @param choice finds the shapes of agents
-         * @param pairs tests which of them touch
+         * @param narrowPhase tests which of them touch
          */
-        public function CollisionSearch(choice:ShapeChoice, pairs:NarrowPhase)
+        public function CollisionSearch(choice:ShapeChoice, narrowPhase:NarrowPhase)
         {
-            _pairs = pairs;
+            _narrowPhase = narrowPhase;
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins);
-            _motions = new SweptPairs(pairs);
-            _kept = new KeptPairs(this, _bins, _motions, pairs);
+            _motions = new SweptPairs(narrowPhase);
+            _kept = new KeptPairs(this, _bins, _motions, narrowPhase);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -83,7 +83,7 @@ package starlogo.search
         {
             var bodyA:Body = table.bodyOfNow(a, _bodyA);
             var bodyB:Body = table.bodyOfNow(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && _pairs.areTouching(bodyA, bodyB);
+            return bodyA.shape != null && bodyB.shape != null && _narrowPhase.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -113,7 +113,7 @@ package starlogo.search
             _areBreedsRead = interests != null && interests.areBreedsNeeded(table);
             _skippedPairs = 0;
             // tests since the last search, as those of questions, do not count
-            _pairs.takeCounts(counts);
+            _narrowPhase.takeCounts(counts);
             if (outAgents != null)
             {
                 _kept.forget();
@@ -254,11 +254,11 @@ package starlogo.search
             }
             else if (areSpheres)
             {
-                count = _pairs.keepTouchingSpheres(table, _bins, slot, others, count);
+                count = _narrowPhase.keepTouchingSpheres(table, _bins, slot, others, count);
             }
             else
             {
-                count = _pairs.keepTouching(table, _bins, row, rowAt, others, count);
+                count = _narrowPhase.keepTouching(table, _bins, row, rowAt, others, count);
             }
             put(row, rowAt, others, count);
         }
@@ -359,7 +359,7 @@ package starlogo.search
                 return keepTouchingMotions(null, fixture, rows, numbers, count, at);
             }
             var body:Body = table.bodyOf(fixture);
-            return _pairs.testsOf(body, body).keepMembers(table, rows, numbers, count, body);
+            return _narrowPhase.testsOf(body, body).keepMembers(table, rows, numbers, count, body);
         }
 
         /**
@@ -381,7 +381,7 @@ package starlogo.search
                 _skippedPairs += count - kept;
                 count = kept;
             }
-            return _isSwept ? keepTouchingMotions(_bins, row, rows, numbers, count, at) : _pairs.keepTouching(table, _bins, row, rows, numbers, count);
+            return _isSwept ? keepTouchingMotions(_bins, row, rows, numbers, count, at) : _narrowPhase.keepTouching(table, _bins, row, rows, numbers, count);
         }
 
         private function listNumbers(count:int):void
@@ -394,7 +394,7 @@ package starlogo.search
 
         private function report(agentCount:int, pairCount:int, counts:SearchCounts):void
         {
-            _pairs.takeCounts(counts);
+            _narrowPhase.takeCounts(counts);
             counts.agents = agentCount;
             counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;

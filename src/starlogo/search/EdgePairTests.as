@@ -24,7 +24,7 @@ package starlogo.search
      */
     public final class EdgePairTests extends PairTests
     {
-        private var _pairs:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
 
         // By edge: the direction out of the world, the edge's place in this direction, how far the body is beyond it (less than 0 if the body is
         // before it), and how far the body's motion goes towards it. _nearest is the edge that the body of the last contact is furthest beyond.
@@ -42,10 +42,10 @@ package starlogo.search
         private var _farthest:SupportPoint = new SupportPoint();
         private var _touch:ContactPoint = new ContactPoint();
 
-        /** @param pairs knows how deep trees are visited */
-        public function EdgePairTests(pairs:NarrowPhase)
+        /** @param narrowPhase knows how deep trees are visited */
+        public function EdgePairTests(narrowPhase:NarrowPhase)
         {
-            _pairs = pairs;
+            _narrowPhase = narrowPhase;
         }
 
         /** @inheritDoc */
@@ -97,7 +97,7 @@ package starlogo.search
                 _penetration[edge] -= left * _approach[edge];
                 _nearest = _penetration[edge] > _penetration[_nearest] ? edge : _nearest;
             }
-            _farthest.setTo(a, _pairs.trees);
+            _farthest.setTo(a, _narrowPhase.trees);
             _farthest.findPoint(_outwards[_nearest], _largest);
             out.x = _farthest.point.x - left * motion.x;
             out.y = _farthest.point.y - left * motion.y;
@@ -148,7 +148,7 @@ package starlogo.search
                 _approach[edge] = along(edge, motion.x, motion.y, motion.z);
                 if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - _approach[edge] >= -_margin))
                 {
-                    _farthest.setTo(body, _pairs.trees);
+                    _farthest.setTo(body, _narrowPhase.trees);
                     _farthest.find(_outwards[edge]);
                     _penetration[edge] = _farthest.support - _places[edge];
                 }

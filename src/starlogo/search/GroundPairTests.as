@@ -19,17 +19,17 @@ package starlogo.search
      */
     public final class GroundPairTests extends PairTests
     {
-        private var _pairs:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
 
         // The columns of one body.
         private var _extents:Extents = new Extents();
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
 
-        /** @param pairs knows how deep trees are visited */
-        public function GroundPairTests(pairs:NarrowPhase)
+        /** @param narrowPhase knows how deep trees are visited */
+        public function GroundPairTests(narrowPhase:NarrowPhase)
         {
-            _pairs = pairs;
+            _narrowPhase = narrowPhase;
             _extents.grow(1);
         }
 
@@ -122,7 +122,7 @@ package starlogo.search
         {
             var plane:Number = way.normalX * way.x + way.normalY * way.y + way.normalZ * way.z + way.depth / 2;
             _inwards.setTo(-way.normalX, -way.normalY, -way.normalZ);
-            _farthest.setTo(a, _pairs.trees);
+            _farthest.setTo(a, _narrowPhase.trees);
             _farthest.find(_inwards);
             way.depth = plane + _farthest.support;
         }
@@ -144,7 +144,7 @@ package starlogo.search
         {
             var shape:ModelShape = a.shape;
             var grid:HeightGrid = gridOf(b);
-            var trees:TreePairTests = _pairs.trees;
+            var trees:TreePairTests = _narrowPhase.trees;
             var pair:TerrainPair = grid.pair;
             var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(a);
             pair.setTo(grid, shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);

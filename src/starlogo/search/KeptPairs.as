@@ -20,7 +20,8 @@ package starlogo.search
      */
     internal final class KeptPairs
     {
-        // At most one of this number of rows may have changed: of all shapes that are slow to test, if all pairs are tested; of others.
+        // Pairs are kept if at most one row in OF_ALL has changed. If all shapes are spheres, or only some breeds have handlers, at most one row in
+        // OF_FAST may have changed.
         private static const OF_ALL:int = 8;
         private static const OF_FAST:int = 20;
 
@@ -28,7 +29,7 @@ package starlogo.search
         private var _table:AgentTable;
         private var _bins:Bins;
         private var _motions:SweptPairs;
-        private var _pairsOf:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
 
         // The pairs, and whether they are those of the last search.
         private var _pairs:OrderedPairs;
@@ -64,15 +65,15 @@ package starlogo.search
          * @param search makes the tests
          * @param bins give the members their cells
          * @param motions of the rows
-         * @param pairs has the settings of the tests
+         * @param narrowPhase has the settings of the tests
          */
-        public function KeptPairs(search:CollisionSearch, bins:Bins, motions:SweptPairs, pairs:NarrowPhase)
+        public function KeptPairs(search:CollisionSearch, bins:Bins, motions:SweptPairs, narrowPhase:NarrowPhase)
         {
             _search = search;
             _table = search.table;
             _bins = bins;
             _motions = motions;
-            _pairsOf = pairs;
+            _narrowPhase = narrowPhase;
             _cells = new CellLists(bins.levels);
             _pairs = new OrderedPairs(_table, _cells);
         }
@@ -104,7 +105,7 @@ package starlogo.search
             _takePart = takePart;
             var isSame:Boolean = interests === _interests;
             _interests = interests;
-            var trees:TreePairTests = _pairsOf.trees;
+            var trees:TreePairTests = _narrowPhase.trees;
             var maxDepth:int = trees == null ? 0 : trees.maxDepth;
             isSame = isStill(0, interests.revision) && isSame;
             isSame = isStill(1, areBreedsRead ? 1 : 0) && isSame;

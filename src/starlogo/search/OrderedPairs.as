@@ -150,7 +150,7 @@ package starlogo.search
                 _turns[i] = i;
                 _keys[i] = _cells.secondKey;
             }
-            // equal keys keep their order, so the first of the keys comes last
+            // The sort keeps the order of equal keys. So the less important key is sorted first.
             _order.sort(_turns, _keys, foundCount);
             for (i = 0; i < foundCount; i++)
             {

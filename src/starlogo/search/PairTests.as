@@ -74,7 +74,7 @@ package starlogo.search
          * Finds the time and the contact of the first touch of two bodies. They must not touch at the beginning of the motion.
          *
          * @param motion as in findTime. But a touch that rounding errors hide at its end may be missing
-         * @param out receives the contact, as in findContact; null if only the time is leastDepth
+         * @param out receives the contact, as in findContact; null if only the time is needed
          */
         public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {

@@ -53,7 +53,7 @@ package starlogo.search
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
-        private var _pairs:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
 
         // The first contact.
         private var _first:ContactPoint = new ContactPoint();
@@ -65,10 +65,10 @@ package starlogo.search
         private var _pushes:PushSearch = new PushSearch();
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        /** @param pairs tests which bodies touch, and when */
-        public function PenetrationSearch(pairs:NarrowPhase)
+        /** @param narrowPhase tests which bodies touch, and when */
+        public function PenetrationSearch(narrowPhase:NarrowPhase)
         {
-            _pairs = pairs;
+            _narrowPhase = narrowPhase;
         }
 
         /**
@@ -79,7 +79,7 @@ package starlogo.search
          */
         public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _tests = _pairs.testsOf(a, b);
+            _tests = _narrowPhase.testsOf(a, b);
             if (_tests.hasExactContact(a, b))
             {
                 OverlapMiddle.setAlong(a, b, out);
@@ -164,7 +164,7 @@ package starlogo.search
             {
                 return;
             }
-            var trees:TreePairTests = _pairs.trees;
+            var trees:TreePairTests = _narrowPhase.trees;
             var isExact:Boolean = trees != null && trees.exact && out.depth > SHALLOW * _extent;
             if (isExact)
             {

@@ -44,8 +44,8 @@ package starlogo.search
         protected var proposed:Vector.<int> = new Vector.<int>();
 
         /**
-         * The rows whose agents have left with the list that was read last, or have another place among the others in it. Two lists in which all
-         * other agents have the same order.
+         * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
+         * same order in both lists.
          */
         internal var left:Vector.<int> = new Vector.<int>();
 

@@ -48,7 +48,7 @@ package starlogo.search
         /**
          * @private Gives the pairs their tests for trees. Only choices with trees override it, so a game without trees does not load that code.
          */
-        engine function prepare(pairs:NarrowPhase):void
+        engine function prepare(narrowPhase:NarrowPhase):void
         {
         }
 

@@ -28,7 +28,7 @@ package starlogo.search
         // How far the first body moved against the normal, in the last pair whose contact was found.
         internal var approachSpeed:Number = 0;
 
-        private var _pairs:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
 
         // The motion of the first row of a pair, relative to the second.
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -38,11 +38,11 @@ package starlogo.search
 
         private var _separation:PenetrationSearch;
 
-        /** @param pairs tests which rows touch */
-        public function SweptPairs(pairs:NarrowPhase)
+        /** @param narrowPhase tests which rows touch */
+        public function SweptPairs(narrowPhase:NarrowPhase)
         {
-            _pairs = pairs;
-            _separation = new PenetrationSearch(pairs);
+            _narrowPhase = narrowPhase;
+            _separation = new PenetrationSearch(narrowPhase);
         }
 
         /** Whether any agent in a list sweeps. */
@@ -121,19 +121,19 @@ package starlogo.search
             {
                 // two that move alike touch from the beginning on: time 0. Two that do not sweep or have not moved touch where they are: time 1
                 var found:Number = isSwept && (x[a] != 0 || y[a] != 0 || z[a] != 0) ? 0 : 1;
-                motion.time = _pairs.areTouching(table.bodyOf(a), table.bodyOf(b)) ? found : RelativeMotion.NEVER;
+                motion.time = _narrowPhase.areTouching(table.bodyOf(a), table.bodyOf(b)) ? found : RelativeMotion.NEVER;
             }
             else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))
             {
-                _pairs.sweptPairs++;
+                _narrowPhase.sweptPairs++;
                 if (areSpheres)
                 {
-                    _pairs.spheres.findTimeOfRows(table, a, b, motion);
+                    _narrowPhase.spheres.findTimeOfRows(table, a, b, motion);
                     return;
                 }
                 var bodyA:Body = table.bodyOf(a);
                 var bodyB:Body = table.bodyOf(b);
-                _pairs.testsOf(bodyA, bodyB).findTime(bodyA, bodyB, motion);
+                _narrowPhase.testsOf(bodyA, bodyB).findTime(bodyA, bodyB, motion);
             }
         }
 
@@ -182,7 +182,7 @@ package starlogo.search
         private function separate(a:Body, b:Body, out:ContactPoint):void
         {
             var motion:RelativeMotion = _motion;
-            _pairs.testsOf(a, b).findContact(a, b, motion, out);
+            _narrowPhase.testsOf(a, b).findContact(a, b, motion, out);
             if (b.form != ModelShape.EDGES)
             {
                 _separation.find(a, b, motion, out);

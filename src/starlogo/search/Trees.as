@@ -20,9 +20,9 @@ package starlogo.search
         }
 
         /** @private */
-        override engine function prepare(pairs:NarrowPhase):void
+        override engine function prepare(narrowPhase:NarrowPhase):void
         {
-            pairs.trees = new TreePairTests();
+            narrowPhase.trees = new TreePairTests();
         }
 
         /** @inheritDoc */

@@ -22,8 +22,8 @@ package starlogo.solid
         private var _axis:int;
         private var _side:int;
 
-        /** Whether there is one. */
-        public function areAt(point:Vector3D, root:HierarchyNode):Boolean
+        /** Whether a ray from the point along one of the six directions of the axes meets no node of the tree. */
+        public function hasOpenSide(point:Vector3D, root:HierarchyNode):Boolean
         {
             _x = point.x;
             _y = point.y;

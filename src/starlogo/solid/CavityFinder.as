@@ -40,13 +40,13 @@ package starlogo.solid
 
         /**
          * @param solid has the pieces; receives the cavities
-         * @param balances for each piece, the number of its triangles that are not turned, minus the number of those that are
+         * @param balances for each piece, the number of its triangles that are not reversed, minus the number of those that are
          */
         public function CavityFinder(solid:Solid, balances:Vector.<int>)
         {
             var pieces:int = balances.length;
             _solid = solid;
-            _mostLooks = LOOKS_PER_TRIANGLE * solid.sides.length;
+            _mostLooks = LOOKS_PER_TRIANGLE * solid.signedPieces.length;
             _balances = balances;
             if (pieces > 1)
             {
@@ -55,18 +55,18 @@ package starlogo.solid
                 _volumes = new Vector.<Number>(pieces, true);
                 _orientations = new Vector.<int>(pieces, true);
                 _around = new Vector.<Vector.<int>>(pieces, true);
-                slices(solid.sides.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
+                slices(solid.signedPieces.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
             }
         }
 
         private function isSolid(piece:int):Boolean
         {
-            return piece >= 0 && _solid.shells[piece] == SurfaceTopology.SOLID;
+            return piece >= 0 && _solid.pieceStates[piece] == SurfaceTopology.SOLID;
         }
 
         private function pieceOf(triangle:int):int
         {
-            return Math.abs(_solid.sides[triangle]) - 1;
+            return Math.abs(_solid.signedPieces[triangle]) - 1;
         }
 
         private function measure(first:int, end:int):void
@@ -97,7 +97,7 @@ package starlogo.solid
                     var from:int = _corners[piece] - 1;
                     var volume:Number = _face.length * (_face.normalX * (corners[9 * i] - corners[from])
                             + _face.normalY * (corners[9 * i + 1] - corners[from + 1]) + _face.normalZ * (corners[9 * i + 2] - corners[from + 2]));
-                    _volumes[piece] += _solid.sides[i] > 0 ? volume : -volume;
+                    _volumes[piece] += _solid.signedPieces[i] > 0 ? volume : -volume;
                 }
             }
         }
@@ -114,7 +114,7 @@ package starlogo.solid
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_solid.sides.length, TRIANGLES_PER_STEP, testSome).call(decide);
+                slices(_solid.signedPieces.length, TRIANGLES_PER_STEP, testSome).call(decide);
             }
         }
 
@@ -140,7 +140,7 @@ package starlogo.solid
             var at:int = 9 * triangle;
             var box:int = 6 * piece;
             var inwards:Number = INWARDS * Math.max(_boxes[box + 3] - _boxes[box], _boxes[box + 4] - _boxes[box + 1], _boxes[box + 5] - _boxes[box + 2]);
-            var isOutwards:Boolean = _solid.sides[triangle] > 0 == _volumes[piece] > 0;
+            var isOutwards:Boolean = _solid.signedPieces[triangle] > 0 == _volumes[piece] > 0;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new Vector.<Number>(3, true);
             for (var axis:int = 0; axis < 3; axis++)
@@ -209,7 +209,7 @@ package starlogo.solid
                 }
                 if (isSolid(innermost) && _orientations[innermost] == -_orientations[piece])
                 {
-                    _solid.shells[piece] = innermost;
+                    _solid.pieceStates[piece] = innermost;
                 }
             }
         }

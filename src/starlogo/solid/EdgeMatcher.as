@@ -40,7 +40,8 @@ package starlogo.solid
         private var _lows:Vector.<int>;
         private var _lasts:Vector.<int>;
 
-        // The last edges of those between vertices that have more than two. The triangles that are connected.
+        // If more than two edges are between the same two vertices, the last of these edges is in this list. The sets have the triangles that are
+        // connected.
         private var _nonManifold:Vector.<int> = new Vector.<int>();
         private var _sets:DisjointSets;
 
@@ -234,7 +235,7 @@ package starlogo.solid
             }
         }
 
-        // Matches each edge with the first one before it that is waiting, if they may be as much alike. Returns the edges that are left.
+        // Matches each edge with the first waiting edge before it whose likeness is at most <code>alike</code>. Returns the edges that are left.
         private function matchSome(edges:Array, alike:int):Array
         {
             var waiting:Array = [];

@@ -4,13 +4,13 @@ package starlogo.solid
 
     /**
      * Finds the pieces of a surface: triangles that are connected over edges. It goes from triangle to triangle, and finds which of a
-     * piece's triangles have to be turned so that all have the same orientation.
+     * piece's triangles have to be reversed so that all have the same orientation.
      */
     internal final class PieceFinder implements Steps
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        /** For each piece, the number of its triangles that are not turned, minus the number of those that are. */
+        /** For each piece, the number of its triangles that are not reversed, minus the number of those that are. */
         public var balances:Vector.<int> = new Vector.<int>();
 
         private var _surface:SurfaceTopology;
@@ -34,22 +34,22 @@ package starlogo.solid
         /** @inheritDoc */
         public function step():Boolean
         {
-            var sides:Vector.<int> = _surface.sides;
+            var signedPieces:Vector.<int> = _surface.signedPieces;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
                 if (_next < _queue.length)
                 {
                     goOnFrom(_queue[_next++]);
                 }
-                else if (_first == sides.length)
+                else if (_first == signedPieces.length)
                 {
                     return false;
                 }
                 else
                 {
-                    if (sides[_first] == 0 && _edges.hasEdges(_first))
+                    if (signedPieces[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.shells.push(SurfaceTopology.SOLID);
+                        _surface.pieceStates.push(SurfaceTopology.SOLID);
                         balances.push(0);
                         add(_first, balances.length);
                     }
@@ -61,7 +61,7 @@ package starlogo.solid
 
         private function add(triangle:int, side:int):void
         {
-            _surface.sides[triangle] = side;
+            _surface.signedPieces[triangle] = side;
             balances[int(balances.length - 1)] += side > 0 ? 1 : -1;
             _queue.push(triangle);
         }
@@ -69,28 +69,28 @@ package starlogo.solid
         private function goOnFrom(triangle:int):void
         {
             var piece:int = balances.length - 1;
-            var shells:Vector.<int> = _surface.shells;
+            var pieceStates:Vector.<int> = _surface.pieceStates;
             for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
             {
                 var partner:int = _edges.partners[edge] - 1;
                 if (partner < 0)
                 {
-                    shells[piece] = SurfaceTopology.OPEN;
+                    pieceStates[piece] = SurfaceTopology.OPEN;
                     continue;
                 }
-                var side:int = _surface.sides[triangle];
+                var side:int = _surface.signedPieces[triangle];
                 if (_edges.beginOf(edge) == _edges.beginOf(partner))
                 {
                     side = -side;
                 }
                 var neighbour:int = partner / 3;
-                if (_surface.sides[neighbour] == 0)
+                if (_surface.signedPieces[neighbour] == 0)
                 {
                     add(neighbour, side);
                 }
-                else if (_surface.sides[neighbour] != side && shells[piece] == SurfaceTopology.SOLID)
+                else if (_surface.signedPieces[neighbour] != side && pieceStates[piece] == SurfaceTopology.SOLID)
                 {
-                    shells[piece] = SurfaceTopology.ONE_SIDED;
+                    pieceStates[piece] = SurfaceTopology.ONE_SIDED;
                 }
             }
         }

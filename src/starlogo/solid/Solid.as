@@ -31,11 +31,11 @@ package starlogo.solid
         /** The triangles' corners where seams were welded. The same list as <code>corners</code> if there is no gap. */
         public var places:Vector.<Number>;
 
-        /** For each triangle, the number that <code>SurfaceTopology.sides</code> has. */
-        public var sides:Vector.<int>;
+        /** For each triangle, one more than the number of its piece, negative if the triangle is reversed; 0 without area. */
+        public var signedPieces:Vector.<int>;
 
-        /** For each piece, what <code>SurfaceTopology.shells</code> has. */
-        public var shells:Vector.<int> = null;
+        /** For each piece: SurfaceTopology.SOLID, ONE_SIDED or OPEN, or the number of the piece in which it bounds a cavity. */
+        public var pieceStates:Vector.<int> = null;
 
         /** Whether a piece of the surface is closed, so that it has an inside. */
         public var isClosed:Boolean = false;
@@ -89,7 +89,7 @@ package starlogo.solid
             places = corners;
             extents = new Vector.<Number>(6 * count, true);
             planes = new Vector.<Number>(5 * count, true);
-            sides = new Vector.<int>(count, true);
+            signedPieces = new Vector.<int>(count, true);
         }
 
         /**
@@ -117,7 +117,7 @@ package starlogo.solid
         /** Whether the point of the last <code>wind()</code> is inside of a piece, and not in a cavity of it. */
         public function isAround(piece:int):Boolean
         {
-            return shells[piece] == SurfaceTopology.SOLID ? windings[piece] != 0 : shells[piece] == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
+            return pieceStates[piece] == SurfaceTopology.SOLID ? windings[piece] != 0 : pieceStates[piece] == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
         }
 
         /**
@@ -183,9 +183,9 @@ package starlogo.solid
             for (i = 0; i < woundCount; i++)
             {
                 var piece:int = wound[i];
-                if (shells[piece] >= 0 && windings[piece] != 0)
+                if (pieceStates[piece] >= 0 && windings[piece] != 0)
                 {
-                    windings[shells[piece]] = 0;
+                    windings[pieceStates[piece]] = 0;
                 }
             }
         }
@@ -228,7 +228,7 @@ package starlogo.solid
             {
                 return;
             }
-            var side:int = sides[triangle];
+            var side:int = signedPieces[triangle];
             var piece:int = side > 0 ? side - 1 : -side - 1;
             if (piece >= 0)
             {

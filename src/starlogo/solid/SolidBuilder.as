@@ -69,8 +69,8 @@ package starlogo.solid
         {
             _solid = _hierarchy.placed;
             _solid.isClosed = _surface.isClosed;
-            _solid.shells = _surface.shells;
-            _solid.windings = new Vector.<int>(_surface.shells.length, true);
+            _solid.pieceStates = _surface.pieceStates;
+            _solid.windings = new Vector.<int>(_surface.pieceStates.length, true);
             _solid.widestSeam = _surface.widestSeam;
             if (_surface.widestSeam > 0)
             {
@@ -82,7 +82,7 @@ package starlogo.solid
             _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
             if (_builder != null)
             {
-                _partOf = new Vector.<int>(_surface.shells.length, true);
+                _partOf = new Vector.<int>(_surface.pieceStates.length, true);
                 _sets = new DisjointSets(_surface.partNumberEnd);
                 begin(newCavities);
                 sliced(measure).slices(_solid.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts).call(beginAgain);
@@ -91,8 +91,8 @@ package starlogo.solid
             sliced(measure).call(conclude);
         }
 
-        // A figure often consists of pieces that overlap. They are inside of another model together or not at all, unless that one is inside
-        // of them. So fewer parts mean fewer points to test for each pair of agents.
+        // A figure often consists of pieces that overlap. Another model contains all of them or none, unless that model is inside one of them. So
+        // overlapping pieces are joined to one part, and each pair of agents needs fewer points.
         private function joinParts(first:int, end:int):void
         {
             for (var part:int = first; part < end && _looks < LOOKS_PER_TRIANGLE * _order.length; part++)
@@ -131,8 +131,8 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                var side:int = _surface.sides[_order[i]];
-                _solid.sides[i] = side;
+                var side:int = _surface.signedPieces[_order[i]];
+                _solid.signedPieces[i] = side;
                 if (_builder != null && side != 0)
                 {
                     _partOf[int(Math.abs(side) - 1)] = _surface.parts[_order[i]];

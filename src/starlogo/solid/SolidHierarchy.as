@@ -62,7 +62,7 @@ package starlogo.solid
             {
                 placeTriangles(); // with them the tree has small boxes
                 _open ||= new AxisEscapeTest();
-                isOutside = _open.areAt(middle, root);
+                isOutside = _open.hasOpenSide(middle, root);
             }
             return !isOutside && solid.isInside(middle);
         }

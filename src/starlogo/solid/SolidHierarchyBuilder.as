@@ -89,7 +89,7 @@ package starlogo.solid
         }
 
         /** Whether the nodes come from the stored tree. It becomes false if the tree does not fit the items. */
-        public function get isTaken():Boolean
+        public function get isStored():Boolean
         {
             return _builder.isStored;
         }

@@ -38,7 +38,7 @@ package starlogo.solid
             add(_welding).slices(count, TRIANGLES_PER_STEP, joinSome).slices(count, TRIANGLES_PER_STEP, numberSome).add(edges).add(_pieces);
         }
 
-        /** For each piece, the number of its triangles that are not turned, minus the number of those that are. */
+        /** For each piece, the number of its triangles that are not reversed, minus the number of those that are. */
         public function get balances():Vector.<int>
         {
             return _pieces.balances;

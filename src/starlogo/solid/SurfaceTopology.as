@@ -10,13 +10,13 @@ package starlogo.solid
      */
     public final class SurfaceTopology
     {
-        /** In shells: the piece is closed, and a point is inside if the piece winds around it. */
+        /** In pieceStates: the piece is closed, and a point is inside if the piece winds around it. */
         public static const SOLID:int = -1;
 
-        /** In shells: the piece is closed and has one side only. A point is inside if the piece winds around it an odd number of times. */
+        /** In pieceStates: the piece is closed and has one side only. A point is inside if the piece winds around it an odd number of times. */
         public static const ONE_SIDED:int = -2;
 
-        /** In shells: the piece is not closed, and has no inside. */
+        /** In pieceStates: the piece is not closed, and has no inside. */
         public static const OPEN:int = -3;
 
         // The number of parts, the number of pieces, and the widest seam.
@@ -35,14 +35,14 @@ package starlogo.solid
          * For each triangle, one more than the number of its piece, or 0 for a triangle without area. Pieces are connected over edges. The
          * number is negative for triangles that have to be reversed, so that all of the piece have the same orientation.
          */
-        public var sides:Vector.<int>;
+        public var signedPieces:Vector.<int>;
 
         /**
          * For each piece, SOLID, ONE_SIDED or OPEN. For a piece that bounds a cavity in another one, it is the number of that one. A
          * point is inside of the surface if it is inside of a solid piece and not in a cavity of that piece. So pieces may overlap, whatever
          * their orientation.
          */
-        public var shells:Vector.<int> = new Vector.<int>();
+        public var pieceStates:Vector.<int> = new Vector.<int>();
 
         /** The largest distance of two corners that were welded. */
         public var widestSeam:Number = 0;
@@ -53,13 +53,13 @@ package starlogo.solid
         public function SurfaceTopology(triangleCount:int)
         {
             parts = new Vector.<int>(triangleCount, true);
-            sides = new Vector.<int>(triangleCount, true);
+            signedPieces = new Vector.<int>(triangleCount, true);
         }
 
         /** Whether a piece of the surface is closed, so that the surface has an inside. */
         public function get isClosed():Boolean
         {
-            for each (var shell:int in shells)
+            for each (var shell:int in pieceStates)
             {
                 if (shell != OPEN)
                 {
@@ -90,20 +90,20 @@ package starlogo.solid
             {
                 return null;
             }
-            surface.shells.length = pieces;
-            return readRuns(bytes, surface.shells, OPEN, pieces - 1) && readRuns(bytes, surface.parts, 0, surface.partNumberEnd - 1)
-                && readRuns(bytes, surface.sides, -pieces, pieces) ? surface : null;
+            surface.pieceStates.length = pieces;
+            return readRuns(bytes, surface.pieceStates, OPEN, pieces - 1) && readRuns(bytes, surface.parts, 0, surface.partNumberEnd - 1)
+                && readRuns(bytes, surface.signedPieces, -pieces, pieces) ? surface : null;
         }
 
         /** Writes the surface: the numbers of parts and pieces, the widest seam, and runs of equal numbers of the lists. */
         public function writeTo(out:ByteArray):void
         {
             out.writeInt(partNumberEnd);
-            out.writeInt(shells.length);
+            out.writeInt(pieceStates.length);
             out.writeDouble(widestSeam);
-            writeRuns(out, shells);
+            writeRuns(out, pieceStates);
             writeRuns(out, parts);
-            writeRuns(out, sides);
+            writeRuns(out, signedPieces);
         }
 
         private static function writeRuns(out:ByteArray, numbers:Vector.<int>):void

@@ -42,8 +42,8 @@ package starlogo.terrain
         private var _triangle:int = 0;
         private var _end:int = 0;
 
-        // The search ends with a piece that has a point at least this deep under the ground, if it is not NaN; the point of the last piece, or null; and
-        // whether it was that deep.
+        // If _under is not NaN, the search ends at a piece with a point at least this deep under the ground. _isUnder says whether it found such a
+        // piece. _point is the point of the last piece, or null.
         protected var _under:Number = NaN;
         protected var _isUnder:Boolean = false;
         protected var _point:Vector3D = null;

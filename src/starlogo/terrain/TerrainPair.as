@@ -95,7 +95,7 @@ package starlogo.terrain
          * Finds when the model first touches the surface as it moves, and how.
          *
          * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, with a normal that points out of the ground; null if only the time is leastDepth
+         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {

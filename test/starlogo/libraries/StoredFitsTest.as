@@ -47,7 +47,7 @@ package starlogo.libraries
         public static const FIXTURES:Array = SteppedModels.FIXTURES;
 
         // What the twelve models' fits come to. Where it changes, raise FitSettings.REVISION: what players have kept is void.
-        private static const FINGERPRINT:String = "9ac1012bcbd9fca3";
+        private static const FINGERPRINT:String = "37c383a5473e80ee";
 
         private var _greatLand:GreatLand;
 
@@ -339,7 +339,7 @@ package starlogo.libraries
         private function isTaken(model:Model, baked:ByteArray, structures:Boolean):Boolean
         {
             var build:ModelResultsBuilder = newBuild(model, baked);
-            return structures ? build.areStructuresRead : build.hierarchy.isTaken;
+            return structures ? build.usesStoredStructures : build.hierarchy.isStored;
         }
 
         private function newBuild(model:Model, baked:ByteArray):ModelResultsBuilder

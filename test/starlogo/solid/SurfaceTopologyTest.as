@@ -17,7 +17,7 @@ package starlogo.solid
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
             {
                 var surface:SurfaceTopology = surfaceOf(model.vertices, model.triangles);
-                assertEquals(model.name, "-1", surface.shells.join());
+                assertEquals(model.name, "-1", surface.pieceStates.join());
                 assertEquals(model.name, 0, turnedIn(surface).length);
                 assertEquals("pieces", 1, surface.partNumberEnd);
             }
@@ -104,7 +104,7 @@ package starlogo.solid
                         triangles.push(i);
                     }
                     var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-                    assertEquals(model.name + ", " + rounding, "-1", surface.shells.join());
+                    assertEquals(model.name + ", " + rounding, "-1", surface.pieceStates.join());
                     assertEquals(1, surface.partNumberEnd);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
                 }
@@ -131,7 +131,7 @@ package starlogo.solid
             assertTrue(surfaceOf(vertices, triangles).isClosed);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
-            assertEquals("-1,-3", surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).shells.join());
+            assertEquals("-1,-3", surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).pieceStates.join());
         }
 
         [Test]
@@ -177,7 +177,7 @@ package starlogo.solid
                 swap(triangles, i);
             }
             var surface:SurfaceTopology = surfaceOf(model.vertices, triangles);
-            assertEquals("-1,-1,-1", surface.shells.join());
+            assertEquals("-1,-1,-1", surface.pieceStates.join());
             assertEquals("0,5,10,15,20,25,30,35", turnedIn(surface).join());
             assertEquals(0, turnedIn(surfaceOf(model.vertices, model.triangles)).length);
         }
@@ -189,7 +189,7 @@ package starlogo.solid
             var triangles:Vector.<uint> = new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3];
             var surface:SurfaceTopology = surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
             assertTrue(surface.isClosed);
-            assertEquals("-2", surface.shells.join());
+            assertEquals("-2", surface.pieceStates.join());
         }
 
         [Test]
@@ -209,7 +209,7 @@ package starlogo.solid
                 }
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-            assertEquals("-1", surface.shells.join());
+            assertEquals("-1", surface.pieceStates.join());
             assertEquals(1, surface.partNumberEnd);
             for each (i in turnedIn(surface))
             {
@@ -220,7 +220,7 @@ package starlogo.solid
             assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
             // a wall from one vertex to the next: three triangles at its edges
             surface = surfaceOf(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
-            assertEquals("-1,-1", surface.shells.join());
+            assertEquals("-1,-1", surface.pieceStates.join());
         }
 
         // Of so many columns and rows of squares, each of two triangles.
@@ -252,17 +252,17 @@ package starlogo.solid
         private static function turnedIn(surface:SurfaceTopology):Array
         {
             var turned:Array = [];
-            for (var piece:int = 1; piece <= surface.shells.length; piece++)
+            for (var piece:int = 1; piece <= surface.pieceStates.length; piece++)
             {
-                var sides:Array = [[], []];
-                for (var i:int = 0; i < surface.sides.length; i++)
+                var groups:Array = [[], []];
+                for (var i:int = 0; i < surface.signedPieces.length; i++)
                 {
-                    if (Math.abs(surface.sides[i]) == piece)
+                    if (Math.abs(surface.signedPieces[i]) == piece)
                     {
-                        sides[surface.sides[i] > 0 ? 0 : 1].push(i);
+                        groups[surface.signedPieces[i] > 0 ? 0 : 1].push(i);
                     }
                 }
-                turned = turned.concat(sides[0].length < sides[1].length ? sides[0] : sides[1]);
+                turned = turned.concat(groups[0].length < groups[1].length ? groups[0] : groups[1]);
             }
             return turned;
         }

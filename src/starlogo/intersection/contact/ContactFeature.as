@@ -57,14 +57,14 @@ package starlogo.intersection.contact
                 var along:Number = contact.normalX * corners[i] + contact.normalY * corners[int(i + 1)] + contact.normalZ * corners[int(i + 2)];
                 if (side * along >= least)
                 {
-                    setStep(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
+                    setVector(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
                     add();
                 }
             }
         }
 
         /** Sets the vector that the next calls use. */
-        public function setStep(x:Number, y:Number, z:Number):void
+        public function setVector(x:Number, y:Number, z:Number):void
         {
             _stepX = x;
             _stepY = y;

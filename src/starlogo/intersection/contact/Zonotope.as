@@ -95,7 +95,7 @@ package starlogo.intersection.contact
         public function supportInto(polygon:ContactFeature, direction:Vector3D):void
         {
             polygon.clear();
-            polygon.setStep(x, y, z);
+            polygon.setVector(x, y, z);
             polygon.add();
             for (var at:int = 0; at < end; at += 3)
             {
@@ -104,14 +104,14 @@ package starlogo.intersection.contact
                 var dz:Number = directions[int(at + 2)];
                 var half:Number = _halves[int(at / 3)];
                 var along:Number = dx * direction.x + dy * direction.y + dz * direction.z;
-                polygon.setStep(half * dx, half * dy, half * dz);
+                polygon.setVector(half * dx, half * dy, half * dz);
                 if (along > Tolerances.DIRECTION)
                 {
                     polygon.move();
                 }
                 else if (along < -Tolerances.DIRECTION)
                 {
-                    polygon.setStep(-half * dx, -half * dy, -half * dz);
+                    polygon.setVector(-half * dx, -half * dy, -half * dz);
                     polygon.move();
                 }
                 else if (half > 0)

@@ -19,7 +19,7 @@ package starlogo.broadphase
          *
          * @return whether the level is coarser because of the distance
          */
-        public function fit(extents:Extents, row:int):Boolean
+        public function assignLevel(extents:Extents, row:int):Boolean
         {
             var half:Number = extents.halfX[row];
             var other:Number = extents.halfY[row];

@@ -42,13 +42,13 @@ package starlogo.queries
         public var wanted:int = ALL;
 
         /** When this number of rows is found, <code>narrow()</code> has to be called. */
-        public var room:int = ALL;
+        public var narrowAt:int = ALL;
 
         /** Whether only the first row is wanted, and <code>accepts</code> does not decide. Then each row that is found replaces the last one. */
         public var keepsFirst:Boolean = false;
 
         /** Whether only the number of rows is wanted, and <code>accepts</code> does not decide. Then a search adds to <code>count</code> alone. */
-        public var counts:Boolean = false;
+        public var countsOnly:Boolean = false;
 
         /** Whether the filter's <code>accepts</code> decides. */
         public var asks:Boolean = false;
@@ -60,7 +60,7 @@ package starlogo.queries
         public var cone:Cone = null;
 
         /** The row of the agent that asks, which does not count; or -1. */
-        public var skipped:int = -1;
+        public var askerRow:int = -1;
 
         /** By row: the index of its agent in the list. */
         public var ranks:Vector.<int>;
@@ -99,15 +99,15 @@ package starlogo.queries
         {
             _agents = _seen.table.agents;
             ranks = _seen.table.ranks;
-            skipped = asker == null ? -1 : _seen.table.rowOf(asker);
+            askerRow = asker == null ? -1 : _seen.table.rowOf(asker);
             _accepts = filter == null ? null : filter.accepts;
             asks = _accepts != null;
             mark(filter);
-            counts = wanted == NUMBER && !asks;
+            countsOnly = wanted == NUMBER && !asks;
             this.wanted = wanted == NUMBER ? ALL : wanted;
             this.limit = wanted == 0 ? -1 : limit;
             keepsFirst = wanted == 1 && !asks;
-            room = asks || this.wanted > ALL / 2 ? ALL : 2 * wanted;
+            narrowAt = asks || this.wanted > ALL / 2 ? ALL : 2 * wanted;
             count = _admittedCount = 0;
         }
 
@@ -124,7 +124,7 @@ package starlogo.queries
         public function nextOf(search:SweptBoxSearch):int
         {
             var row:int = search.next();
-            while (row >= 0 && (row == skipped || _seen.table.shapes[row] == null || filters && !admitsMarked(row)))
+            while (row >= 0 && (row == askerRow || _seen.table.shapes[row] == null || filters && !admitsMarked(row)))
             {
                 row = search.next();
             }
@@ -151,7 +151,7 @@ package starlogo.queries
             rows[count] = row;
             keys[count] = key;
             count++;
-            if (count == room)
+            if (count == narrowAt)
             {
                 narrow();
             }

@@ -81,7 +81,7 @@ package starlogo.queries
 
         // How much smaller the core is on each side, in patches, and the part of its size that the row loses. The width is more than a slop for a
         // motion that begins in a shallow overlap.
-        private var _width:Number = 0;
+        private var _coreInset:Number = 0;
         private var _shrink:Number = 0;
 
         // The motion, and the row's places at its beginning and at its end.
@@ -128,7 +128,7 @@ package starlogo.queries
                 + OF_PLACES * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z) + _cell)
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
-            setWidth(slop);
+            setCoreInset(slop);
         }
 
         /** Whether the row touches another when it stands at a place. */
@@ -142,7 +142,7 @@ package starlogo.queries
         public function isNearAt(other:int, at:Vector3D):Boolean
         {
             put(at, _shrink);
-            return isNear(_table.bodyOf(other), RelativeMotion.NONE, slop + SLIMMEST * _width);
+            return isNear(_table.bodyOf(other), RelativeMotion.NONE, slop + SLIMMEST * _coreInset);
         }
 
         /** Whether the core touches another row when it stands at a place. The whole row is tested first: mostly it does not
@@ -193,12 +193,12 @@ package starlogo.queries
          */
         public function narrowFor(other:int, at:Vector3D):Boolean
         {
-            var width:Number = _width;
-            setWidth(slop + SHALLOW * _largest);
+            var width:Number = _coreInset;
+            setCoreInset(slop + SHALLOW * _largest);
             var isFree:Boolean = !coreTouchesAt(other, at);
             if (!isFree)
             {
-                setWidth(width);
+                setCoreInset(width);
             }
             return isFree;
         }
@@ -344,9 +344,9 @@ package starlogo.queries
                 && Math.abs(_moving.z - z - other.z) <= _moving.halfZ + other.halfZ + Math.abs(z) + distance;
         }
 
-        private function setWidth(width:Number):void
+        private function setCoreInset(width:Number):void
         {
-            _width = width;
+            _coreInset = width;
             _shrink = shrinkOf(_body, width);
         }
 

@@ -42,7 +42,7 @@ package starlogo.queries
             var nodes:Vector.<int> = _nodes;
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
-            _countsNodes = found.counts && !found.filters;
+            _countsNodes = found.countsOnly && !found.filters;
             var asks:Boolean = found.asks && found.wanted < Collector.ALL;
             var waiting:int = begin();
             while (waiting > 0)
@@ -79,16 +79,16 @@ package starlogo.queries
             {
                 return 0;
             }
-            if (_found.skipped < 0)
+            if (_found.askerRow < 0)
             {
                 return measure(1, 0);
             }
             if (!_countsNodes)
             {
-                return beginBeside(_tree.leafOf(_found.skipped));
+                return beginBeside(_tree.leafOf(_found.askerRow));
             }
             // the skipped row is counted below
-            if (_tree.squareTo(_found.skipped, _x, _y, _z) <= _found.limit)
+            if (_tree.squareTo(_found.askerRow, _x, _y, _z) <= _found.limit)
             {
                 _found.count--;
             }
@@ -230,11 +230,11 @@ package starlogo.queries
             var rows:Vector.<int> = _tree.rows;
             var filters:Boolean = found.filters;
             var cone:Cone = found.cone;
-            var counts:Boolean = found.counts;
+            var countsOnly:Boolean = found.countsOnly;
             var countsAll:Boolean = _countsNodes;
-            var skipped:int = found.skipped;
+            var askerRow:int = found.askerRow;
             var keepsFirst:Boolean = found.keepsFirst;
-            var room:int = found.room;
+            var narrowAt:int = found.narrowAt;
             var limit:Number = found.limit;
             var foundRows:Vector.<int> = found.rows;
             var keys:Vector.<Number> = found.keys;
@@ -255,7 +255,7 @@ package starlogo.queries
                     continue;
                 }
                 var row:int = rows[slot];
-                if (row == skipped)
+                if (row == askerRow)
                 {
                     continue;
                 }
@@ -280,7 +280,7 @@ package starlogo.queries
                     }
                     continue;
                 }
-                if (counts)
+                if (countsOnly)
                 {
                     count++;
                     continue;
@@ -288,7 +288,7 @@ package starlogo.queries
                 foundRows[count] = row;
                 keys[count] = square;
                 count++;
-                if (count == room)
+                if (count == narrowAt)
                 {
                     found.count = count;
                     found.narrow();

@@ -97,13 +97,13 @@ package starlogo.queries
             narrowPhase = collider.narrowPhase;
             _system = collider;
             _places.isStale = _extents.isStale = true;
-            _extents.beyond = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
+            _extents.groundRow = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
         }
 
         /** See AgentQueries.moved. */
         public function moved(agent:Agent):void
         {
-            requireQuiet("moved");
+            requireQuiet("refresh");
             var row:int = rowOf(agent);
             if (row < RowList.LISTED)
             {

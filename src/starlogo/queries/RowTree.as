@@ -31,7 +31,7 @@ package starlogo.queries
         public var count:int = 0;
 
         /** The row of the ground, which is not in the tree because it is near all rows; or -1. */
-        public var beyond:int = -1;
+        public var groundRow:int = -1;
 
         /** The node number of the first leaf. The number of leaves is the same. */
         public var firstLeaf:int = 1;

@@ -14,7 +14,7 @@ package starlogo.queries
         private var _tree:RowTree;
 
         // The row of the ground, which every box meets. It is -1 if there is no ground, or if the row was returned already.
-        private var _beyond:int = -1;
+        private var _groundRow:int = -1;
         private var _moves:Boolean = false;
 
         // By axis, if the box moves: the box at the beginning of the way, and the way.
@@ -58,7 +58,7 @@ package starlogo.queries
         {
             var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
             _tree = tree;
-            _beyond = tree.beyond;
+            _groundRow = tree.groundRow;
             _moves = false;
             limit = 1;
             _minX = x - halfX - slack;
@@ -135,9 +135,9 @@ package starlogo.queries
                 }
                 if (_waiting == 0)
                 {
-                    var beyond:int = _beyond;
-                    _beyond = -1;
-                    return beyond;
+                    var groundRow:int = _groundRow;
+                    _groundRow = -1;
+                    return groundRow;
                 }
                 _waiting--;
                 if (!_moves || _entries[_waiting] <= limit)

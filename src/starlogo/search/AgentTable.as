@@ -71,7 +71,7 @@ package starlogo.search
         public function read(list:Vector.<Agent>):void
         {
             forgetReplaced();
-            leftCount = 0;
+            departedCount = 0;
             var isOther:Boolean = !isAccepted || list.length != count || !readChanged(list, rows);
             if (isOther)
             {
@@ -88,7 +88,7 @@ package starlogo.search
             moveExtentsOfMoved();
             for (var i:int = 0; i < changedCount; i++)
             {
-                fit(changed[i]);
+                assignLevel(changed[i]);
             }
         }
 
@@ -194,14 +194,14 @@ package starlogo.search
                 middleZ[row] = atZ;
                 if (atX * atX + atY * atY + atZ * atZ >= reachSquared)
                 {
-                    fit(row);
+                    assignLevel(row);
                 }
             }
         }
 
-        private function fit(row:int):void
+        private function assignLevel(row:int):void
         {
-            if (_bins != null && shapes[row] != null && _bins.levels.fit(extents, row))
+            if (_bins != null && shapes[row] != null && _bins.levels.assignLevel(extents, row))
             {
                 // the row needs a finer level when its agent comes back, so every search computes its extents until then
                 extentsRevisions[row] = STALE;

@@ -114,7 +114,7 @@ package starlogo.search
             isSame = isStill(4, trees != null && trees.exact ? 1 : 0) && isSame;
             isSame = isStill(5, trees != null && trees.byLeaves ? 1 : 0) && isSame;
             var among:int = _search.areSpheres || !interests.areAll ? OF_FAST : OF_ALL;
-            var changes:int = _table.movedCount + _table.leftCount;
+            var changes:int = _table.movedCount + _table.departedCount;
             if (isSwept)
             {
                 changes += _table.movedBeforeCount;
@@ -218,7 +218,7 @@ package starlogo.search
             }
             _cells.makeRows(length);
             mark(_table.moved, _table.movedCount);
-            mark(_table.left, _table.leftCount);
+            mark(_table.departed, _table.departedCount);
             if (_isSwept)
             {
                 mark(_table.movedBefore, _table.movedBeforeCount);

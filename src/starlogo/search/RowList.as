@@ -47,10 +47,10 @@ package starlogo.search
          * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
          * same order in both lists.
          */
-        internal var left:Vector.<int> = new Vector.<int>();
+        internal var departed:Vector.<int> = new Vector.<int>();
 
         /** The number of these rows. */
-        internal var leftCount:int = 0;
+        internal var departedCount:int = 0;
 
         /** Whether the list that was proposed last was accepted. */
         protected var isAccepted:Boolean = true;
@@ -243,8 +243,8 @@ package starlogo.search
 
         private function leave(row:int):void
         {
-            left[leftCount] = row;
-            leftCount++;
+            departed[departedCount] = row;
+            departedCount++;
         }
 
         private function freeUnlisted():void

@@ -95,7 +95,7 @@ package starlogo.search
                 swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 if (table.shapes[row] != null)
                 {
-                    bins.levels.fit(swept, row);
+                    bins.levels.assignLevel(swept, row);
                 }
             }
         }

@@ -24,7 +24,7 @@ package starlogo.broadphase
             {
                 fit(0, place);
                 assertEquals(1, count());
-                assertTrue(String(place), !_levels.fit(_extents, 0));
+                assertTrue(String(place), !_levels.assignLevel(_extents, 0));
             }
             // with a unit sphere there are two
             fit(0.5, 50);
@@ -69,7 +69,7 @@ package starlogo.broadphase
         {
             _extents.halfX[0] = _extents.halfY[0] = half;
             _extents.x[0] = place;
-            _levels.fit(_extents, 0);
+            _levels.assignLevel(_extents, 0);
         }
 
         private function count():int

@@ -187,7 +187,7 @@ package starlogo.queries
             for each (var most:int in [Collector.ALL, 1, 2, 10, 150, 0])
             {
                 _found.begin(most, limit, null, filter);
-                _found.skipped = skipped;
+                _found.askerRow = skipped;
                 _near.find(_tree, x, y, z, _found);
                 _found.sorted();
                 assertEquals(message + ": " + most + ", how many", Math.min(most, near.length), _found.count);
@@ -198,7 +198,7 @@ package starlogo.queries
                 }
             }
             _found.begin(Collector.NUMBER, limit, null, filter);
-            _found.skipped = skipped;
+            _found.askerRow = skipped;
             _near.find(_tree, x, y, z, _found);
             assertEquals(message + ": count", near.length, _found.end());
             assertAsked(message, near, x, y, z, limit, filter, skipped);
@@ -222,7 +222,7 @@ package starlogo.queries
             {
                 asked.length = 0;
                 _found.begin(wanted, limit, null, asking);
-                _found.skipped = skipped;
+                _found.askerRow = skipped;
                 _near.find(_tree, x, y, z, _found);
                 var rows:Vector.<int> = _found.sorted();
                 assertEquals(message + ": accepted", Math.min(wanted, int(near.length / 3)), _found.end());

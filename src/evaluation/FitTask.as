@@ -19,8 +19,7 @@ package evaluation
         private var _library:BoundingStructuresLibrary = new BoundingStructuresLibrary(DEG_INCREMENT);
         private var _ours:Measurement;
         private var _literal:Measurement;
-        private var _names:Array;
-        private var _own:OwnClasses;
+        private var _settings:Settings;
         private var _others:Vector.<Measurement> = new Vector.<Measurement>();
 
         /**
@@ -32,8 +31,7 @@ package evaluation
         {
             super("fits of the " + model.name, settings.repetitions * (60 + model.vertices.length / 20), settings, results);
             _model = model;
-            _names = settings.fitters;
-            _own = settings.own;
+            _settings = settings;
         }
 
         /** @inheritDoc */
@@ -48,9 +46,9 @@ package evaluation
                 {
                     new LiteralOrientedBoxFit(_model.vertices, DEG_INCREMENT, DEG_INCREMENT);
                 }, DEG_INCREMENT / 90);
-            for each (var name:String in _names)
+            for each (var name:String in _settings.fitters)
             {
-                _others.push(measureFitter(name, _own.fitter(name)));
+                _others.push(measureFitter(name, _settings.own.fitter(name)));
             }
         }
 
@@ -62,9 +60,9 @@ package evaluation
             entry.vertices = _model.vertices.length / 3;
             entry.tightest = BoundingStructure.NAMES[tightest.kind];
             _results.addTime("fits", _model.name, "literal", _literal, _base);
-            for (var i:int = 0; i < _names.length; i++)
+            for (var i:int = 0; i < _others.length; i++)
             {
-                _results.addTime("fits", _model.name, _names[i], _others[i], _base);
+                _results.addTime("fits", _model.name, _settings.fitters[i], _others[i], _base);
             }
             return true;
         }

@@ -14,9 +14,9 @@ package evaluation
     import starlogo.models.Model;
 
     /**
-     * Figure 6-1: the volumes of the structures around a model, the smallest known ones, and those of a researcher's own fitters. The z-aligned boxes are fitted in steps of 1
-     * degree, because these volumes agree with the thesis's column on the thesis's own models (figure "nova"). Those in steps of 10 degrees
-     * do not.
+     * Figure 6-1: the volumes of the structures around a model, the smallest known ones, and those of a researcher's own fitters. The
+     * z-aligned boxes are fitted in steps of 1 degree, because these volumes agree with the thesis's column on the thesis's own models
+     * (figure "nova"). Those in steps of 10 degrees do not.
      */
     public final class VolumesTask extends Task
     {

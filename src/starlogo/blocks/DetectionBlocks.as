@@ -56,7 +56,7 @@ package starlogo.blocks
         /**
          * Reads the present place of one agent, so that others find it there.
          *
-         * @throws ArgumentError as AgentQueries.moved
+         * @throws ArgumentError as AgentQueries.refresh
          */
         public function moved(agent:Agent):void
         {

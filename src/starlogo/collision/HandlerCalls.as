@@ -134,7 +134,7 @@ package starlogo.collision
             }
         }
 
-        // takePair() has a loop of its own, because one more call for each pair costs a frame in Adobe's VM.
+        // takePair() has a loop of its own, because one more call for each pair takes a tenth of a frame in Adobe's VM.
         // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
         private function endTouch(touch:Touch):void
         {

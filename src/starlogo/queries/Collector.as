@@ -307,13 +307,13 @@ package starlogo.queries
             {
                 _excepted.length = _agents.length;
             }
-            filters = filter.breeds != null || filter.exceptBreeds != null;
-            _breedsCount = filters && filter.breeds != null;
+            _breedsCount = filter.breeds != null;
+            filters = _breedsCount || filter.exceptBreeds != null;
             if (_breedsCount)
             {
                 markBreeds(filter.breeds, _question);
             }
-            if (filters && filter.exceptBreeds != null)
+            if (filter.exceptBreeds != null)
             {
                 markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
             }

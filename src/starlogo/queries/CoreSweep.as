@@ -7,7 +7,6 @@ package starlogo.queries
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
-    import starlogo.search.GroundPairTests;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PenetrationSearch;
@@ -168,7 +167,7 @@ package starlogo.queries
             put(at, 0);
             if (body.form == ModelShape.GROUND)
             {
-                return GroundPairTests(_narrowPhase.testsOf(_moving, body)).isDeeper(_moving, body, slop);
+                return _narrowPhase.ground.isDeeper(_moving, body, slop);
             }
             _standing.readShrunk(body, null, shrinkOf(body, slop));
             return touches(_standing);

@@ -100,7 +100,7 @@ package starlogo.queries
             _extents.groundRow = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
         }
 
-        /** See AgentQueries.moved. */
+        /** See AgentQueries.refresh. */
         public function moved(agent:Agent):void
         {
             requireQuiet("refresh");
@@ -220,12 +220,13 @@ package starlogo.queries
         public function bodyAt(agent:Agent, x:Number, y:Number, z:Number):Body
         {
             var body:Body = bodyOfMoving(agent);
-            if (body.shape != null)
+            if (body.shape == null)
             {
-                _place.setTo(x, y, z);
-                other.readShrunk(body, _place, 0);
+                return body;
             }
-            return body.shape == null ? body : other;
+            _place.setTo(x, y, z);
+            other.readShrunk(body, _place, 0);
+            return other;
         }
 
         /** The body of a structure. Throws the errors of <code>Body.readStructure()</code>. */

@@ -91,12 +91,12 @@ package starlogo.queries
             {
                 if (row != rowA && row != rowB && _rays.meets(row))
                 {
-                    _found.add(row, _ray.from);
                     if (!_found.asks)
                     {
                         // any row will do
                         return false;
                     }
+                    _found.add(row, _ray.from);
                 }
             }
             return _found.end() == 0;

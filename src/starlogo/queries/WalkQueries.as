@@ -103,8 +103,7 @@ package starlogo.queries
             _whole = Math.sqrt(dx * dx + dy * dy);
             _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
             _pushed = 0;
-            agent.standing ||= new PlatformLink(agent);
-            var standing:PlatformLink = agent.standing;
+            var standing:PlatformLink = agent.standing ||= new PlatformLink(agent);
             var platform:int = findPlatform(standing);
             // on the steepest slope the way is this long
             _reach = _whole / _cosine + _slide / 2 + _carry.length;

@@ -25,16 +25,18 @@ package starlogo.search
         /** Tests pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairTests = null;
 
+        /** Tests pairs of a body and the ground. */
+        public var ground:GroundPairTests;
+
         /** Tests pairs of spheres. */
         public var spheres:SpherePairTests = new SpherePairTests();
 
-        private var _ground:GroundPairTests;
         private var _edges:EdgePairTests;
 
         /** @param choice gives the rows their shapes */
         public function NarrowPhase(choice:ShapeChoice)
         {
-            _ground = new GroundPairTests(this);
+            ground = new GroundPairTests(this);
             _edges = new EdgePairTests(this);
             choice.prepare(this);
         }
@@ -268,7 +270,7 @@ package starlogo.search
             var forms:int = a.form | b.form;
             if (forms >= ModelShape.GROUND)
             {
-                return forms >= ModelShape.EDGES ? _edges : _ground;
+                return forms >= ModelShape.EDGES ? _edges : ground;
             }
             if (forms >= ModelShape.TREE)
             {

@@ -175,7 +175,7 @@ package starlogo.solid
             if (_nonManifold.length > 0)
             {
                 _sets = new DisjointSets(partners.length / 3);
-                slices(partners.length, EDGES_PER_STEP, join).slices(_nonManifold.length, NON_MANIFOLD_PER_STEP, matchNonManifolds);
+                slices(partners.length, EDGES_PER_STEP, join).slices(_nonManifold.length, NON_MANIFOLD_PER_STEP, matchSomeNonManifold);
             }
         }
 
@@ -190,7 +190,7 @@ package starlogo.solid
             }
         }
 
-        private function matchNonManifolds(first:int, end:int):void
+        private function matchSomeNonManifold(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
@@ -202,17 +202,17 @@ package starlogo.solid
         // and edges that run in the same direction at last.
         private function matchNonManifold(last:int):void
         {
-            var crowd:Array = [];
+            var keys:Array = [];
             for (var edge:int = last; edge >= 0; edge = _before[edge] - 1)
             {
                 partners[edge] = 0;
-                crowd.push(_sets.rootOf(edge / 3) * Number(partners.length) + edge);
+                keys.push(_sets.rootOf(edge / 3) * Number(partners.length) + edge);
             }
-            crowd.sort(Array.NUMERIC);
+            keys.sort(Array.NUMERIC);
             var rest:Array = [];
             var group:Array = [];
             var root:Number = -1;
-            for each (var key:Number in crowd)
+            for each (var key:Number in keys)
             {
                 if (Math.floor(key / partners.length) != root)
                 {

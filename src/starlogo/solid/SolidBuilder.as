@@ -78,7 +78,7 @@ package starlogo.solid
                 _solid.places = new Vector.<Number>(_solid.corners.length, true);
                 add(_welding);
             }
-            sliced(useSides);
+            sliced(usePieces);
             _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
             if (_builder != null)
             {
@@ -127,7 +127,7 @@ package starlogo.solid
             }
         }
 
-        private function useSides(first:int, end:int):void
+        private function usePieces(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {

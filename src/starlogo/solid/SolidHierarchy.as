@@ -46,7 +46,10 @@ package starlogo.solid
         /** The triangles, perhaps without their inside. Preparing them takes less than half as long as <code>solid</code>. */
         internal function get facets():Solid
         {
-            placeTriangles();
+            if (placed == null)
+            {
+                placeTriangles();
+            }
             return placed;
         }
 
@@ -60,7 +63,10 @@ package starlogo.solid
                 || Math.abs(middle.y - root.y) > root.halfY - radius || Math.abs(middle.z - root.z) > root.halfZ - radius;
             if (!isOutside && prepared == null)
             {
-                placeTriangles(); // with them the tree has small boxes
+                if (placed == null)
+                {
+                    placeTriangles(); // with the triangles placed, the tree has small boxes
+                }
                 _open ||= new AxisEscapeTest();
                 isOutside = _open.hasOpenSide(middle, root);
             }
@@ -69,10 +75,7 @@ package starlogo.solid
 
         private function placeTriangles():void
         {
-            if (placed == null)
-            {
-                finish(new TrianglesBuilder(this));
-            }
+            finish(new TrianglesBuilder(this));
         }
 
         /**

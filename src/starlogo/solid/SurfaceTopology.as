@@ -59,9 +59,9 @@ package starlogo.solid
         /** Whether a piece of the surface is closed, so that the surface has an inside. */
         public function get isClosed():Boolean
         {
-            for each (var shell:int in pieceStates)
+            for each (var state:int in pieceStates)
             {
-                if (shell != OPEN)
+                if (state != OPEN)
                 {
                     return true;
                 }

@@ -31,7 +31,6 @@ package starlogo.terrain
         // The model's place, and where it stands at the current time relative to that place.
         protected var _origin:Placement = new Placement();
         protected var _placed:Placement = new Placement();
-        private var _motion:RelativeMotion;
 
         // The current piece and the triangles near it. The nodes that are still to be visited, and their number. The triangles of the last node
         // that are still to be tested.
@@ -100,10 +99,9 @@ package starlogo.terrain
         protected function begin(tree:SolidHierarchy, motion:RelativeMotion, reach:Number):void
         {
             stop();
-            _motion = _faces.way = motion;
+            _faces.way = motion;
             _faces.limit = 1;
             _faces.reach = reach;
-            _faces.above = -Infinity;
             if (tree == null)
             {
                 beginPiece(_structure);
@@ -126,7 +124,7 @@ package starlogo.terrain
                 }
                 if (_triangle < _end)
                 {
-                    _piece.beginTriangle(_tree.corners, 9 * _triangle, _placed, _motion);
+                    _piece.beginTriangle(_tree.corners, 9 * _triangle, _placed, _faces.way);
                     _triangle++;
                     beginFaces(_box, _piece.point);
                 }
@@ -157,6 +155,7 @@ package starlogo.terrain
         protected function stop():void
         {
             _faces.stop();
+            _faces.above = -Infinity;
             _nodeCount = _triangle = _end = 0;
             _under = NaN;
             _isUnder = false;
@@ -198,7 +197,7 @@ package starlogo.terrain
         // A function of its own, so that V8 makes no object for the margin.
         private function beginPiece(structure:BoundingStructure):void
         {
-            _piece.begin(structure, _placed, _motion);
+            _piece.begin(structure, _placed, _faces.way);
             beginFaces(structure, _piece.point, _piece.structure);
         }
 

@@ -65,8 +65,11 @@ package starlogo.terrain
                     {
                         return true;
                     }
-                    // the point of a flat piece may be on the surface
-                    _point = _tree == null ? _point : null;
+                    if (_tree != null)
+                    {
+                        // the point of a flat piece may be on the surface
+                        _point = null;
+                    }
                 }
             }
             return _isUnder;
@@ -145,8 +148,11 @@ package starlogo.terrain
             }
             placeAt(motion, time);
             findDeepest(out, false);
-            leastDepth = _hasPart ? out.depth : 0;
-            if (!_hasPart)
+            if (_hasPart)
+            {
+                leastDepth = out.depth;
+            }
+            else
             {
                 findDeepest(out, true);
             }
@@ -210,10 +216,11 @@ package starlogo.terrain
          */
         public function findClosest(areTouching:Boolean, out:DistanceResult):void
         {
-            beginNearest();
+            setNearest();
             if (_tree == null)
             {
                 _piece.begin(_structure, _placed, RelativeMotion.NONE);
+                _faces.begin(_grid);
                 measure(out);
             }
             begin(_tree, RelativeMotion.NONE, _nearest);
@@ -230,9 +237,9 @@ package starlogo.terrain
             out.place(_origin);
         }
 
-        // Begins with the triangles at the height that is nearest to the model's middle, seen from above. The model is at most as far as its
+        // Sets the search to the triangles at the height that is nearest to the model's middle, seen from above. The model is at most as far as its
         // farthest point is from there.
-        private function beginNearest():void
+        private function setNearest():void
         {
             stop();
             placeBox(_structure);
@@ -253,7 +260,6 @@ package starlogo.terrain
             _faces.way = RelativeMotion.NONE;
             _faces.reach = 0;
             _faces.structure = null;
-            _faces.begin(_grid);
         }
 
         // Measures the distances of all pairs of a piece and a triangle, and keeps the closest points of the nearest ones.
@@ -281,11 +287,12 @@ package starlogo.terrain
             while (next())
             {
                 var isUnder:Boolean = _piece.findBehind(_tried);
-                if (!(deepest == 0 || _tried.depth >= deepest + _piece.gap) || overlaps && !findOverlap() || !overlaps && !(isUnder && isNeeded()))
+                if (deepest > 0 && _tried.depth < deepest + _piece.gap)
                 {
                     continue;
                 }
-                if (_tried.depth > deepest || _tried.depth == deepest && !_hasPart)
+                var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded();
+                if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
                 {
                     deepest = _tried.depth;
                     keep(out);

@@ -4,8 +4,8 @@ package starlogo.intersection.sweep
 
     /**
      * A sweep of one structure against another that stands still: the straight motion from time 0 to time 1, without rotation or growth, and
-     * the time of impact that a test writes. If both move, it is the first structure's motion minus the second's. It has plain fields, which the pair tests read and write, because
-     * V8 would allocate objects for Numbers that are passed or returned.
+     * the time of impact that a test writes. If both move, it is the first structure's motion minus the second's. It has plain fields, which
+     * the pair tests read and write, because V8 would allocate objects for Numbers that are passed or returned.
      *
      * @private
      */

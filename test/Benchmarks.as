@@ -1,18 +1,11 @@
 package
 {
     import benchmark.BroadPhaseBenchmark;
-    import benchmark.ContactsBenchmark;
     import benchmark.CookedBenchmark;
-    import benchmark.CrowdBenchmark;
     import benchmark.DistanceBenchmark;
-    import benchmark.FewAgentsBenchmark;
     import benchmark.FewMoveBenchmark;
-    import benchmark.FittingBenchmark;
     import benchmark.GroundBenchmark;
     import benchmark.HandlersBenchmark;
-    import benchmark.HierarchicalCrowdBenchmark;
-    import benchmark.HierarchyBenchmark;
-    import benchmark.IntersectionBenchmark;
     import benchmark.MotionBenchmark;
     import benchmark.MoveBenchmark;
     import benchmark.PausesBenchmark;
@@ -31,8 +24,8 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FewMoveBenchmark, FittingBenchmark, GroundBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, MoveBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
+        private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, HandlersBenchmark, TraversalBenchmark,
+                DistanceBenchmark, MotionBenchmark, MoveBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
 
         private var _pending:Array;
 

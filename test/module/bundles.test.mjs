@@ -61,8 +61,8 @@ const RESULT = "49,49";
 test("a bundle has what is used and no more", () => {
 	const limits = [
 		[["Vector3D"], 8],
-		[["Agent", "Collision", "BinCollider"], 57],
-		[["Agent", "Collision", "BinCollider", "GreatLand", "BuiltInModel"], 84],
+		[["Agent", "Collision", "BinCollider"], 46],
+		[["Agent", "Collision", "BinCollider", "GreatLand", "BuiltInModel"], 74],
 	];
 	const sizes = limits.map(([names, limit]) => {
 		const size = weigh(bundle(names)) / KB;

@@ -4,6 +4,7 @@ import {
 	AgentFilter,
 	AgentPredicate,
 	AgentQueries,
+	AgentShapes,
 	ArgumentError,
 	AxialStructure,
 	AxisAlignedBoxFitter,
@@ -160,7 +161,8 @@ export function play(bearText: string): number {
 	passThrough(greatLand);
 	useBlocks(greatLand, [bear, ball]);
 	ask(greatLand, [bear, ball]);
-	const collider: Collider = new Collider(new Bubbles(greatLand));
+	const shapes: AgentShapes = new Bubbles(greatLand);
+	const collider: Collider = new Collider(shapes);
 	const precise: TreeCollider = new HierarchicalCollider(greatLand);
 	precise.exact = true;
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");

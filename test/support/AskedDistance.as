@@ -5,11 +5,11 @@ package support
     import starlogo.engine;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.queries.DistanceQueries;
+    import starlogo.search.AgentShapes;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.ShapeChoice;
 
     use namespace engine;
 
@@ -29,7 +29,7 @@ package support
         private var _bodyB:Body = new Body();
 
         /** As a collider of these shapes and these settings sees agents. */
-        public function AskedDistance(choice:ShapeChoice, pairs:NarrowPhase)
+        public function AskedDistance(choice:AgentShapes, pairs:NarrowPhase)
         {
             _pairs = pairs;
             _distances = new DistanceQueries(null);

@@ -4,11 +4,11 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.search.AgentShapes;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.ShapeChoice;
 
     use namespace engine;
 
@@ -29,7 +29,7 @@ package starlogo.collision
     public class Collider extends BaseCollider
     {
         /** @private Chooses the shapes of agents, for questions too. */
-        engine var choice:ShapeChoice;
+        engine var choice:AgentShapes;
 
         /** @private Tests pairs of agents, for questions too. */
         engine var narrowPhase:NarrowPhase;
@@ -51,9 +51,9 @@ package starlogo.collision
         /**
          * Creates a collider.
          *
-         * @param choice chooses the shapes that represent agents
+         * @param choice chooses the shapes that represent agents: a ShapeChoice
          */
-        public function Collider(choice:ShapeChoice)
+        public function Collider(choice:AgentShapes)
         {
             super();
             narrowPhase = new NarrowPhase(choice);

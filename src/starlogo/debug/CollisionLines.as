@@ -11,8 +11,8 @@ package starlogo.debug
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.models.Model;
+    import starlogo.search.AgentShapes;
     import starlogo.search.ModelShape;
-    import starlogo.search.ShapeChoice;
     import starlogo.search.TightestFits;
     import starlogo.search.TreePairTests;
 
@@ -77,7 +77,7 @@ package starlogo.debug
                 _lines = {};
             }
             // a system that is not the engine's tells nothing about its shapes
-            var choice:ShapeChoice = collider == null ? new TightestFits(_greatLand) : collider.choice;
+            var choice:AgentShapes = collider == null ? new TightestFits(_greatLand) : collider.choice;
             var level:int = collider == null || collider.narrowPhase.trees == null ? 0 : levelOf(agent, collider.narrowPhase.trees);
             var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)

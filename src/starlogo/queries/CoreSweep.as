@@ -9,7 +9,7 @@ package starlogo.queries
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.PenetrationSearch;
+    import starlogo.search.PairTests;
 
     use namespace engine;
 
@@ -62,7 +62,6 @@ package starlogo.queries
         public var wholeTime:Number = 0;
 
         private var _narrowPhase:NarrowPhase;
-        private var _separation:PenetrationSearch;
         private var _table:AgentTable;
 
         // The body that moves; a copy of it where the last test had it, whole or as the core; and a smaller copy of another row.
@@ -93,7 +92,6 @@ package starlogo.queries
         public function CoreSweep(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _separation = new PenetrationSearch(narrowPhase);
         }
 
         /** Begins with the body that moves, and the table of the rows in its way. */
@@ -214,10 +212,11 @@ package starlogo.queries
             var shallow:Number = SHALLOW * extentWith(other);
             put(at, 0);
             var body:Body = _table.bodyOf(other);
-            _narrowPhase.testsOf(_moving, body).findContact(_moving, body, RelativeMotion.NONE, out);
+            var tests:PairTests = _narrowPhase.testsOf(_moving, body);
+            tests.findContact(_moving, body, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
-                _separation.find(_moving, body, RelativeMotion.NONE, out);
+                tests.separate(_moving, body, RelativeMotion.NONE, out);
             }
             return out.depth <= shallow;
         }

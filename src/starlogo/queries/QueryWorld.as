@@ -17,6 +17,7 @@ package starlogo.queries
     import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
     import starlogo.search.RowList;
+    import starlogo.search.StructurePairTests;
     import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
 
@@ -60,9 +61,8 @@ package starlogo.queries
         {
             _source = source;
             var collider:Collider = findCollider();
-            narrowPhase = collider.narrowPhase;
             table = tableFor(collider);
-            _system = collider;
+            see(collider);
         }
 
         /** See AgentQueries.terrain. */
@@ -94,8 +94,7 @@ package starlogo.queries
             next.read(agents);
             next.readWorldAgent(RowList.GROUND, terrain == null ? null : terrain.agent);
             table = next;
-            narrowPhase = collider.narrowPhase;
-            _system = collider;
+            see(collider);
             _places.isStale = _extents.isStale = true;
             _extents.groundRow = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
         }
@@ -247,6 +246,14 @@ package starlogo.queries
                         + textOf(system, "a Collision or a Collider"));
             }
             return base.collider;
+        }
+
+        private function see(collider:Collider):void
+        {
+            _system = collider;
+            narrowPhase = collider.narrowPhase;
+            // questions may be about any structure
+            StructurePairTests.bringTo(narrowPhase);
         }
 
         private static function tableFor(collider:Collider):AgentTable

@@ -69,7 +69,7 @@ package starlogo.search
          * @param choice finds the shapes of agents
          * @param narrowPhase tests which of them touch
          */
-        public function CollisionSearch(choice:ShapeChoice, narrowPhase:NarrowPhase)
+        public function CollisionSearch(choice:AgentShapes, narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
             _shapes = new ModelShapes(choice);
@@ -254,7 +254,7 @@ package starlogo.search
             }
             else if (areSpheres)
             {
-                count = _narrowPhase.keepTouchingSpheres(table, _bins, slot, others, count);
+                count = _narrowPhase.spheres.keepTouchingSlots(table, _bins, slot, others, count);
             }
             else
             {

@@ -117,6 +117,12 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            // findContact has put the point to its place
+        }
+
+        /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
         {
             findOuterContact(a, b, _touch);

@@ -25,11 +25,13 @@ package starlogo.search
         private var _extents:Extents = new Extents();
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
+        private var _separation:PenetrationSearch;
 
         /** @param narrowPhase knows how deep trees are visited */
         public function GroundPairTests(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
+            _separation = new PenetrationSearch(this);
             _extents.grow(1);
         }
 
@@ -89,6 +91,12 @@ package starlogo.search
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             pairOf(a, b).findImpact(motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _separation.find(a, b, motion, out);
         }
 
         /** @inheritDoc */

@@ -24,7 +24,7 @@ package starlogo.search
         /** The model's name. */
         public var model:String;
 
-        /** The number that ShapeChoice.kindOf() has returned. */
+        /** The number that AgentShapes.kindOf() has returned. */
         public var kind:int;
 
         /** @private The revision of the model in the GreatLand. */
@@ -53,7 +53,7 @@ package starlogo.search
          * For colliders only.
          *
          * @param model the model's name
-         * @param kind the number that ShapeChoice.kindOf() has returned
+         * @param kind the number that AgentShapes.kindOf() has returned
          * @param revision the revision of the model in the GreatLand
          */
         public function ModelShape(model:String, kind:int, revision:int)

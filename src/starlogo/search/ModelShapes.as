@@ -23,7 +23,7 @@ package starlogo.search
         /** The forms of all shapes so far: one bit is set for each form. */
         public var forms:int = 0;
 
-        private var _choice:ShapeChoice;
+        private var _choice:AgentShapes;
         private var _greatLand:GreatLand;
         private var _revision:int = -1;
 
@@ -37,7 +37,7 @@ package starlogo.search
         private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /** @param choice chooses the shapes */
-        public function ModelShapes(choice:ShapeChoice)
+        public function ModelShapes(choice:AgentShapes)
         {
             _choice = choice;
             _greatLand = choice.greatLand;

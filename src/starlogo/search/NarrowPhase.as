@@ -1,11 +1,9 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.intersection.boxBox;
 
     use namespace engine;
 
@@ -19,8 +17,8 @@ package starlogo.search
         /** The number of pairs that were tested along their motions since <code>takeCounts()</code>. */
         public var sweptPairs:int = 0;
 
-        /** Tests pairs of structures that are not both spheres. */
-        public var structures:StructurePairTests = new StructurePairTests();
+        /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question has brought them. */
+        public var structures:StructurePairTests = null;
 
         /** Tests pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairTests = null;
@@ -34,59 +32,11 @@ package starlogo.search
         private var _edges:EdgePairTests;
 
         /** @param choice gives the rows their shapes */
-        public function NarrowPhase(choice:ShapeChoice)
+        public function NarrowPhase(choice:AgentShapes)
         {
             ground = new GroundPairTests(this);
             _edges = new EdgePairTests(this);
             choice.prepare(this);
-        }
-
-        /**
-         * Keeps the candidates that touch a member, and moves them to the beginning of the list. All rows must be spheres.
-         *
-         * @param slot the member's slot
-         * @param others the slots of the candidates, whose circles on the ground overlap the member's circle
-         * @param count the number of candidates
-         * @return the number of candidates that it keeps
-         */
-        public function keepTouchingSpheres(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
-        {
-            var xs:Vector.<Number> = bins.x;
-            var ys:Vector.<Number> = bins.y;
-            var zs:Vector.<Number> = bins.z;
-            var radii:Vector.<Number> = bins.radius;
-            var atX:Number = xs[slot];
-            var atY:Number = ys[slot];
-            var atZ:Number = zs[slot];
-            var radius:Number = radii[slot];
-            var slack:Number = bins.slack;
-            var kept:int = 0;
-            spheres.tests += count;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                var x:Number = xs[other] - atX;
-                var y:Number = ys[other] - atY;
-                var z:Number = zs[other] - atZ;
-                var reach:Number = radius + radii[other];
-                var squared:Number = x * x + y * y + z * z;
-                if (squared > reach * reach)
-                {
-                    // if the gap is not larger than rounding errors, the exact test decides
-                    reach += slack;
-                    if (squared > reach * reach)
-                    {
-                        continue;
-                    }
-                    if (!spheres.areTouching(table.bodyOf(bins.rowAt[slot]), table.bodyOf(bins.rowAt[other])))
-                    {
-                        continue;
-                    }
-                }
-                others[kept] = other;
-                kept++;
-            }
-            return kept;
         }
 
         /**
@@ -100,92 +50,15 @@ package starlogo.search
          */
         public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var forms:Vector.<int> = table.forms;
-            var form:int = forms[row];
-            if (form == ModelShape.TREE)
+            if (table.forms[row] == ModelShape.TREE)
             {
                 return trees.keepTouching(table, bins, row, rows, others, count);
             }
-            var slack:Number = bins.slack;
-            var xs:Vector.<Number> = table.extents.x;
-            var ys:Vector.<Number> = table.extents.y;
-            var zs:Vector.<Number> = table.extents.z;
-            var halfZs:Vector.<Number> = table.extents.halfZ;
-            var boxes:Vector.<Box> = table.boxes;
-            var placed:Vector.<int> = table.placedRevisions;
-            var revisions:Vector.<int> = table.now.revisions;
-            var atX:Number = xs[row];
-            var atY:Number = ys[row];
-            var atZ:Number = zs[row];
-            var reachZ:Number = halfZs[row] + slack;
-            var box:Box = boxes[row];
-            var body:Body = null;
-            var boxTests:int = 0;
-            var sphereTests:int = 0;
-            var kept:int = 0;
-            if (box != null && placed[row] != revisions[row])
+            if (structures != null)
             {
-                table.placeBox(row);
+                return structures.keepTouching(table, bins, row, rows, others, count);
             }
-            for (var i:int = 0; i < count; i++)
-            {
-                // two boxes need no test of their extents, except for the heights
-                var other:int = others[i];
-                var otherRow:int = rows[other];
-                var distance:Number = zs[otherRow] - atZ;
-                var reach:Number = reachZ + halfZs[otherRow];
-                if (distance > reach)
-                {
-                    continue;
-                }
-                if (distance < -reach)
-                {
-                    continue;
-                }
-                var otherBox:Box = boxes[otherRow];
-                if (box != null && otherBox != null)
-                {
-                    boxTests++;
-                    if (placed[otherRow] != revisions[otherRow])
-                    {
-                        table.placeBox(otherRow);
-                    }
-                    if (!boxBox(box, otherBox))
-                    {
-                        continue;
-                    }
-                }
-                else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
-                {
-                    sphereTests++;
-                    var x:Number = xs[otherRow] - atX;
-                    var y:Number = ys[otherRow] - atY;
-                    var squared:Number = x * x + y * y + distance * distance;
-                    reach = halfZs[row] + halfZs[otherRow];
-                    if (squared > reach * reach)
-                    {
-                        // as in keepTouchingSpheres
-                        reach += slack;
-                        if (squared > reach * reach)
-                        {
-                            continue;
-                        }
-                        if (!spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
-                        {
-                            continue;
-                        }
-                    }
-                }
-                else if (!areNear(table.extents, bins, row, otherRow) || !areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
-                {
-                    continue;
-                }
-                others[kept] = other;
-                kept++;
-            }
-            structures.tests[1 << BoundingStructure.BOX] += boxTests;
-            spheres.tests += sphereTests;
-            return kept;
+            return spheres.keepTouching(table, bins, row, rows, others, count);
         }
 
         /** Whether two bodies touch. */
@@ -212,9 +85,12 @@ package starlogo.search
         public function takeCounts(out:SearchCounts):void
         {
             out.sweptPairs = sweptPairs;
-            structures.takeCounts(out);
-            out.sphereSphereTests += spheres.tests;
+            out.sphereSphereTests = spheres.tests;
             sweptPairs = spheres.tests = 0;
+            if (structures != null)
+            {
+                structures.takeCounts(out);
+            }
             if (trees != null)
             {
                 trees.takeCounts(out);

@@ -117,12 +117,15 @@ package starlogo.search
         }
 
         /**
-         * Whether the contact of two bodies is exact: if the first one moves by its depth, the two just touch. Other contacts belong to parts of
-         * the two bodies, and other parts may still overlap.
+         * Changes a contact's normal and depth so that they separate two bodies: if the first one moves along the normal by the depth, the two just
+         * touch. Most contacts do this already, and only the point moves, to the middle of the overlap.
+         *
+         * @param motion as in findTime, with the time at which the two touch
+         * @param out the contact of two parts that touch at that time
          */
-        public function hasExactContact(a:Body, b:Body):Boolean
+        public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            return false;
+            OverlapMiddle.setAlong(a, b, out);
         }
     }
 }

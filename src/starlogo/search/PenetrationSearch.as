@@ -22,7 +22,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class PenetrationSearch extends DirectionSearch
+    internal final class PenetrationSearch extends DirectionSearch
     {
         // The most contacts that a push leads out of, and the most pushes out of the ground that are tried.
         private static const MOST_CONTACTS:int = 4;
@@ -53,8 +53,6 @@ package starlogo.search
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const LEAST_EXTENT:Number = 1e-100;
 
-        private var _narrowPhase:NarrowPhase;
-
         // The first contact.
         private var _first:ContactPoint = new ContactPoint();
 
@@ -65,10 +63,10 @@ package starlogo.search
         private var _pushes:PushSearch = new PushSearch();
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        /** @param narrowPhase tests which bodies touch, and when */
-        public function PenetrationSearch(narrowPhase:NarrowPhase)
+        /** @param tests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground */
+        public function PenetrationSearch(tests:PairTests)
         {
-            _narrowPhase = narrowPhase;
+            _tests = tests;
         }
 
         /**
@@ -79,12 +77,6 @@ package starlogo.search
          */
         public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _tests = _narrowPhase.testsOf(a, b);
-            if (_tests.hasExactContact(a, b))
-            {
-                OverlapMiddle.setAlong(a, b, out);
-                return;
-            }
             begin(a, b, motion);
             _distance = 0;
             // only a body that moves may have been stopped just before the touch
@@ -164,8 +156,8 @@ package starlogo.search
             {
                 return;
             }
-            var trees:TreePairTests = _narrowPhase.trees;
-            var isExact:Boolean = trees != null && trees.exact && out.depth > SHALLOW * _extent;
+            var trees:TreePairTests = TreePairTests(_tests);
+            var isExact:Boolean = trees.exact && out.depth > SHALLOW * _extent;
             if (isExact)
             {
                 trees.byLeaves = true;

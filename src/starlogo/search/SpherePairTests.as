@@ -2,6 +2,7 @@ package starlogo.search
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
+    import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -32,6 +33,87 @@ package starlogo.search
         private var _points:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
+        /**
+         * Keeps the candidates that touch a member of the bins, and moves them to the beginning of the list. All rows must be spheres.
+         *
+         * @param slot the member's slot
+         * @param others the slots of the candidates, whose circles on the ground overlap the member's circle
+         * @param count the number of candidates
+         * @return the number of candidates that it keeps
+         */
+        public function keepTouchingSlots(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
+        {
+            var xs:Vector.<Number> = bins.x;
+            var ys:Vector.<Number> = bins.y;
+            var zs:Vector.<Number> = bins.z;
+            var radii:Vector.<Number> = bins.radius;
+            var atX:Number = xs[slot];
+            var atY:Number = ys[slot];
+            var atZ:Number = zs[slot];
+            var radius:Number = radii[slot];
+            var slack:Number = bins.slack;
+            var kept:int = 0;
+            tests += count;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                var x:Number = xs[other] - atX;
+                var y:Number = ys[other] - atY;
+                var z:Number = zs[other] - atZ;
+                var reach:Number = radius + radii[other];
+                var squared:Number = x * x + y * y + z * z;
+                if (squared > reach * reach)
+                {
+                    // if the gap is not larger than rounding errors, the exact test decides
+                    reach += slack;
+                    if (squared > reach * reach)
+                    {
+                        continue;
+                    }
+                    if (!areTouching(table.bodyOf(bins.rowAt[slot]), table.bodyOf(bins.rowAt[other])))
+                    {
+                        continue;
+                    }
+                }
+                others[kept] = other;
+                kept++;
+            }
+            return kept;
+        }
+
+        /** See NarrowPhase.keepTouching. All rows must be spheres. */
+        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        {
+            var xs:Vector.<Number> = table.extents.x;
+            var ys:Vector.<Number> = table.extents.y;
+            var zs:Vector.<Number> = table.extents.z;
+            var radii:Vector.<Number> = table.extents.halfZ;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = rows[others[i]];
+                var z:Number = zs[other] - zs[row];
+                var reach:Number = radii[row] + bins.slack + radii[other];
+                if (z > reach || z < -reach)
+                {
+                    continue;
+                }
+                tests++;
+                var x:Number = xs[other] - xs[row];
+                var y:Number = ys[other] - ys[row];
+                var squared:Number = x * x + y * y + z * z;
+                reach = radii[row] + radii[other];
+                // as in keepTouchingSlots
+                var far:Number = reach + bins.slack;
+                if (squared <= reach * reach || squared <= far * far && areTouching(table.bodyOf(row), table.bodyOf(other)))
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
@@ -60,12 +142,6 @@ package starlogo.search
             readSphere(b, _sphereB);
             _displacement.stopAt(motion);
             _points.findContact(_sphereA, _sphereB, _displacement, out);
-        }
-
-        /** @inheritDoc */
-        override public function hasExactContact(a:Body, b:Body):Boolean
-        {
-            return true;
         }
 
         private function setTo(a:Body, b:Body):void

@@ -1,7 +1,10 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.broadphase.Bins;
     import starlogo.engine;
+    import starlogo.intersection.boxBox;
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.intersects;
@@ -22,10 +25,111 @@ package starlogo.search
 
         private var _finder:ContactFinder = new ContactFinder();
 
+        private var _narrowPhase:NarrowPhase;
+
+        /** @param narrowPhase tests pairs of a structure and a tree */
+        public function StructurePairTests(narrowPhase:NarrowPhase)
+        {
+            _narrowPhase = narrowPhase;
+        }
+
+        /** Brings these tests to a narrow phase that does not have them. So a game of spheres alone does not load their code. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.structures ||= new StructurePairTests(narrowPhase);
+        }
+
+        /** See NarrowPhase.keepTouching. The row is no tree. */
+        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        {
+            var spheres:SpherePairTests = _narrowPhase.spheres;
+            var forms:Vector.<int> = table.forms;
+            var form:int = forms[row];
+            var slack:Number = bins.slack;
+            var xs:Vector.<Number> = table.extents.x;
+            var ys:Vector.<Number> = table.extents.y;
+            var zs:Vector.<Number> = table.extents.z;
+            var halfZs:Vector.<Number> = table.extents.halfZ;
+            var boxes:Vector.<Box> = table.boxes;
+            var placed:Vector.<int> = table.placedRevisions;
+            var revisions:Vector.<int> = table.now.revisions;
+            var atX:Number = xs[row];
+            var atY:Number = ys[row];
+            var atZ:Number = zs[row];
+            var reachZ:Number = halfZs[row] + slack;
+            var box:Box = boxes[row];
+            var body:Body = null;
+            var boxTests:int = 0;
+            var sphereTests:int = 0;
+            var kept:int = 0;
+            if (box != null && placed[row] != revisions[row])
+            {
+                table.placeBox(row);
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                // two boxes need no test of their extents, except for the heights
+                var other:int = others[i];
+                var otherRow:int = rows[other];
+                var distance:Number = zs[otherRow] - atZ;
+                var reach:Number = reachZ + halfZs[otherRow];
+                if (distance > reach)
+                {
+                    continue;
+                }
+                if (distance < -reach)
+                {
+                    continue;
+                }
+                var otherBox:Box = boxes[otherRow];
+                if (box != null && otherBox != null)
+                {
+                    boxTests++;
+                    if (placed[otherRow] != revisions[otherRow])
+                    {
+                        table.placeBox(otherRow);
+                    }
+                    if (!boxBox(box, otherBox))
+                    {
+                        continue;
+                    }
+                }
+                else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
+                {
+                    sphereTests++;
+                    var x:Number = xs[otherRow] - atX;
+                    var y:Number = ys[otherRow] - atY;
+                    var squared:Number = x * x + y * y + distance * distance;
+                    reach = halfZs[row] + halfZs[otherRow];
+                    if (squared > reach * reach)
+                    {
+                        // as in SpherePairTests.keepTouchingSlots
+                        reach += slack;
+                        if (squared > reach * reach)
+                        {
+                            continue;
+                        }
+                        if (!spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
+                        {
+                            continue;
+                        }
+                    }
+                }
+                else if (!NarrowPhase.areNear(table.extents, bins, row, otherRow) || !_narrowPhase.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
+                {
+                    continue;
+                }
+                others[kept] = other;
+                kept++;
+            }
+            tests[1 << BoundingStructure.BOX] += boxTests;
+            spheres.tests += sphereTests;
+            return kept;
+        }
+
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
-            out.sphereSphereTests = tests[1 << BoundingStructure.SPHERE];
             out.sphereCapsuleTests = tests[1 << BoundingStructure.SPHERE | 1 << BoundingStructure.CAPSULE];
             out.sphereBoxTests = tests[1 << BoundingStructure.SPHERE | 1 << BoundingStructure.BOX];
             out.capsuleCapsuleTests = tests[1 << BoundingStructure.CAPSULE];
@@ -65,12 +169,6 @@ package starlogo.search
         {
             _finder.displacement.stopAt(motion);
             _finder.find(a.structure(), b.structure(), out);
-        }
-
-        /** @inheritDoc */
-        override public function hasExactContact(a:Body, b:Body):Boolean
-        {
-            return true;
         }
     }
 }

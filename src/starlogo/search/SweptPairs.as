@@ -36,13 +36,10 @@ package starlogo.search
         // When the extents of a pair overlap.
         private var _times:ContactInterval = new ContactInterval();
 
-        private var _separation:PenetrationSearch;
-
         /** @param narrowPhase tests which rows touch */
         public function SweptPairs(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _separation = new PenetrationSearch(narrowPhase);
         }
 
         /** Whether any agent in a list sweeps. */
@@ -182,11 +179,9 @@ package starlogo.search
         private function separate(a:Body, b:Body, out:ContactPoint):void
         {
             var motion:RelativeMotion = _motion;
-            _narrowPhase.testsOf(a, b).findContact(a, b, motion, out);
-            if (b.form != ModelShape.EDGES)
-            {
-                _separation.find(a, b, motion, out);
-            }
+            var tests:PairTests = _narrowPhase.testsOf(a, b);
+            tests.findContact(a, b, motion, out);
+            tests.separate(a, b, motion, out);
             approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
         }
 

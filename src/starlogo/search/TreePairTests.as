@@ -37,6 +37,12 @@ package starlogo.search
         // The motion under way: the given motion, or its opposite if the two bodies are tested in the other order.
         private var _motion:RelativeMotion;
         private var _reversed:RelativeMotion = new RelativeMotion();
+        private var _separation:PenetrationSearch;
+
+        public function TreePairTests()
+        {
+            _separation = new PenetrationSearch(this);
+        }
 
         /** See NarrowPhase.keepTouching. The row is a tree. */
         public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
@@ -124,6 +130,12 @@ package starlogo.search
             {
                 out.swapBodies(motion);
             }
+        }
+
+        /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _separation.find(a, b, motion, out);
         }
 
         /** @inheritDoc */

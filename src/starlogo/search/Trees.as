@@ -22,6 +22,7 @@ package starlogo.search
         /** @private */
         override engine function prepare(narrowPhase:NarrowPhase):void
         {
+            super.prepare(narrowPhase);
             narrowPhase.trees = new TreePairTests();
         }
 

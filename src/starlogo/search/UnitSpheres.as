@@ -13,12 +13,12 @@ package starlogo.search
      *
      * @private
      */
-    public final class UnitSpheres extends ShapeChoice
+    public final class UnitSpheres extends AgentShapes
     {
         /** @param greatLand the models that agents may have; null to allow any name */
         public function UnitSpheres(greatLand:GreatLand)
         {
-            super(greatLand, false);
+            super(greatLand);
         }
 
         /** @inheritDoc */

@@ -9,8 +9,8 @@ package starlogo.queries
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.search.AgentShapes;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.ShapeChoice;
     import starlogo.search.TightestFits;
     import starlogo.search.Trees;
     import starlogo.search.UnitSpheres;
@@ -64,7 +64,7 @@ package starlogo.queries
         [Test]
         public function structures():void
         {
-            for each (var choice:ShapeChoice in [new UnitSpheres(sGreatLand), new TightestFits(sGreatLand)])
+            for each (var choice:AgentShapes in [new UnitSpheres(sGreatLand), new TightestFits(sGreatLand)])
             {
                 var asked:AskedDistance = new AskedDistance(choice, new NarrowPhase(choice));
                 for (var i:int = 0; i < Effort.choose(400, 20000); i++)
@@ -78,7 +78,7 @@ package starlogo.queries
         [Test]
         public function trees():void
         {
-            var choice:ShapeChoice = new Trees(sGreatLand);
+            var choice:AgentShapes = new Trees(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
@@ -109,7 +109,7 @@ package starlogo.queries
         [Test]
         public function triangles():void
         {
-            var choice:ShapeChoice = new Trees(sGreatLand);
+            var choice:AgentShapes = new Trees(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
             pairs.trees.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);

@@ -1,0 +1,59 @@
+package starlogo.search
+{
+    import flash.errors.IllegalOperationError;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * Says which shape each agent of a Collider has. This is the base class of ShapeChoice, which games extend.
+     */
+    public class AgentShapes
+    {
+        /** The models, or null if the shapes need no models. */
+        public var greatLand:GreatLand;
+
+        /**
+         * For subclasses only.
+         *
+         * @param greatLand the models; null if the shapes need no models
+         */
+        public function AgentShapes(greatLand:GreatLand)
+        {
+            this.greatLand = greatLand;
+        }
+
+        /**
+         * @private Brings the tests of pairs that the shapes need, besides those of spheres. A game loads only the code of the tests that its
+         * shapes bring.
+         */
+        engine function prepare(narrowPhase:NarrowPhase):void
+        {
+        }
+
+        /**
+         * The number of an agent's shape among the shapes that its model can have. Agents with the same model and the same number share a shape.
+         * The number may depend on the traits <code>hierarchical</code> and <code>collideAs</code>.
+         *
+         * @param agent not null
+         */
+        public function kindOf(agent:Agent):int
+        {
+            return Agent.ANY_KIND;
+        }
+
+        /**
+         * Sets the shape of a model. All agents with the same model and kind use it.
+         *
+         * @param shape has the model's name and the kind. Call its setStructure()
+         * @param agent an agent with the model; the model is in the GreatLand
+         * @throws ArgumentError if the shape needs something that was not loaded
+         */
+        public function bind(shape:ModelShape, agent:Agent):void
+        {
+            throw new IllegalOperationError(this + " does not implement bind");
+        }
+    }
+}

@@ -16,6 +16,7 @@ package benchmark
     import starlogo.terrain.Terrain;
     import support.EachCollider;
     import support.Fixtures;
+    import support.landOf;
 
     /**
      * What slide and moveUntilTouch take, of agents that go about: microseconds a question, and how many times as long as to ask whom the agent
@@ -48,10 +49,7 @@ package benchmark
         /** The table. */
         public function run():String
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.sphere());
-            greatLand.addModel(BuiltInModel.cube());
-            greatLand.addModel(new ObjModel("fortress", Fixtures.text(FIXTURES[0])));
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), new ObjModel("fortress", Fixtures.text(FIXTURES[0])));
             var table:Table = new Table("agents", "system", "question", "microseconds", "of touching", "met %");
             addRows(table, "spheres in a crowd", "bins", greatLand, crowd("sphere", 1.02));
             addRows(table, "a maze of boxes", "tightest fits", greatLand, crowd("cube", 1.45));

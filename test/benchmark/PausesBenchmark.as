@@ -12,6 +12,7 @@ package benchmark
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
     import support.Fixtures;
+    import support.landOf;
 
     /**
      * How evenly frames come: 1,000 scattered agents, all moving, over 1,000 frames of Collision.update, for each collider. What a
@@ -32,10 +33,7 @@ package benchmark
         /** The table. */
         public function run():String
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(new ObjModel("bear", Fixtures.text("/assets/bear.obj")));
-            greatLand.addModel(BuiltInModel.sphere());
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(new ObjModel("bear", Fixtures.text("/assets/bear.obj")), BuiltInModel.sphere(), BuiltInModel.cube());
             var table:Table = new Table("1,000 scattered agents, 1,000 frames", "median ms", "p99", "most", "p99 to median");
             for each (var name:String in Settings.COLLIDERS)
             {

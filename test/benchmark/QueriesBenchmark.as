@@ -9,6 +9,7 @@ package benchmark
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import support.landOf;
 
     /**
      * Questions of each of 10,000 agents, all of which move in every frame: microseconds for each agent, with the update. Counts of what is near
@@ -34,8 +35,7 @@ package benchmark
         /** The table. */
         public function run():String
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.cube());
             _queries = new AgentQueries(new TightestFitCollider(greatLand));
             var table:Table = new Table("agents", "question", "microseconds", "of cells");
             addRows(table, "scattered", scattered);

@@ -7,6 +7,7 @@ package evaluation
     import starlogo.collision.BinCollider;
     import starlogo.fitting.NaiveSphereFitter;
     import support.assertThrows;
+    import support.create;
 
     public class SettingsTest
     {
@@ -58,39 +59,18 @@ package evaluation
             assertTrue(settings.own.fitter("game.Reds") is NaiveSphereFitter);
             assertTrue(Colliders.make("game.Discs", new GreatLand(), settings.own) is EveryPairSystem);
             assertTrue(Colliders.make("game.Bins", new GreatLand(), settings.own) is BinCollider);
-            assertThrows(ArgumentError, /-Dcolliders: there is no class "game.Blues"; -Dsources=/, function():void
-                {
-                    new Settings({colliders: "game.Blues"}, find);
-                });
-            assertThrows(ArgumentError, /-Dcolliders: game.Reds is not a CollisionSystem/, function():void
-                {
-                    new Settings({colliders: "game.Reds"}, find);
-                });
-            assertThrows(ArgumentError, /-Dfitters: game.Discs is not a Fitter/, function():void
-                {
-                    new Settings({fitters: "game.Discs"}, find);
-                });
-            assertThrows(ArgumentError, /-Dcolliders: there is no class "BinColider"/, function():void
-                {
-                    new Settings({colliders: "BinColider"});
-                });
+            assertThrows(ArgumentError, /-Dcolliders: there is no class "game.Blues"; -Dsources=/, create, Settings, {colliders: "game.Blues"}, find);
+            assertThrows(ArgumentError, /-Dcolliders: game.Reds is not a CollisionSystem/, create, Settings, {colliders: "game.Reds"}, find);
+            assertThrows(ArgumentError, /-Dfitters: game.Discs is not a Fitter/, create, Settings, {fitters: "game.Discs"}, find);
+            assertThrows(ArgumentError, /-Dcolliders: there is no class "BinColider"/, create, Settings, {colliders: "BinColider"});
         }
 
         [Test]
         public function whatIsNotThereIsRefused():void
         {
-            assertThrows(ArgumentError, /-Dfigures.*"test".*tests/, function():void
-                {
-                    new Settings({figures: "test"});
-                });
-            assertThrows(ArgumentError, /-Dagents.*"many"/, function():void
-                {
-                    new Settings({agents: "10,many"});
-                });
-            assertThrows(ArgumentError, /-Drepetitions.*"0"/, function():void
-                {
-                    new Settings({repetitions: "0"});
-                });
+            assertThrows(ArgumentError, /-Dfigures.*"test".*tests/, create, Settings, {figures: "test"});
+            assertThrows(ArgumentError, /-Dagents.*"many"/, create, Settings, {agents: "10,many"});
+            assertThrows(ArgumentError, /-Drepetitions.*"0"/, create, Settings, {repetitions: "0"});
         }
     }
 }

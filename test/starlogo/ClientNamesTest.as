@@ -45,6 +45,7 @@ package starlogo
     import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.ObjModel;
+    import support.landOf;
 
     /** The names that the client compiles against, with their types: what does not compile here breaks the client. */
     public class ClientNamesTest
@@ -157,8 +158,7 @@ package starlogo
         [Test]
         public function agentsAndCollisions():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.cube());
             var agent:Agent = new Agent("cube");
             var other:Agent = new Agent("cube", "walls");
             agent.hierarchical = true;
@@ -191,8 +191,7 @@ package starlogo
         [Test]
         public function motion():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.cube());
             var agent:Agent = new Agent("cube");
             var agents:Vector.<Agent> = new <Agent>[agent, new Agent("cube", "walls")];
             assertFalse(agent.sweeps);

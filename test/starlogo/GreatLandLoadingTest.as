@@ -20,6 +20,7 @@ package starlogo
     import support.LibraryContents;
     import support.SteppedModels;
     import support.assertThrows;
+    import support.landOf;
 
     /** GreatLand and ModelLoader together. */
     public class GreatLandLoadingTest
@@ -66,8 +67,7 @@ package starlogo
                     assertTrue("it stops when the budget is spent", _loader.longestFrame <= BUDGET + _loader.longestStep);
                     // what is there is what addModel would have put there
                     var dragon:Model = loaded.filter(isDragon)[0];
-                    var other:GreatLand = new GreatLand();
-                    other.addModel(dragon);
+                    var other:GreatLand = landOf(dragon);
                     assertEquals(LibraryContents.of(other, "dragon"), LibraryContents.of(_greatLand, "dragon"));
                 }, 300000);
         }

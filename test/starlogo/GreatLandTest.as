@@ -11,6 +11,7 @@ package starlogo
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.assertThrows;
+    import support.assign;
 
     use namespace engine;
 
@@ -88,10 +89,7 @@ package starlogo
             _greatLand.orientedBoxDegIncrement = 45;
             _greatLand.addModel(new Model("right", turned));
             assertTrue(_greatLand.boundingStructures.tightestFit("right").volume < 0.9 * _greatLand.boundingStructures.tightestFit("coarse").volume);
-            assertThrows(ArgumentError, /0/, function():void
-                {
-                    _greatLand.orientedBoxDegIncrement = 0;
-                });
+            assertThrows(ArgumentError, /0/, assign, _greatLand, "orientedBoxDegIncrement", 0);
         }
 
         [Test]

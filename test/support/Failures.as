@@ -8,12 +8,12 @@ package support
     /** What tests say about models that must not load. */
     public final class Failures
     {
-        /** The ModelError that an action throws; anything else fails the test. */
-        public static function of(action:Function):ModelError
+        /** The ModelError that a call throws; anything else fails the test. */
+        public static function of(call:Function, ...args):ModelError
         {
             try
             {
-                action();
+                call.apply(null, args);
             }
             catch (error:ModelError)
             {
@@ -23,10 +23,10 @@ package support
             return null;
         }
 
-        /** Asserts that an action throws a ModelError of a place, with some words in its message. */
-        public static function assertFails(place:String, words:String, action:Function):void
+        /** Asserts that a call throws a ModelError of a place, with some words in its message. */
+        public static function assertFails(place:String, words:String, call:Function, ...args):void
         {
-            var error:ModelError = of(action);
+            var error:ModelError = of.apply(null, [call].concat(args));
             assertEquals(error.message, place, error.place);
             assertTrue(error.message, error.message.indexOf(words) >= 0);
         }

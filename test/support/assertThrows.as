@@ -7,11 +7,11 @@ package support
      * Calls a function and expects it to throw.
      *
      * @param errorClass the class that the error must have
-     * @param message what its message must match
+     * @param message a RegExp that its message must match, or a String that the message must contain
      * @param call the function
      * @param args its arguments
      */
-    public function assertThrows(errorClass:Class, message:RegExp, call:Function, ...args):void
+    public function assertThrows(errorClass:Class, message:*, call:Function, ...args):void
     {
         try
         {
@@ -19,7 +19,7 @@ package support
         }
         catch (error:Error)
         {
-            if (!(error is errorClass) || !message.test(error.message))
+            if (!(error is errorClass) || !(message is RegExp ? message.test(error.message) : error.message.indexOf(message) >= 0))
             {
                 fail("expected a " + getQualifiedClassName(errorClass) + " that matches " + message + ", not " + error);
             }

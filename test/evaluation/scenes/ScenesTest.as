@@ -97,10 +97,7 @@ package evaluation.scenes
         [Test]
         public function aCastThatIsNotThereIsRefused():void
         {
-            assertThrows(ArgumentError, /not "wolves"/, function():void
-                {
-                    Scenes.crowd(3, "wolves");
-                });
+            assertThrows(ArgumentError, /not "wolves"/, Scenes.crowd, 3, "wolves");
         }
 
         private static function hashes(scene:Function, count:int):Array

@@ -8,6 +8,7 @@ package starlogo.agents
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import support.assertThrows;
+    import support.create;
 
     use namespace engine;
 
@@ -94,18 +95,9 @@ package starlogo.agents
         [Test]
         public function namesMustNotBeEmpty():void
         {
-            assertThrows(ArgumentError, /shape.*null/, function():void
-                {
-                    new Agent(null);
-                });
-            assertThrows(ArgumentError, /shape must be a name, not ""$/, function():void
-                {
-                    new Agent("");
-                });
-            assertThrows(ArgumentError, /breed/, function():void
-                {
-                    new Agent("bear", "");
-                });
+            assertThrows(ArgumentError, /shape.*null/, create, Agent, null);
+            assertThrows(ArgumentError, /shape must be a name, not ""$/, create, Agent, "");
+            assertThrows(ArgumentError, /breed/, create, Agent, "bear", "");
             var agent:Agent = new Agent("bear");
             assertThrows(ArgumentError, /shape/, set , agent, "shape", "");
             assertEquals("bear", agent.shape);

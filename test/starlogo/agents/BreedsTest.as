@@ -13,6 +13,7 @@ package starlogo.agents
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import support.landOf;
 
     use namespace engine;
 
@@ -109,8 +110,7 @@ package starlogo.agents
         [Test]
         public function blocksTellThemApart():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.sphere());
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere());
             var collisions:CollisionBlocks = new CollisionBlocks(greatLand, _agents);
             var detection:DetectionBlocks = new DetectionBlocks(collisions);
             var traits:TraitBlocks = new TraitBlocks(_agents);

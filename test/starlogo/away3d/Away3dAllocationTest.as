@@ -8,6 +8,7 @@ package starlogo.away3d
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import support.MemoryGrowth;
+    import support.landOf;
 
     /**
      * Bindings and wireframes allocate nothing, measured as collision's AllocationTest does.
@@ -78,8 +79,7 @@ package starlogo.away3d
         [Test]
         public function wireframesMoveForNothing():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.cube());
             var wireframe:Away3dWireframe = new Away3dWireframe(_agent);
             wireframe.showLevel(greatLand.hierarchies.root("cube"), 3);
             assertAllocatesNothing(function(i:int):void

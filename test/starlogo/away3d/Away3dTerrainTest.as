@@ -9,6 +9,7 @@ package starlogo.away3d
     import starlogo.terrain.Terrain;
     import starlogo.terrain.TerrainSurface;
     import support.assertThrows;
+    import support.create;
 
     /** The ground as the real Away3D draws it. */
     public class Away3dTerrainTest
@@ -121,10 +122,7 @@ package starlogo.away3d
         [Test]
         public function thereMustBeATerrain():void
         {
-            assertThrows(ArgumentError, /no terrain/, function():void
-                {
-                    new Away3dTerrain(null);
-                });
+            assertThrows(ArgumentError, /no terrain/, create, Away3dTerrain, null);
         }
 
         private static function pointAt(numbers:Vector.<Number>, index:int):Vector3D

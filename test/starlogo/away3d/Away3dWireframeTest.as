@@ -12,6 +12,7 @@ package starlogo.away3d
     import starlogo.models.BuiltInModel;
     import support.SurfaceDistance;
     import support.assertThrows;
+    import support.create;
 
     /** Wireframes among what the real Away3D draws. */
     public class Away3dWireframeTest
@@ -117,10 +118,7 @@ package starlogo.away3d
         [Test]
         public function anAgentIsNeeded():void
         {
-            assertThrows(ArgumentError, /an agent and an object are needed/, function():void
-                {
-                    new Away3dWireframe(null);
-                });
+            assertThrows(ArgumentError, /an agent and an object are needed/, create, Away3dWireframe, null);
         }
     }
 }

@@ -13,6 +13,8 @@ package starlogo.blocks
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import support.assertThrows;
+    import support.create;
+    import support.landOf;
 
     public class CollisionBlocksTest
     {
@@ -25,9 +27,7 @@ package starlogo.blocks
         [BeforeClass]
         public static function load():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(BuiltInModel.sphere());
-            sGreatLand.addModel(BuiltInModel.cube());
+            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
         }
 
         [Before]
@@ -153,10 +153,7 @@ package starlogo.blocks
             assertThrows(BlockError, /^The block "on collision with" needs the name of a breed, but got nothing\.$/, _blocks.onCollision, "", "a", note(""));
             assertThrows(BlockError, /^The block "when touching starts" needs the name/, _blocks.whenTouchingStarts, "a", null, note(""));
             assertThrows(BlockError, /^The block "when touching ends" has nothing to do: put blocks/, _blocks.whenTouchingEnds, "a", "b", null);
-            assertThrows(ArgumentError, /GreatLand/, function():void
-                {
-                    new CollisionBlocks(null, _agents);
-                });
+            assertThrows(ArgumentError, /GreatLand/, create, CollisionBlocks, null, _agents);
         }
 
         [Test]

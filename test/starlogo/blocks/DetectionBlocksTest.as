@@ -10,6 +10,8 @@ package starlogo.blocks
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.assertThrows;
+    import support.create;
+    import support.landOf;
 
     public class DetectionBlocksTest
     {
@@ -21,9 +23,7 @@ package starlogo.blocks
         [Before]
         public function begin():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.sphere());
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
             _agents = new Vector.<Agent>();
             _collisions = new CollisionBlocks(greatLand, _agents);
             _blocks = new DetectionBlocks(_collisions);
@@ -143,10 +143,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"can see\?" needs another agent, but got the same/, _blocks.canSee, _turtle, _turtle);
             assertThrows(BlockError, /"distance to" needs another agent, but got nothing/, _blocks.distanceTo, _turtle, null);
             assertThrows(BlockError, /"distance to" needs another agent, but got the same/, _blocks.distanceTo, _turtle, _turtle);
-            assertThrows(ArgumentError, /blocks are needed/, function():void
-                {
-                    new DetectionBlocks(null);
-                });
+            assertThrows(ArgumentError, /blocks are needed/, create, DetectionBlocks, null);
         }
 
         private function add(breed:String, x:Number):Agent

@@ -19,6 +19,8 @@ package starlogo.blocks
     import support.SurfaceDistance;
     import support.TransformedStructure;
     import support.assertThrows;
+    import support.create;
+    import support.landOf;
 
     public class StructureBlocksTest
     {
@@ -51,13 +53,6 @@ package starlogo.blocks
                 sGreatLand.addModel(model);
                 sThorough.addModel(model);
             }
-        }
-
-        [AfterClass]
-        public static function forget():void
-        {
-            sGreatLand = sThorough = null;
-            sModels = null;
         }
 
         [Before]
@@ -146,8 +141,7 @@ package starlogo.blocks
         [Test]
         public function anotherModelOfTheNameHasItsOwnLines():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.cube());
             _collisions = new CollisionBlocks(greatLand, _agents);
             _blocks = new StructureBlocks(_collisions);
             var agent:Agent = new Agent("cube");
@@ -166,10 +160,7 @@ package starlogo.blocks
         public function wrongUsesSaySo():void
         {
             assertThrows(BlockError, /^The block "show bounding structures" needs an agent or a breed, but got nothing/, _blocks.show, null, true);
-            assertThrows(ArgumentError, /collision blocks/, function():void
-                {
-                    new StructureBlocks(null);
-                });
+            assertThrows(ArgumentError, /collision blocks/, create, StructureBlocks, null);
         }
 
         [Test]

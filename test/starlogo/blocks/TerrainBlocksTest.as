@@ -9,6 +9,8 @@ package starlogo.blocks
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
     import support.assertThrows;
+    import support.create;
+    import support.landOf;
 
     public class TerrainBlocksTest
     {
@@ -21,8 +23,7 @@ package starlogo.blocks
         [Before]
         public function begin():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.cube());
             _collisions = new CollisionBlocks(greatLand, new <Agent>[]);
             _detection = new DetectionBlocks(_collisions);
             _blocks = new TerrainBlocks(_collisions, _detection);
@@ -149,10 +150,7 @@ package starlogo.blocks
             {
                 assertEquals("nothing was built", 0, height);
             }
-            assertThrows(ArgumentError, /collision blocks and detection blocks are needed/, function():void
-                {
-                    new TerrainBlocks(_collisions, null);
-                });
+            assertThrows(ArgumentError, /collision blocks and detection blocks are needed/, create, TerrainBlocks, _collisions, null);
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.blocks
     import org.flexunit.asserts.assertEquals;
     import starlogo.agents.Agent;
     import support.assertThrows;
+    import support.create;
 
     public class TraitBlocksTest
     {
@@ -84,10 +85,7 @@ package starlogo.blocks
                 assertThrows(BlockError, /^The block "set collision depth" needs a whole number: 1 is the coarsest/, _blocks.setCollisionDepth, "bears", depth);
             }
             assertEquals("false 0 tightest", traitsOf(_bear));
-            assertThrows(ArgumentError, /list of agents/, function():void
-                {
-                    new TraitBlocks(null);
-                });
+            assertThrows(ArgumentError, /list of agents/, create, TraitBlocks, null);
         }
 
         private static function traitsOf(agent:Agent):String

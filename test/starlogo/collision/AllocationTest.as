@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.terrain.WorldBounds;
     import support.Garbage;
     import support.MemoryGrowth;
+    import support.landOf;
 
     /**
      * Steady frames allocate nothing. The player collects no garbage while a test runs, so that whatever a frame allocates
@@ -37,10 +38,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(BuiltInModel.cylinder());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
             _agents = new Vector.<Agent>();
             var random:SeededRandom = new SeededRandom(41);
             for (var i:int = 0; i < AGENTS; i++)

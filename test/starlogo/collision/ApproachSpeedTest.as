@@ -6,6 +6,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import support.EachCollider;
+    import support.landOf;
 
     /** How fast two agents come together, as their contact says. */
     public class ApproachSpeedTest
@@ -18,9 +19,7 @@ package starlogo.collision
         [Before]
         public function begin():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand = landOf(BuiltInModel.cube(), BuiltInModel.sphere());
         }
 
         [Test]

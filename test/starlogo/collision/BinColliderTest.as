@@ -13,6 +13,7 @@ package starlogo.collision
     import support.RandomWorlds;
     import support.agentAt;
     import support.assertThrows;
+    import support.landOf;
 
     public class BinColliderTest
     {
@@ -24,8 +25,7 @@ package starlogo.collision
         [Before]
         public function makeCollider():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.cube());
             _collider = new BinCollider(_greatLand);
         }
 
@@ -52,8 +52,7 @@ package starlogo.collision
                 agents[i].moveTo(random.between(-4, 4), random.between(-4, 4), random.between(0, 2));
                 known[i].moveTo(agents[i].x, agents[i].y, agents[i].z);
             }
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.sphere());
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere());
             var expected:Vector.<Agent> = new BinCollider(greatLand).findCollisions(known);
             var collider:BinCollider = new BinCollider();
             for (var frame:int = 0; frame < 2; frame++)

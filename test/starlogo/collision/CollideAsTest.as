@@ -40,12 +40,6 @@ package starlogo.collision
             }
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sSparing = sThorough = null;
-        }
-
         [Test]
         public function everyKindCollidesAsItsStructure():void
         {

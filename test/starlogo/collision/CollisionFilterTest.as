@@ -11,6 +11,7 @@ package starlogo.collision
     import support.EachCollider;
     import support.RandomWorlds;
     import support.assertThrows;
+    import support.landOf;
 
     /** A Collision with a filter is one of a list without the agents that it excludes. */
     public class CollisionFilterTest
@@ -23,8 +24,7 @@ package starlogo.collision
         [Before]
         public function begin():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.cube());
         }
 
         [Test]

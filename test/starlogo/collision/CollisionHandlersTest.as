@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import support.OwnVectorSystem;
     import support.assertThrows;
+    import support.landOf;
 
     /** What handlers may do to a game, and to other handlers. */
     public class CollisionHandlersTest
@@ -21,8 +22,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand = landOf(BuiltInModel.sphere());
             _collision = new Collision(new BinCollider(_greatLand));
             _agents = new Vector.<Agent>();
             _calls = [];

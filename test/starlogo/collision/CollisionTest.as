@@ -6,6 +6,8 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import support.assertThrows;
+    import support.create;
+    import support.landOf;
 
     public class CollisionTest
     {
@@ -17,8 +19,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.sphere());
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere());
             _collider = new BinCollider(greatLand);
             _collision = new Collision(_collider);
             _agents = new Vector.<Agent>();
@@ -133,10 +134,7 @@ package starlogo.collision
             assertEquals(0, _calls.length);
             assertThrows(ArgumentError, /handler/, _collision.onCollision, "bears", "bears", null);
             assertThrows(ArgumentError, /breeds/, _collision.onCollision, "", "bears", note("x"));
-            assertThrows(ArgumentError, /collisionSystem/, function():void
-                {
-                    new Collision(null);
-                });
+            assertThrows(ArgumentError, /collisionSystem/, create, Collision, null);
             _agents.pop();
             _collision.update(_agents);
             assertEquals("and the game goes on", 2, _calls.length);

@@ -9,6 +9,7 @@ package starlogo.collision
     import support.Effort;
     import support.OwnVectorSystem;
     import support.assertThrows;
+    import support.landOf;
 
     /** When touches begin and end: handlers of onCollisionStart and onCollisionEnd. */
     public class CollisionTouchesTest
@@ -23,9 +24,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
             _collision = new Collision(new BinCollider(_greatLand));
             _bear = new Agent("sphere", "bears");
             _ball = new Agent("sphere", "balls");

@@ -15,6 +15,7 @@ package starlogo.collision
     import support.BruteForce;
     import support.HierarchyReference;
     import support.assertThrows;
+    import support.assign;
 
     public class CombinationColliderTest
     {
@@ -36,10 +37,7 @@ package starlogo.collision
         {
             assertEquals(5, _collider.maxDepth);
             assertFalse(_collider.exact);
-            assertThrows(RangeError, /maxDepth.*-2/, function():void
-                {
-                    _collider.maxDepth = -2;
-                });
+            assertThrows(RangeError, /maxDepth.*-2/, assign, _collider, "maxDepth", -2);
         }
 
         [Test]

@@ -10,6 +10,7 @@ package starlogo.collision
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
     import support.agentAt;
+    import support.landOf;
 
     use namespace engine;
 
@@ -212,8 +213,7 @@ package starlogo.collision
         [Test]
         public function whatSweepsButHasNotMovedTouchesNow():void
         {
-            var land:GreatLand = new GreatLand();
-            land.addModel(BuiltInModel.cube());
+            var land:GreatLand = landOf(BuiltInModel.cube());
             for each (var shape:String in ["sphere", "cube"])
             {
                 var collision:Collision = new Collision(shape == "sphere" ? new BinCollider() : new TightestFitCollider(land));

@@ -53,12 +53,6 @@ package starlogo.collision
             sAreModelsSpoilt = true;
         }
 
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
-        }
-
         [Before]
         public function begin():void
         {

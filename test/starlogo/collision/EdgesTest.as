@@ -25,6 +25,7 @@ package starlogo.collision
     import support.SolidModels;
     import support.agentAt;
     import support.assertThrows;
+    import support.create;
 
     use namespace engine;
 
@@ -55,13 +56,6 @@ package starlogo.collision
                 sModels[model.name] = model;
                 sGreatLand.addModel(model);
             }
-        }
-
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
-            sModels = null;
         }
 
         [Before]
@@ -395,10 +389,7 @@ package starlogo.collision
             assertEquals("-1,-2,-3,1,2,Infinity", [bounds.minX, bounds.minY, bounds.minZ, bounds.maxX, bounds.maxY, bounds.maxZ].join());
             var collision:Collision = new Collision(new BinCollider());
             assertThrows(ArgumentError, /agents\[0\].*edges of the world/, collision.update, new <Agent>[bounds.agent]);
-            assertThrows(ArgumentError, /breed/, function():void
-                {
-                    new Agent("cube", Collision.EDGE);
-                });
+            assertThrows(ArgumentError, /breed/, create, Agent, "cube", Collision.EDGE);
             collision = new Collision(new OwnVectorSystem(new <Agent>[]));
             collision.bounds = bounds;
             assertThrows(IllegalOperationError, /bounds need one of the engine's collision systems/, collision.update, new <Agent>[]);

@@ -66,14 +66,6 @@ package starlogo.collision
             }
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sGreatLand = null;
-            sShapes = null;
-            sModels = null;
-        }
-
         [Before]
         public function begin():void
         {

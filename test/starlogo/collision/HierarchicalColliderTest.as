@@ -11,6 +11,7 @@ package starlogo.collision
     import support.HierarchyReference;
     import support.SolidAngles;
     import support.assertThrows;
+    import support.assign;
 
     public class HierarchicalColliderTest
     {
@@ -33,10 +34,7 @@ package starlogo.collision
         {
             assertEquals(5, _collider.maxDepth);
             assertFalse(_collider.exact);
-            assertThrows(RangeError, /maxDepth.*0/, function():void
-                {
-                    _collider.maxDepth = 0;
-                });
+            assertThrows(RangeError, /maxDepth.*0/, assign, _collider, "maxDepth", 0);
             assertEquals(5, _collider.maxDepth);
         }
 
@@ -90,10 +88,7 @@ package starlogo.collision
             assertFalse(_collider.areColliding(a, b));
             a.traversalDepth = 0;
             assertTrue(_collider.areColliding(a, b));
-            assertThrows(RangeError, /traversalDepth/, function():void
-                {
-                    a.traversalDepth = -1;
-                });
+            assertThrows(RangeError, /traversalDepth/, assign, a, "traversalDepth", -1);
         }
 
         [Test]

@@ -50,13 +50,6 @@ package starlogo.collision
             }
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sModels = null;
-            sGreatLand = null;
-        }
-
         [Test]
         public function nests():void
         {

@@ -9,6 +9,7 @@ package starlogo.collision
     import support.Complaints;
     import support.EachCollider;
     import support.assertThrows;
+    import support.landOf;
 
     /**
      * An agent's motion since a collider's last frame is its own: neither models that come and go nor questions between two frames take any of it
@@ -26,10 +27,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(BuiltInModel.cylinder());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
             _ball = new Agent("sphere", "balls");
             _ball.size = 0.2;
             _wall = new Agent("cube", "walls");

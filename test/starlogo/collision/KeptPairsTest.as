@@ -8,6 +8,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
+    import support.landOf;
 
     /**
      * A frame in which few agents have changed tests these agents alone, and makes the calls of a frame that tests all, in the same order.
@@ -23,9 +24,7 @@ package starlogo.collision
         [Before]
         public function addModels():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
             _random = new SeededRandom(52);
         }
 

@@ -9,6 +9,7 @@ package starlogo.collision
     import support.EachCollider;
     import support.Effort;
     import support.RandomWorlds;
+    import support.landOf;
 
     /**
      * The order of pairs depends on the list and on where its agents are: what a collider has seen before does not show. Of a pair the agent that
@@ -31,10 +32,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(BuiltInModel.cylinder());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
             _random = new SeededRandom(404);
             _wrong = new Complaints();
             _pairs = _againstIds = 0;

@@ -116,15 +116,6 @@ package starlogo.collision
             assertTrue("found: " + found + ", inside: " + inside, found > 0.4 * sVectors.count / stride && inside > 0.08 * sVectors.count / stride);
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sModels = null;
-            sVectors = null;
-            sLoaded = null;
-            sLoadedKey = "";
-        }
-
         // Once for all tests. Each may be the only one that is run.
         private static function readModels():void
         {

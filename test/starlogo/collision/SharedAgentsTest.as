@@ -6,6 +6,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
+    import support.landOf;
 
     use namespace engine;
 
@@ -18,9 +19,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
             _agents = new Vector.<Agent>();
             for (var i:int = 0; i < 12; i++)
             {

@@ -17,6 +17,7 @@ package starlogo.collision
     import support.OwnVectorSystem;
     import support.SolidModels;
     import support.assertThrows;
+    import support.landOf;
 
     public class SnapshotTest
     {
@@ -27,10 +28,7 @@ package starlogo.collision
         [Before]
         public function setUp():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(SolidModels.crossed());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), SolidModels.crossed());
         }
 
         [Test]

@@ -15,6 +15,7 @@ package starlogo.collision
     import support.Effort;
     import support.agentAt;
     import support.assertThrows;
+    import support.landOf;
 
     /** Snapshots with the agents' traits: one call writes a game, one brings it back. */
     public class SnapshotTraitsTest
@@ -24,16 +25,7 @@ package starlogo.collision
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(BuiltInModel.sphere());
-            sGreatLand.addModel(BuiltInModel.cube());
-            sGreatLand.addModel(BuiltInModel.cylinder());
-        }
-
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
+            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
         }
 
         [Test]
@@ -271,8 +263,7 @@ package starlogo.collision
             var game:PlatformGame = new PlatformGame(sGreatLand);
             game.run(5);
             var bytes:ByteArray = game.collision.snapshot(true);
-            var land:GreatLand = new GreatLand();
-            land.addModel(BuiltInModel.sphere());
+            var land:GreatLand = landOf(BuiltInModel.sphere());
             var other:Collision = new Collision(new TightestFitCollider(land));
             var agents:Vector.<Agent> = new Vector.<Agent>();
             var random:SeededRandom = new SeededRandom(3);

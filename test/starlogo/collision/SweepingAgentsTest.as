@@ -7,6 +7,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import support.assertThrows;
+    import support.landOf;
 
     /** An agent that sweeps hits everything on its path, and nothing else. */
     public class SweepingAgentsTest
@@ -20,9 +21,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
             _ball = new Agent("sphere", "balls");
             _ball.size = 0.2;
             _ball.sweeps = true;

@@ -49,12 +49,6 @@ package starlogo.collision
             }
         }
 
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
-        }
-
         [Test]
         public function missNothingThatBruteForceSees():void
         {

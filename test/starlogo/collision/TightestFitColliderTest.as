@@ -14,6 +14,7 @@ package starlogo.collision
     import support.TransformedStructure;
     import support.agentAt;
     import support.assertThrows;
+    import support.landOf;
 
     public class TightestFitColliderTest
     {
@@ -24,11 +25,7 @@ package starlogo.collision
         [BeforeClass]
         public static function load():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(new Model("ball", BuiltInModel.sphere().vertices));
-            sGreatLand.addModel(box("wall", 1, 0.05, 2));
-            sGreatLand.addModel(pole());
-            sGreatLand.addModel(box("brick", 1, 0.6, 0.4));
+            sGreatLand = landOf(new Model("ball", BuiltInModel.sphere().vertices), box("wall", 1, 0.05, 2), pole(), box("brick", 1, 0.6, 0.4));
         }
 
         [Test]

@@ -9,6 +9,7 @@ package starlogo.collision
     import support.EachCollider;
     import support.Effort;
     import support.TouchingPair;
+    import support.landOf;
 
     /**
      * Touching is one rule: what touches but for the rounding of its decimals touches in every system, standing, moving and asked, wherever in the
@@ -37,9 +38,7 @@ package starlogo.collision
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
             _colliders = [];
             for each (var system:Array in SYSTEMS)
             {

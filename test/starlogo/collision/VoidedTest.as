@@ -62,12 +62,6 @@ package starlogo.collision
             }
         }
 
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
-        }
-
         [Before]
         public function begin():void
         {

@@ -15,6 +15,8 @@ package starlogo.diagnostics
     import starlogo.engine;
     import support.TestStage;
     import support.assertThrows;
+    import support.assign;
+    import support.create;
 
     use namespace engine;
 
@@ -133,14 +135,8 @@ package starlogo.diagnostics
         [Test]
         public function needsACollision():void
         {
-            assertThrows(ArgumentError, /collision/, function():void
-                {
-                    new CollisionMonitor(null);
-                });
-            assertThrows(ArgumentError, /collision/, function():void
-                {
-                    _monitor.collision = null;
-                });
+            assertThrows(ArgumentError, /collision/, create, CollisionMonitor, null);
+            assertThrows(ArgumentError, /collision/, assign, _monitor, "collision", null);
         }
 
         private static function press(keyCode:uint):void

@@ -13,6 +13,8 @@ package starlogo.diagnostics
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
     import support.assertThrows;
+    import support.create;
+    import support.landOf;
 
     public class CollisionRecorderTest
     {
@@ -21,9 +23,7 @@ package starlogo.diagnostics
         [Before]
         public function load():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
         }
 
         [Test]
@@ -141,10 +141,7 @@ package starlogo.diagnostics
         [Test]
         public function needsASystem():void
         {
-            assertThrows(ArgumentError, /collisionSystem/, function():void
-                {
-                    new CollisionRecorder(null);
-                });
+            assertThrows(ArgumentError, /collisionSystem/, create, CollisionRecorder, null);
         }
 
         private static function pairs(histogram:Array):String

@@ -9,6 +9,7 @@ package starlogo.diagnostics
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
     import support.assertThrows;
+    import support.create;
 
     public class FrameTimesTest
     {
@@ -30,10 +31,7 @@ package starlogo.diagnostics
             times.clear();
             assertEquals(0, times.frames);
             assertEquals(0, times.most);
-            assertThrows(RangeError, /capacity must be at least 1: 0/, function():void
-                {
-                    new FrameTimes(0);
-                });
+            assertThrows(RangeError, /capacity must be at least 1: 0/, create, FrameTimes, 0);
         }
 
         [Test]

@@ -8,7 +8,6 @@ package starlogo.fitting
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import org.flexunit.asserts.fail;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
@@ -20,6 +19,7 @@ package starlogo.fitting
     import support.PointSets;
     import support.RunningHash;
     import support.assertThrows;
+    import support.create;
 
     public class FitterTest
     {
@@ -265,59 +265,20 @@ package starlogo.fitting
         {
             for each (var fitter:Fitter in allFitters())
             {
-                assertRefused(fitter.fit, null);
-                assertRefused(fitter.fit, new Vector.<Number>());
-                assertRefused(fitter.fit, new <Number>[1, 2]);
-                assertRefused(fitter.fit, new <Number>[1, 2, NaN]);
+                assertThrows(ArgumentError, /.{10}/, fitter.fit, null);
+                assertThrows(ArgumentError, /.{10}/, fitter.fit, new Vector.<Number>());
+                assertThrows(ArgumentError, /.{10}/, fitter.fit, new <Number>[1, 2]);
+                assertThrows(ArgumentError, /.{10}/, fitter.fit, new <Number>[1, 2, NaN]);
             }
             for each (var increment:Number in [0, -10, NaN, Infinity])
             {
-                assertRefused(makeOriented, increment);
-                assertRefused(makeZAligned, increment);
+                assertThrows(ArgumentError, /.{10}/, create, OrientedBoxFitter, increment);
+                assertThrows(ArgumentError, /.{10}/, create, ZAlignedBoxFitter, increment);
             }
-            assertRefused(makeCapsule, null);
-            assertRefused(makeCylinder, null);
-            assertRefused(makeRitter, "somehow");
-            assertRefused(new CapsuleFitter(new NaiveSphereFitter()).fit, PointSets.box(1, 1, 1));
-        }
-
-        private static function makeOriented(increment:Number):void
-        {
-            new OrientedBoxFitter(increment);
-        }
-
-        private static function makeZAligned(increment:Number):void
-        {
-            new ZAlignedBoxFitter(increment);
-        }
-
-        private static function makeCapsule(boxFitter:Fitter):void
-        {
-            new CapsuleFitter(boxFitter);
-        }
-
-        private static function makeCylinder(boxFitter:Fitter):void
-        {
-            new CylinderFitter(boxFitter);
-        }
-
-        private static function makeRitter(start:String):void
-        {
-            new RitterSphereFitter(start);
-        }
-
-        private static function assertRefused(call:Function, argument:*):void
-        {
-            try
-            {
-                call(argument);
-            }
-            catch (error:ArgumentError)
-            {
-                assertTrue(error.message.length > 10);
-                return;
-            }
-            fail("accepted: " + argument);
+            assertThrows(ArgumentError, /.{10}/, create, CapsuleFitter, null);
+            assertThrows(ArgumentError, /.{10}/, create, CylinderFitter, null);
+            assertThrows(ArgumentError, /.{10}/, create, RitterSphereFitter, "somehow");
+            assertThrows(ArgumentError, /.{10}/, new CapsuleFitter(new NaiveSphereFitter()).fit, PointSets.box(1, 1, 1));
         }
 
         private static function assertEncloses(name:String, fitter:Fitter, session:FitSession):void

@@ -7,6 +7,8 @@ package starlogo.geometry
     import org.flexunit.asserts.fail;
     import support.Effort;
     import support.PointSets;
+    import support.assertThrows;
+    import support.create;
 
     public class ConvexHullTest
     {
@@ -187,26 +189,12 @@ package starlogo.geometry
         [Test]
         public function refusesWhatAreNoVertices():void
         {
-            assertRefused(null, "null");
-            assertRefused(new Vector.<Number>(), "0");
-            assertRefused(new <Number>[1, 2, 3, 4], "4");
-            assertRefused(new <Number>[1, 2, 3, 4, NaN, 6], "vertex 1");
-            assertRefused(new <Number>[1, 2, Infinity], "Infinity");
-            assertRefused(new <Number>[1, 2, 1e200], "1e+200");
-        }
-
-        private static function assertRefused(vertices:Vector.<Number>, expected:String):void
-        {
-            try
-            {
-                new ConvexHull(vertices);
-            }
-            catch (error:ArgumentError)
-            {
-                assertTrue(error.message, error.message.indexOf(expected) >= 0);
-                return;
-            }
-            fail("accepted: " + vertices);
+            assertThrows(ArgumentError, "null", create, ConvexHull, null);
+            assertThrows(ArgumentError, "0", create, ConvexHull, new Vector.<Number>());
+            assertThrows(ArgumentError, "4", create, ConvexHull, new <Number>[1, 2, 3, 4]);
+            assertThrows(ArgumentError, "vertex 1", create, ConvexHull, new <Number>[1, 2, 3, 4, NaN, 6]);
+            assertThrows(ArgumentError, "Infinity", create, ConvexHull, new <Number>[1, 2, Infinity]);
+            assertThrows(ArgumentError, "1e+200", create, ConvexHull, new <Number>[1, 2, 1e200]);
         }
 
         private static function assertNear(expected:Number, actual:Number, tolerance:Number):void

@@ -4,7 +4,6 @@ package starlogo.libraries
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import org.flexunit.asserts.fail;
     import starlogo.GreatLand;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -18,6 +17,7 @@ package starlogo.libraries
     import starlogo.models.BuiltInModel;
     import support.PointSets;
     import support.assertThrows;
+    import support.assign;
 
     public class BoundingStructuresLibraryTest
     {
@@ -56,7 +56,7 @@ package starlogo.libraries
             _library.keepAll = false;
             _library.add("cube", _cube);
             assertFalse(_library.hasAll("cube"));
-            assertRefused(_library.box, ["cube"], "loadAllBoundingStructures");
+            assertThrows(ArgumentError, "loadAllBoundingStructures", _library.box, "cube");
         }
 
         [Test]
@@ -67,7 +67,7 @@ package starlogo.libraries
             _library.add("cube", _cube);
             assertTrue(_library.sphere("cube") is Sphere);
             assertFalse(_library.hasAll("cube"));
-            assertRefused(_library.capsule, ["cube"], "no capsule");
+            assertThrows(ArgumentError, "no capsule", _library.capsule, "cube");
         }
 
         [Test]
@@ -87,20 +87,20 @@ package starlogo.libraries
             _library.keepAll = true;
             _library.add("cube", _cube);
             var before:BoundingStructure = _library.tightestFit("cube");
-            assertRefused(_library.add, ["cube", new <Number>[1, 2, NaN]], "cube");
-            assertRefused(_library.add, ["cube", new <Number>[1, 2]], "cube");
-            assertRefused(_library.add, ["cube", null], "cube");
-            assertRefused(_library.add, ["other", new Vector.<Number>()], "other");
+            assertThrows(ArgumentError, "cube", _library.add, "cube", new <Number>[1, 2, NaN]);
+            assertThrows(ArgumentError, "cube", _library.add, "cube", new <Number>[1, 2]);
+            assertThrows(ArgumentError, "cube", _library.add, "cube", null);
+            assertThrows(ArgumentError, "other", _library.add, "other", new Vector.<Number>());
             _library.fitters = new <Fitter>[new NaiveSphereFitter(), new CylinderFitter(new AxisAlignedBoxFitter())];
-            assertRefused(_library.add, ["cube", _cube], "Cylinder");
+            assertThrows(ArgumentError, "Cylinder", _library.add, "cube", _cube);
             _library.fitters.length = 0;
-            assertRefused(_library.add, ["cube", _cube], "fitters");
+            assertThrows(ArgumentError, "fitters", _library.add, "cube", _cube);
             for each (var wrong:Vector.<Fitter> in [null, new Vector.<Fitter>(), new <Fitter>[null]])
             {
-                assertRefused(setFitters, [wrong], "must be");
+                assertThrows(ArgumentError, "must be", assign, _library, "fitters", wrong);
             }
             _library.fitters = new <Fitter>[new FailingFitter(new ArgumentError("failed"))];
-            assertRefused(_library.add, ["cube", _cube], "failed");
+            assertThrows(ArgumentError, "failed", _library.add, "cube", _cube);
             assertEquals(before, _library.tightestFit("cube"));
             assertTrue(_library.hasAll("cube"));
             assertFalse(_library.has("other"));
@@ -117,13 +117,13 @@ package starlogo.libraries
         public function aStructureThatDoesNotEncloseTheModelIsRefused():void
         {
             _library.fitters = new <Fitter>[new NaiveSphereFitter(), new FixedFitter(new Sphere(new Vector3D(0, 0, 0.5), 0.8))];
-            assertRefused(_library.add, ["cube", _cube], "shape \"cube\"");
-            assertRefused(_library.add, ["cube", _cube], "Fixed");
-            assertRefused(_library.add, ["cube", _cube], "vertex 0 at (");
+            assertThrows(ArgumentError, "shape \"cube\"", _library.add, "cube", _cube);
+            assertThrows(ArgumentError, "Fixed", _library.add, "cube", _cube);
+            assertThrows(ArgumentError, "vertex 0 at (", _library.add, "cube", _cube);
             assertFalse(_library.has("cube"));
             var greatLand:GreatLand = new GreatLand();
             greatLand.boundingStructures.fitters = _library.fitters;
-            assertRefused(greatLand.addModel, [BuiltInModel.cube()], "does not enclose");
+            assertThrows(ArgumentError, "does not enclose", greatLand.addModel, BuiltInModel.cube());
             assertFalse(greatLand.hasModel("cube"));
             // each kind, too short in one direction alone
             var x:Vector3D = new Vector3D(1, 0, 0);
@@ -143,11 +143,6 @@ package starlogo.libraries
             }
         }
 
-        private function setFitters(fitters:Vector.<Fitter>):void
-        {
-            _library.fitters = fitters;
-        }
-
         private function assertAccepted(isEnclosing:Boolean):void
         {
             if (isEnclosing)
@@ -156,16 +151,16 @@ package starlogo.libraries
             }
             else
             {
-                assertRefused(_library.add, ["cube", _cube], "vertex");
+                assertThrows(ArgumentError, "vertex", _library.add, "cube", _cube);
             }
         }
 
         [Test]
         public function optionsAreChecked():void
         {
-            assertRefused(setIncrement, [0], "increment");
-            assertRefused(_library.add, [null, _cube], "name");
-            assertRefused(_library.add, ["", _cube], "name");
+            assertThrows(ArgumentError, "increment", assign, _library, "orientedBoxDegIncrement", 0);
+            assertThrows(ArgumentError, "name", _library.add, null, _cube);
+            assertThrows(ArgumentError, "name", _library.add, "", _cube);
             assertEquals(10, _library.orientedBoxDegIncrement);
         }
 
@@ -173,25 +168,6 @@ package starlogo.libraries
         private static function assertNear(expected:Number, actual:Number):void
         {
             assertTrue(String(actual), actual >= expected && actual <= expected * (1 + 3e-13));
-        }
-
-        private function setIncrement(value:Number):void
-        {
-            _library.orientedBoxDegIncrement = value;
-        }
-
-        private static function assertRefused(call:Function, values:Array, expected:String):void
-        {
-            try
-            {
-                call.apply(null, values);
-            }
-            catch (error:ArgumentError)
-            {
-                assertTrue(error.message, error.message.indexOf(expected) >= 0);
-                return;
-            }
-            fail("accepted: " + values);
         }
     }
 }

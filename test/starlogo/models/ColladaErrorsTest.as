@@ -4,6 +4,7 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import support.Collada;
     import support.Failures;
+    import support.create;
 
     public class ColladaErrorsTest
     {
@@ -91,10 +92,7 @@ package starlogo.models
             fails("scene/instance_visual_scene", "no <visual_scene>", Collada.scene(LIBRARY,
                         NODE).replace("url=\"#s\"", "url=\"#t\""));
             fails("asset/up_axis", "X_UP, Y_UP or Z_UP", Collada.document(LIBRARY, "", "<up_axis>UP</up_axis>"));
-            Failures.assertFails("", "name", function():void
-                {
-                    new ColladaModel("", Collada.scene(LIBRARY, NODE));
-                });
+            Failures.assertFails("", "name", create, ColladaModel, "", Collada.scene(LIBRARY, NODE));
         }
 
         [Test]
@@ -255,10 +253,7 @@ package starlogo.models
 
         private static function fails(place:String, words:String, text:String):void
         {
-            var error:ModelError = Failures.of(function():void
-                {
-                    new ColladaModel("a", text);
-                });
+            var error:ModelError = Failures.of(create, ColladaModel, "a", text);
             assertTrue(error.message, error.message.indexOf(words) >= 0);
             if (place != null)
             {

@@ -5,6 +5,7 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import support.Failures;
     import support.Gltf;
+    import support.assertThrows;
 
     /** glTF files that are wrong: each is refused, and the error says where. */
     public class GltfErrorsTest
@@ -70,16 +71,10 @@ package starlogo.models
             file.addMesh({attributes: {POSITION: file.addNumbers([0, 0, 0, 1, 0, 0, 0, 1, 0], "VEC3", Gltf.FLOAT)},
                         indices: file.addNumbers([0, 1, 3], "SCALAR", Gltf.UNSIGNED_BYTE)});
             file.json.nodes.push({mesh: 0});
-            Failures.assertFails("accessors[1]", "element 2 names vertex 3: meshes[0].primitives[0] has 3", function():void
-                {
-                    GltfModel.fromBytes("a", file.toBinary());
-                });
+            Failures.assertFails("accessors[1]", "element 2 names vertex 3: meshes[0].primitives[0] has 3", GltfModel.fromBytes, "a", file.toBinary());
             file.json.accessors[0].sparse = {count: 1, indices: {bufferView: file.addView([3], 1, Gltf.UNSIGNED_SHORT), componentType: Gltf.UNSIGNED_SHORT},
                     values: {bufferView: file.addView([1, 1, 1], 3, Gltf.FLOAT)}};
-            Failures.assertFails("accessors[0].sparse.indices", "element 0 is 3, but there are only 3", function():void
-                {
-                    GltfModel.fromBytes("a", file.toBinary());
-                });
+            Failures.assertFails("accessors[0].sparse.indices", "element 0 is 3, but there are only 3", GltfModel.fromBytes, "a", file.toBinary());
         }
 
         [Test]
@@ -90,10 +85,7 @@ package starlogo.models
                 var file:Gltf = new Gltf();
                 file.addMesh({attributes: {POSITION: file.addNumbers([0, 0, 0, 1, wrong, 0, 0, 1, 0], "VEC3", Gltf.FLOAT)}});
                 file.json.nodes.push({mesh: 0});
-                Failures.assertFails("nodes[0]", "not finite numbers", function():void
-                    {
-                        GltfModel.fromBytes("a", file.toBinary());
-                    });
+                Failures.assertFails("nodes[0]", "not finite numbers", GltfModel.fromBytes, "a", file.toBinary());
             }
         }
 
@@ -109,10 +101,7 @@ package starlogo.models
                     file.json.nodes.push({mesh: 0, children: list});
                 }
                 file.json.scenes = [ {nodes: [0]}];
-                var error:ModelError = Failures.of(function():void
-                    {
-                        GltfModel.fromBytes("a", file.toBinary());
-                    });
+                var error:ModelError = Failures.of(GltfModel.fromBytes, "a", file.toBinary());
                 assertTrue(error.message, /contains itself/.test(error.message));
             }
         }
@@ -147,10 +136,7 @@ package starlogo.models
                 {
                     part.writeBytes(whole, 0, length);
                 }
-                Failures.of(function():void
-                    {
-                        GltfModel.fromBytes("a", part);
-                    });
+                Failures.of(GltfModel.fromBytes, "a", part);
             }
             assertEquals(12, GltfModel.fromBytes("a", whole).triangles.length);
         }
@@ -190,21 +176,14 @@ package starlogo.models
             change(file.json);
             var text:ByteArray = new ByteArray();
             text.writeUTFBytes(JSON.stringify(file.json));
-            Failures.assertFails(place, words, function():void
-                {
-                    GltfModel.fromBytes("a", text);
-                });
+            Failures.assertFails(place, words, GltfModel.fromBytes, "a", text);
         }
 
         private static function refusesText(words:String, text:String):void
         {
             var bytes:ByteArray = new ByteArray();
             bytes.writeUTFBytes(text);
-            var error:ModelError = Failures.of(function():void
-                {
-                    GltfModel.fromBytes("a", bytes);
-                });
-            assertTrue(error.message, error.message.indexOf(words) >= 0);
+            assertThrows(ModelError, words, GltfModel.fromBytes, "a", bytes);
         }
 
         private static function refusesBytes(place:String, words:String, at:int, word:uint):void
@@ -212,10 +191,7 @@ package starlogo.models
             var bytes:ByteArray = Gltf.tetrahedron().toBinary();
             bytes.position = at;
             bytes.writeUnsignedInt(word);
-            Failures.assertFails(place, words, function():void
-                {
-                    GltfModel.fromBytes("a", bytes);
-                });
+            Failures.assertFails(place, words, GltfModel.fromBytes, "a", bytes);
         }
     }
 }

@@ -129,10 +129,7 @@ package starlogo.models
                 var text:String = _file.toText().replace("987", word).replace("\"count\":4", "\"count\":4.000000000000");
                 assertEquals(word, Decimal.of(word), GltfModel.fromBytes("a", encoded(text), "z", Model.AS_GIVEN).vertices[0]);
             }
-            Failures.assertFails("", "its JSON can't be read", function():void
-                {
-                    GltfModel.fromBytes("a", encoded(text.replace("[7", "[123456.7.8901")));
-                });
+            Failures.assertFails("", "its JSON can't be read", GltfModel.fromBytes, "a", encoded(text.replace("[7", "[123456.7.8901")));
         }
 
         [Test]
@@ -216,20 +213,14 @@ package starlogo.models
             var given:Object = {};
             given["a%20b.bin"] = file.binary;
             assertEquals(12, GltfModel.fromBytes("a", bytes, null, Model.FOOTPRINT, given).triangles.length);
-            Failures.assertFails("buffers[0].uri", "is another file and was not given", function():void
-                {
-                    GltfModel.fromBytes("a", bytes);
-                });
+            Failures.assertFails("buffers[0].uri", "is another file and was not given", GltfModel.fromBytes, "a", bytes);
             Failures.assertFails("buffers[0].uri", "is another file and was not given", function():void
                 {
                     GltfModel.fromBytes("a", file.toTextBytes("constructor"), null, Model.FOOTPRINT, {});
                 });
             for each (var uri:String in ["http://host/a.bin", "/a.bin", "\\a", "file:a", "data:,abc", "data:;base64", "data:;base64,ab$d"])
             {
-                Failures.assertFails("buffers[0].uri", "expected", function():void
-                    {
-                        GltfModel.fromBytes("a", file.toTextBytes(uri), null, Model.FOOTPRINT, {});
-                    });
+                Failures.assertFails("buffers[0].uri", "expected", GltfModel.fromBytes, "a", file.toTextBytes(uri), null, Model.FOOTPRINT, {});
             }
         }
 

@@ -73,10 +73,7 @@ package starlogo.models
 
         private static function fails(words:String, bytes:ByteArray):void
         {
-            Failures.assertFails("", words, function():void
-                {
-                    ColladaModel.fromBytes("a", bytes);
-                });
+            Failures.assertFails("", words, ColladaModel.fromBytes, "a", bytes);
         }
     }
 }

@@ -13,6 +13,7 @@ package starlogo.models
     import starlogo.steps.Steps;
     import support.RecordingURLLoader;
     import support.assertThrows;
+    import support.assign;
     import support.encoded;
 
     /** How a ModelLoader lives and works: its frames, its clock, its fetching. It is its receiver itself. */
@@ -110,10 +111,7 @@ package starlogo.models
             assertThrows(RangeError, /NaN/, newLoader, this, NaN);
             var loader:ModelLoader = new ModelLoader(this);
             loader.budget = Infinity;
-            assertThrows(RangeError, /budget.*-0\.5/, function():void
-                {
-                    loader.budget = -0.5;
-                });
+            assertThrows(RangeError, /budget.*-0\.5/, assign, loader, "budget", -0.5);
             assertEquals(Infinity, loader.budget);
         }
 

@@ -6,8 +6,9 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
-    import support.Failures;
     import support.Surfaces;
+    import support.assertThrows;
+    import support.create;
 
     public class ModelTest
     {
@@ -110,11 +111,7 @@ package starlogo.models
         private static function refuses(words:String, name:String, vertices:Vector.<Number>,
                 triangles:Vector.<uint> = null):void
         {
-            var error:ModelError = Failures.of(function():void
-                {
-                    new Model(name, vertices, triangles);
-                });
-            assertTrue(error.message, error.message.indexOf(words) >= 0);
+            assertThrows(ModelError, words, create, Model, name, vertices, triangles);
         }
 
         private static function cloud(random:SeededRandom, count:int):Vector.<Number>

@@ -8,9 +8,9 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import starlogo.steps.finish;
     import support.Collada;
-    import support.Failures;
     import support.Surfaces;
     import support.assertThrows;
+    import support.create;
 
     public class ModelTransformTest
     {
@@ -142,11 +142,7 @@ package starlogo.models
         {
             for each (var scaling:String in ["", null, "Volume"])
             {
-                var error:ModelError = Failures.of(function():void
-                    {
-                        new Model("a", new <Number>[0, 0, 0], null, scaling);
-                    });
-                assertTrue(error.message, error.message.indexOf("the scaling must be") >= 0);
+                assertThrows(ModelError, "the scaling must be", create, Model, "a", new <Number>[0, 0, 0], null, scaling);
             }
         }
 
@@ -301,10 +297,7 @@ package starlogo.models
 
         private static function refuses(rotation:Vector3D, scale:Vector3D, translation:Vector3D):void
         {
-            assertThrows(RangeError, /finite numbers, and factors other than 0/, function():void
-                {
-                    new ModelTransform(rotation, scale, translation);
-                });
+            assertThrows(RangeError, /finite numbers, and factors other than 0/, create, ModelTransform, rotation, scale, translation);
         }
     }
 }

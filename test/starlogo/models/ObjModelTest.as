@@ -5,6 +5,8 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import support.Failures;
     import support.Surfaces;
+    import support.assertThrows;
+    import support.create;
 
     public class ObjModelTest
     {
@@ -121,11 +123,7 @@ package starlogo.models
             const STRIP:String = "f " + new Array(30001).join("1 2 3 ") + "\n";
             for each (var text:String in [new Array(1000002).join("v 0 0 0\n"), VERTICES + new Array(24).join(STRIP)])
             {
-                var error:ModelError = Failures.of(function():void
-                    {
-                        new ObjModel("a", text);
-                    });
-                assertTrue(error.message, error.message.indexOf("more than 1000000 vertices or 2000000 triangles") >= 0);
+                assertThrows(ModelError, "more than 1000000 vertices or 2000000 triangles", create, ObjModel, "a", text);
             }
             assertEquals(9, new ObjModel("a", VERTICES + new Array(2).join(STRIP)).vertices.length);
         }
@@ -152,11 +150,7 @@ package starlogo.models
             assertEquals(9, new ObjModel("a", VERTICES + "f " + CORNERS + "1\n").vertices.length);
             for each (var more:String in [new Array(100001).join(" "), new Array(50001).join("\\\n")])
             {
-                var error:ModelError = Failures.of(function():void
-                    {
-                        new ObjModel("a", VERTICES + "f " + CORNERS + more + "1\n");
-                    });
-                assertTrue(error.message, error.message.indexOf("more than 1000000 characters") >= 0);
+                assertThrows(ModelError, "more than 1000000 characters", create, ObjModel, "a", VERTICES + "f " + CORNERS + more + "1\n");
             }
         }
 
@@ -178,10 +172,7 @@ package starlogo.models
             assertEquals("-0.25,-0.5,0,0.25,0.5,2", new ObjModel("a", TEXT).vertices.join());
             assertEquals("-0.125,0.5,0,0.125,-0.5,0.5", new ObjModel("a", TEXT, "y").vertices.join());
             assertEquals("0.25,0.5,0,-0.25,-0.5,0.25", new ObjModel("a", TEXT, "x").vertices.join());
-            Failures.assertFails("", "up axis", function():void
-                {
-                    new ObjModel("a", TEXT, "w");
-                });
+            Failures.assertFails("", "up axis", create, ObjModel, "a", TEXT, "w");
         }
 
         [Test]
@@ -215,22 +206,13 @@ package starlogo.models
             fails("line 5", "/1", SQUARE + "f 1 2 /1");
             fails("line 6", "1e9", SQUARE + "\nf 1 2 3 1e9x");
             fails("line 5", "no vertex 1000000000", SQUARE + "f 1 2 3 1e9");
-            Failures.assertFails("", "no text", function():void
-                {
-                    new ObjModel("a", null);
-                });
-            Failures.assertFails("", "name", function():void
-                {
-                    new ObjModel("", SQUARE);
-                });
+            Failures.assertFails("", "no text", create, ObjModel, "a", null);
+            Failures.assertFails("", "name", create, ObjModel, "", SQUARE);
         }
 
         private static function fails(place:String, words:String, text:String):void
         {
-            Failures.assertFails(place, words, function():void
-                {
-                    new ObjModel("a", text);
-                });
+            Failures.assertFails(place, words, create, ObjModel, "a", text);
         }
 
         private static function assertArea(what:String, expected:Number, text:String):void

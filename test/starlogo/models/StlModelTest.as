@@ -87,14 +87,8 @@ package starlogo.models
                 {
                     StlModel.fromBytes("a", binaryOf([TETRAHEDRON[0], [0, 0, 0, 1, NaN, 3, 0, 0, 0]]));
                 });
-            Failures.assertFails("", "no vertices", function():void
-                {
-                    StlModel.fromBytes("a", binaryOf([]));
-                });
-            Failures.assertFails("", "the up axis must be", function():void
-                {
-                    StlModel.fromBytes("a", binaryOf(TETRAHEDRON), "up");
-                });
+            Failures.assertFails("", "no vertices", StlModel.fromBytes, "a", binaryOf([]));
+            Failures.assertFails("", "the up axis must be", StlModel.fromBytes, "a", binaryOf(TETRAHEDRON), "up");
             var whole:ByteArray = binaryOf(TETRAHEDRON);
             for (var length:int = 0; length < whole.length; length++)
             {
@@ -103,10 +97,7 @@ package starlogo.models
                 {
                     part.writeBytes(whole, 0, length);
                 }
-                Failures.of(function():void
-                    {
-                        StlModel.fromBytes("a", part);
-                    });
+                Failures.of(StlModel.fromBytes, "a", part);
             }
         }
 
@@ -159,10 +150,7 @@ package starlogo.models
 
         private static function refuses(place:String, words:String, text:String):void
         {
-            Failures.assertFails(place, words, function():void
-                {
-                    StlModel.fromBytes("a", encoded(text));
-                });
+            Failures.assertFails(place, words, StlModel.fromBytes, "a", encoded(text));
         }
     }
 }

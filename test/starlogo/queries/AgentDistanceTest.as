@@ -39,12 +39,6 @@ package starlogo.queries
             }
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sGreatLand = null;
-        }
-
         [Before]
         public function begin():void
         {

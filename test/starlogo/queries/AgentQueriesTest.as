@@ -17,6 +17,7 @@ package starlogo.queries
     import support.Fixtures;
     import support.RandomWorlds;
     import support.ThinModels;
+    import support.landOf;
 
     /** The answers about places and touches against loops over all agents, in worlds of many kinds. With -Dfull 1,000,000 questions. */
     public class AgentQueriesTest
@@ -39,21 +40,12 @@ package starlogo.queries
         [BeforeClass]
         public static function load():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(BuiltInModel.sphere());
-            sGreatLand.addModel(BuiltInModel.cube());
-            sGreatLand.addModel(BuiltInModel.cylinder());
+            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
             ThinModels.addTo(sGreatLand);
             for each (var name:String in ["bear", "fortress", "kelp"])
             {
                 sGreatLand.addModel(new ObjModel(name, Fixtures.text("/assets/" + name + ".obj")));
             }
-        }
-
-        [AfterClass]
-        public static function unload():void
-        {
-            sGreatLand = null;
         }
 
         [Before]

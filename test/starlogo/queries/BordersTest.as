@@ -11,6 +11,7 @@ package starlogo.queries
     import starlogo.terrain.Terrain;
     import support.EachCollider;
     import support.agentAt;
+    import support.landOf;
 
     /** Answers at borders: the first of several overlaps, the ground's largest cells. */
     public class BordersTest
@@ -20,9 +21,7 @@ package starlogo.queries
         [Before]
         public function makeModels():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
         }
 
         // What the motion enters at its beginning is met at time 0. If there are several, the first in the list is named.

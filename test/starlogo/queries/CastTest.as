@@ -71,13 +71,6 @@ package starlogo.queries
             }
         }
 
-        [AfterClass]
-        public static function unload():void
-        {
-            sModels = null;
-            sGreatLand = null;
-        }
-
         [Before]
         public function begin():void
         {

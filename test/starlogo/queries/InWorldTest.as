@@ -15,6 +15,9 @@ package starlogo.queries
     import starlogo.terrain.TerrainSurface;
     import starlogo.terrain.WorldBounds;
     import support.assertThrows;
+    import support.assign;
+    import support.create;
+    import support.landOf;
 
     /** What a game passes to questions and to the ground is in the world, or it is refused with its value, and nothing has changed. */
     public class InWorldTest
@@ -28,8 +31,7 @@ package starlogo.queries
         [Before]
         public function makeWorld():void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.cube());
+            var greatLand:GreatLand = landOf(BuiltInModel.cube());
             _queries = new AgentQueries(new TightestFitCollider(greatLand));
             _terrain = new Terrain(4, 4);
             _queries.terrain = _terrain;
@@ -43,91 +45,47 @@ package starlogo.queries
         // Everything that takes a place, a point, a motion or a structure: by name, a function of three numbers.
         private function get calls():Object
         {
-            var queries:AgentQueries = _queries;
-            var bear:Agent = _bear;
             var up:Vector3D = new Vector3D(0, 0, 1);
+            var capsule:Capsule = new Capsule(new Vector3D(), up, 1);
             return {
-                    nearPoint: function(x:*, y:*, z:*):void
-                    {
-                        queries.nearPoint(pointOf(x, y, z), 1);
-                    },
-                    countNearPoint: function(x:*, y:*, z:*):void
-                    {
-                        queries.countNearPoint(pointOf(x, y, z), 1);
-                    },
-                    nearestToPoint: function(x:*, y:*, z:*):void
-                    {
-                        queries.nearestToPoint(pointOf(x, y, z));
-                    },
-                    distanceToPoint: function(x:*, y:*, z:*):void
-                    {
-                        queries.distanceToPoint(bear, pointOf(x, y, z));
-                    },
-                    distanceOfTheGround: function(x:*, y:*, z:*):void
-                    {
-                        queries.distanceToPoint(_terrain.agent, pointOf(x, y, z));
-                    },
-                    overlapsAgent: function(x:*, y:*, z:*):void
-                    {
-                        queries.overlapsAgent(bear, x, y, z);
-                    },
-                    cast: function(x:*, y:*, z:*):void
-                    {
-                        queries.cast(pointOf(x, y, z), up);
-                    },
-                    castAll: function(x:*, y:*, z:*):void
-                    {
-                        queries.castAll(pointOf(x, y, z), up);
-                    },
-                    overlapping: function(x:*, y:*, z:*):void
-                    {
-                        queries.overlapping(sphereAt(x, y, z));
-                    },
-                    overlappingAnother: function(x:*, y:*, z:*):void
-                    {
-                        queries.overlapping(wideBox(x, y, z));
-                    },
-                    castShape: function(x:*, y:*, z:*):void
-                    {
-                        queries.castShape(new Sphere(new Vector3D(), 1), x, y, z);
-                    },
-                    castOfAShapeThere: function(x:*, y:*, z:*):void
-                    {
-                        queries.castShape(sphereAt(x, y, z), 1, 0, 0);
-                    },
-                    castShapeAll: function(x:*, y:*, z:*):void
-                    {
-                        queries.castShapeAll(new Capsule(new Vector3D(), new Vector3D(0, 0, 1), 1), x, y, z);
-                    },
-                    castAgent: function(x:*, y:*, z:*):void
-                    {
-                        queries.castAgent(bear, x, y, z);
-                    },
-                    castAgentAll: function(x:*, y:*, z:*):void
-                    {
-                        queries.castAgentAll(bear, x, y, z);
-                    },
-                    moveUntilTouch: function(x:*, y:*, z:*):void
-                    {
-                        queries.moveUntilTouch(bear, x, y, z);
-                    },
-                    slide: function(x:*, y:*, z:*):void
-                    {
-                        queries.slide(bear, x, y, z);
-                    },
+                    nearPoint: calling(_queries.nearPoint, [], pointOf, [1]),
+                    countNearPoint: calling(_queries.countNearPoint, [], pointOf, [1]),
+                    nearestToPoint: calling(_queries.nearestToPoint, [], pointOf),
+                    distanceToPoint: calling(_queries.distanceToPoint, [_bear], pointOf),
+                    distanceOfTheGround: calling(_queries.distanceToPoint, [_terrain.agent], pointOf),
+                    overlapsAgent: calling(_queries.overlapsAgent, [_bear]),
+                    cast: calling(_queries.cast, [], pointOf, [up]),
+                    castAll: calling(_queries.castAll, [], pointOf, [up]),
+                    overlapping: calling(_queries.overlapping, [], sphereAt),
+                    overlappingAnother: calling(_queries.overlapping, [], wideBox),
+                    castShape: calling(_queries.castShape, [new Sphere(new Vector3D(), 1)]),
+                    castOfAShapeThere: calling(_queries.castShape, [], sphereAt, [1, 0, 0]),
+                    castShapeAll: calling(_queries.castShapeAll, [capsule]),
+                    castAgent: calling(_queries.castAgent, [_bear]),
+                    castAgentAll: calling(_queries.castAgentAll, [_bear]),
+                    moveUntilTouch: calling(_queries.moveUntilTouch, [_bear]),
+                    slide: calling(_queries.slide, [_bear]),
                     raiseMound: function(x:*, y:*, z:*):void
                     {
                         _terrain.raiseMound(x, y, 2, z);
                     },
-                    raiseWall: function(x:*, y:*, z:*):void
-                    {
-                        _terrain.raiseWall(x, y, z);
-                    },
-                    setHeights: function(x:*, y:*, z:*):void
-                    {
-                        _terrain.setHeights(0, 0, 3, 1, new <Number>[x, y, z]);
-                    }
+                    raiseWall: calling(_terrain.raiseWall, []),
+                    setHeights: calling(_terrain.setHeights, [0, 0, 3, 1], heightsOf)
                 };
+        }
+
+        // Calls a function with some arguments, what is made of three numbers, or these themselves, and more arguments.
+        private static function calling(call:Function, before:Array, make:Function = null, after:Array = null):Function
+        {
+            return function(x:*, y:*, z:*):void
+            {
+                call.apply(null, before.concat(make == null ? [x, y, z] : [make(x, y, z)], after || []));
+            };
+        }
+
+        private static function heightsOf(x:*, y:*, z:*):Vector.<Number>
+        {
+            return new <Number>[x, y, z];
         }
 
         [Test]
@@ -170,10 +128,7 @@ package starlogo.queries
             {
                 var borders:Array = [0, 0, 2, 2];
                 borders[i] = NaN;
-                assertThrows(RangeError, /NaN/, function():void
-                    {
-                        new TerrainSurface(_terrain, borders[0], borders[1], borders[2], borders[3]);
-                    });
+                assertThrows(RangeError, /NaN/, create, TerrainSurface, _terrain, borders[0], borders[1], borders[2], borders[3]);
             }
         }
 
@@ -201,11 +156,11 @@ package starlogo.queries
             {
                 for each (var length:Number in [NaN, -1, -Infinity, 1.1e9, 1e308])
                 {
-                    assertThrows(RangeError, new RegExp(name + " .*must be between 0 and 1000000000: " + textOf(length).replace("+", "\\+")), setOption, options, name, length);
+                    assertThrows(RangeError, new RegExp(name + " .*must be between 0 and 1000000000: " + textOf(length).replace("+", "\\+")), assign, options, name, length);
                 }
             }
-            assertThrows(RangeError, /snap must be between 0 and 1000000000: Infinity/, setOption, options, "snap", Infinity);
-            assertThrows(RangeError, /slopeDegrees .*less than 90: 90/, setOption, options, "slopeDegrees", 90);
+            assertThrows(RangeError, /snap must be between 0 and 1000000000: Infinity/, assign, options, "snap", Infinity);
+            assertThrows(RangeError, /slopeDegrees .*less than 90: 90/, assign, options, "slopeDegrees", 90);
             options.fall = Infinity;
             assertEquals(Infinity, options.fall);
         }
@@ -292,11 +247,6 @@ package starlogo.queries
         private static function textOf(wrong:*):String
         {
             return String(Number(wrong));
-        }
-
-        private static function setOption(options:WalkOptions, name:String, value:Number):void
-        {
-            options[name] = value;
         }
 
         private static function pointOf(x:*, y:*, z:*):Vector3D

@@ -59,13 +59,6 @@ package starlogo.queries
             }
         }
 
-        [AfterClass]
-        public static function unload():void
-        {
-            sGreatLand = null;
-            sModels = null;
-        }
-
         [Before]
         public function begin():void
         {
@@ -154,20 +147,11 @@ package starlogo.queries
         public function refusesWhatIsNoStructure():void
         {
             var queries:AgentQueries = new AgentQueries(new BinCollider(sGreatLand));
-            assertThrows(ArgumentError, /not null/, function():void
-                {
-                    queries.overlapping(null);
-                });
-            assertThrows(ArgumentError, /not /, function():void
-                {
-                    queries.overlapping(new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1));
-                });
+            assertThrows(ArgumentError, /not null/, queries.overlapping, null);
+            assertThrows(ArgumentError, /not /, queries.overlapping, new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1));
             var sphere:Sphere = new Sphere(new Vector3D(), 1);
             sphere.radius = NaN;
-            assertThrows(RangeError, /finite/, function():void
-                {
-                    queries.overlapping(sphere);
-                });
+            assertThrows(RangeError, /finite/, queries.overlapping, sphere);
         }
 
         // Every third world is far out.

@@ -6,13 +6,13 @@ package starlogo.queries
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
-    import starlogo.collision.Collider;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.EachCollider;
     import support.Garbage;
     import support.MemoryGrowth;
+    import support.landOf;
 
     /** Questions allocate nothing once they have been asked, if out is given; nor do updates. As AllocationTest. */
     public class QueriesAllocationTest
@@ -97,10 +97,7 @@ package starlogo.queries
 
         private function makeGame(name:String):void
         {
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.sphere());
-            greatLand.addModel(BuiltInModel.cube());
-            greatLand.addModel(BuiltInModel.cylinder());
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
             var random:SeededRandom = new SeededRandom(42);
             _agents = new Vector.<Agent>();
             _guests = new Vector.<Agent>();

@@ -20,6 +20,7 @@ package starlogo.queries
     import support.EachCollider;
     import support.OwnVectorSystem;
     import support.assertThrows;
+    import support.landOf;
 
     /** What holds for questions beside their answers: what they change, refuse and follow; and a number for many answers. */
     public class QueriesPropertiesTest
@@ -34,10 +35,7 @@ package starlogo.queries
         [Before]
         public function begin():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(BuiltInModel.cylinder());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
             _agents = new Vector.<Agent>();
             var random:SeededRandom = new SeededRandom(2220);
             for (var i:int = 0; i < 300; i++)

@@ -55,12 +55,6 @@ package starlogo.queries
             }
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sGreatLand = null;
-        }
-
         [Test]
         public function structures():void
         {

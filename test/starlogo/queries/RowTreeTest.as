@@ -10,6 +10,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.search.RowList;
+    import support.landOf;
 
     use namespace engine;
 
@@ -36,8 +37,7 @@ package starlogo.queries
         {
             _random = new SeededRandom(811);
             _tree = new RowTree();
-            var greatLand:GreatLand = new GreatLand();
-            greatLand.addModel(BuiltInModel.sphere());
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere());
             _seen = new QueryWorld(new BinCollider(greatLand));
             _found = new Collector(_seen);
             var agents:Vector.<Agent> = new Vector.<Agent>();

@@ -53,12 +53,6 @@ package starlogo.queries
             sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
         }
 
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
-        }
-
         [Before]
         public function begin():void
         {

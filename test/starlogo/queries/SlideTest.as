@@ -13,6 +13,7 @@ package starlogo.queries
     import support.Effort;
     import support.Fixtures;
     import support.SolidModels;
+    import support.landOf;
 
     /**
      * Agents that slide through mazes: never deeper in anything than 1e-9 of the larger extent, and among boxes as far as a point can that slides along
@@ -37,18 +38,10 @@ package starlogo.queries
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(BuiltInModel.cube());
-            sGreatLand.addModel(BuiltInModel.sphere());
+            sGreatLand = landOf(BuiltInModel.cube(), BuiltInModel.sphere());
             sGreatLand.addModel(SolidModels.of("post", [[0.2, 0, 0, 0, false], [0.2, 0, 0, 0.2, false], [0.2, 0, 0, 0.4, false],
                             [0.2, 0, 0, 0.6, false]]));
             sGreatLand.addModel(new ObjModel("fortress", Fixtures.text("/assets/fortress.obj")));
-        }
-
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
         }
 
         [Before]

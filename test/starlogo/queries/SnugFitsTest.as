@@ -12,6 +12,7 @@ package starlogo.queries
     import support.Effort;
     import support.SolidModels;
     import support.agentAt;
+    import support.landOf;
 
     /**
      * Movers with an opening exactly as wide as something else, openings without width, and walls without thickness: nothing ever goes through. With a
@@ -36,19 +37,11 @@ package starlogo.queries
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(BuiltInModel.cube());
-            sGreatLand.addModel(BuiltInModel.sphere());
+            sGreatLand = landOf(BuiltInModel.cube(), BuiltInModel.sphere());
             sGreatLand.addModel(SolidModels.of("u", [[1, -1, 0, 0, false], [1, 1, 0, 0, false], [1, -1, -1, 0, false], [1, 0, -1, 0, false],
                             [1, 1, -1, 0, false]], Model.AS_GIVEN));
             sGreatLand.addModel(sheet("sheet", 1));
             sGreatLand.addModel(sheet("large sheet", 3));
-        }
-
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
         }
 
         [Before]

@@ -28,12 +28,6 @@ package starlogo.queries
             sGreatLand.addModel(BuiltInModel.sphere());
         }
 
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
-        }
-
         [Before]
         public function begin():void
         {

@@ -53,12 +53,6 @@ package starlogo.queries
             }
         }
 
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sLands = null;
-        }
-
         [Before]
         public function begin():void
         {

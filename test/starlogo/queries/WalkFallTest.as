@@ -14,6 +14,7 @@ package starlogo.queries
     import support.agentAt;
     import support.assertThrows;
     import support.fillHeights;
+    import support.landOf;
 
     /** Walks that fall, slide down what is too steep, begin in the air, and come to rest. What they may do follows from the slopes alone. */
     public class WalkFallTest
@@ -33,10 +34,7 @@ package starlogo.queries
         [Before]
         public function makeModels():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(BuiltInModel.cylinder());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
         }
 
         // No walk ends higher than steps and slopes explain, and none goes farther sideways than it goes down.

@@ -12,6 +12,7 @@ package starlogo.queries
     import support.Effort;
     import support.agentAt;
     import support.fillHeights;
+    import support.landOf;
 
     /** No walk goes farther on the ground plane than it is asked to: over rough ground, valleys, columns and turned cubes. */
     public class WalkLengthTest
@@ -37,10 +38,7 @@ package starlogo.queries
         [Before]
         public function makeModels():void
         {
-            _greatLand = new GreatLand();
-            _greatLand.addModel(BuiltInModel.sphere());
-            _greatLand.addModel(BuiltInModel.cube());
-            _greatLand.addModel(BuiltInModel.cylinder());
+            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
         }
 
         [Test]

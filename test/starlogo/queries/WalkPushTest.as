@@ -10,6 +10,7 @@ package starlogo.queries
     import support.EachCollider;
     import support.agentAt;
     import support.assertThrows;
+    import support.landOf;
 
     /** Agents that are pushed out of what they overlap, and carried by what they stand on. */
     public class WalkPushTest
@@ -31,15 +32,7 @@ package starlogo.queries
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(BuiltInModel.cube());
-            sGreatLand.addModel(BuiltInModel.cylinder());
-        }
-
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
+            sGreatLand = landOf(BuiltInModel.cube(), BuiltInModel.cylinder());
         }
 
         [Test]

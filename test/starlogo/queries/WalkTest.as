@@ -1,7 +1,6 @@
 package starlogo.queries
 {
     import evaluation.pairs.SeededRandom;
-    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
@@ -18,6 +17,7 @@ package starlogo.queries
     import support.agentAt;
     import support.assertThrows;
     import support.fillHeights;
+    import support.landOf;
 
     /** Agents that walk: over tiles, up and down stairs, slopes and hills, along walls. */
     public class WalkTest
@@ -37,16 +37,7 @@ package starlogo.queries
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            sGreatLand.addModel(BuiltInModel.sphere());
-            sGreatLand.addModel(BuiltInModel.cube());
-            sGreatLand.addModel(BuiltInModel.cylinder());
-        }
-
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
+            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
         }
 
         [Before]

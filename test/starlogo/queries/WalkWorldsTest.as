@@ -13,6 +13,7 @@ package starlogo.queries
     import support.EachCollider;
     import support.agentAt;
     import support.fillHeights;
+    import support.landOf;
 
     /**
      * A capsule of height 2 walks over ramps, stairs, a spiral and the ridge of a roof, and between pillars: in worlds of cubes, of one mesh and of the
@@ -170,9 +171,7 @@ package starlogo.queries
                 {
                     return heightOf(LEAST + CELL * column, LEAST + CELL * row);
                 });
-            var land:GreatLand = new GreatLand();
-            land.addModel(capsule());
-            land.addModel(BuiltInModel.cube());
+            var land:GreatLand = landOf(capsule(), BuiltInModel.cube());
             _walker = agentAt("capsule", 0, 0, 20);
             _walker.collideAs = Agent.CAPSULE;
             _level = new Vector.<Agent>();

@@ -8,6 +8,7 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import support.assertThrows;
+    import support.landOf;
 
     use namespace engine;
 
@@ -21,8 +22,7 @@ package starlogo.search
         [Before]
         public function makeTable():void
         {
-            _land = new GreatLand();
-            _land.addModel(BuiltInModel.cube());
+            _land = landOf(BuiltInModel.cube());
             _table = new AgentTable(new ModelShapes(new TightestFits(_land)), new Bins());
             _agents = new Vector.<Agent>();
             for (var i:int = 0; i < 20; i++)

@@ -13,6 +13,7 @@ package starlogo.search
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.assertThrows;
+    import support.landOf;
 
     use namespace engine;
 
@@ -27,9 +28,7 @@ package starlogo.search
         [Before]
         public function makeShapes():void
         {
-            _land = new GreatLand();
-            _land.addModel(BuiltInModel.sphere());
-            _land.addModel(BuiltInModel.cube());
+            _land = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
             _shapes = new ModelShapes(new TightestFits(_land));
             _ball = new Agent("sphere");
             _cube = new Agent("cube");

@@ -38,12 +38,6 @@ package starlogo.search
             sGreatLand = withModels(new GreatLand());
         }
 
-        [AfterClass]
-        public static function forgetModels():void
-        {
-            sGreatLand = null;
-        }
-
         [Before]
         public function begin():void
         {

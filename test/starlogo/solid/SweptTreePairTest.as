@@ -49,13 +49,6 @@ package starlogo.solid
                     new ObjModel("bear", Fixtures.text(FIXTURES[0]))];
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sHierarchies = null;
-            sModels = null;
-        }
-
         [Test]
         public function boxes():void
         {

@@ -41,12 +41,6 @@ package starlogo.solid
             sHierarchies = {};
         }
 
-        [AfterClass]
-        public static function forget():void
-        {
-            sHierarchies = null;
-        }
-
         [Test]
         public function specksBesideGiants():void
         {

@@ -21,6 +21,7 @@ package starlogo.terrain
     import support.EachCollider;
     import support.agentAt;
     import support.assertThrows;
+    import support.landOf;
 
     /** Handlers for the ground: which are called, with what, in which order. */
     public class GroundHandlersTest
@@ -33,8 +34,7 @@ package starlogo.terrain
         [Before]
         public function makeGame():void
         {
-            _land = new GreatLand();
-            _land.addModel(BuiltInModel.cube());
+            _land = landOf(BuiltInModel.cube());
             _terrain = new Terrain(11, 11, 1, -5, -5);
             _collision = new Collision(new TightestFitCollider(_land));
             _collision.terrain = _terrain;
@@ -405,14 +405,8 @@ package starlogo.terrain
         public function noListMayHoldIt():void
         {
             var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), _terrain.agent];
-            assertThrows(ArgumentError, /agents\[1\]/, function():void
-                {
-                    _collision.update(agents);
-                });
-            assertThrows(ArgumentError, /agents\[1\]/, function():void
-                {
-                    new BinCollider().findCollisions(agents);
-                });
+            assertThrows(ArgumentError, /agents\[1\]/, _collision.update, agents);
+            assertThrows(ArgumentError, /agents\[1\]/, new BinCollider().findCollisions, agents);
         }
 
         [Test]
@@ -421,10 +415,7 @@ package starlogo.terrain
             var own:Collision = new Collision(new BaseCollider(new BinCollider()));
             own.update(new <Agent>[]);
             own.terrain = _terrain;
-            assertThrows(IllegalOperationError, /./, function():void
-                {
-                    own.update(new <Agent>[]);
-                });
+            assertThrows(IllegalOperationError, /./, own.update, new <Agent>[]);
         }
 
         // GroundPlacementsTest checks what a system tells.

@@ -28,6 +28,7 @@ package starlogo.terrain
     import support.agentAt;
     import support.assertThrows;
     import support.fillHeights;
+    import support.landOf;
 
     /** Questions about the ground: rays, sight, touches, distances and motions. */
     public class GroundQuestionsTest
@@ -45,10 +46,7 @@ package starlogo.terrain
         [Before]
         public function makeLand():void
         {
-            _land = new GreatLand();
-            _land.addModel(_cube);
-            _land.addModel(_sphere);
-            _land.addModel(new Model("plate", new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0], new <uint>[0, 1, 2, 0, 2, 3]));
+            _land = landOf(_cube, _sphere, new Model("plate", new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0], new <uint>[0, 1, 2, 0, 2, 3]));
             _random = new SeededRandom(39);
         }
 
@@ -458,18 +456,9 @@ package starlogo.terrain
             var queries:AgentQueries = new AgentQueries(new BinCollider());
             queries.terrain = new Terrain(3, 3, 1, -1, -1);
             queries.update(new <Agent>[]);
-            assertThrows(ArgumentError, /does not move/, function():void
-                {
-                    queries.moveUntilTouch(queries.terrain.agent, 1, 0, 0);
-                });
-            assertThrows(ArgumentError, /list/, function():void
-                {
-                    queries.moved(queries.terrain.agent);
-                });
-            assertThrows(ArgumentError, /agents\[0\]/, function():void
-                {
-                    queries.update(new <Agent>[queries.terrain.agent]);
-                });
+            assertThrows(ArgumentError, /does not move/, queries.moveUntilTouch, queries.terrain.agent, 1, 0, 0);
+            assertThrows(ArgumentError, /list/, queries.moved, queries.terrain.agent);
+            assertThrows(ArgumentError, /agents\[0\]/, queries.update, new <Agent>[queries.terrain.agent]);
         }
 
         private function makeGround(i:int):void

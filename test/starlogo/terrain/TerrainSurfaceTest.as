@@ -6,6 +6,7 @@ package starlogo.terrain
     import org.flexunit.asserts.assertTrue;
     import support.RandomGround;
     import support.assertThrows;
+    import support.create;
 
     /** The triangles of terrains, compared with what the terrains say of themselves. */
     public class TerrainSurfaceTest
@@ -124,10 +125,7 @@ package starlogo.terrain
             terrain.setHeight(2, 2, -1);
             assertTrue(surface.update());
             assertEquals("and around all", 6 * (5 * 4 + 4 + 2 * 5 + 2 * 4), surface.triangles.length);
-            assertThrows(ArgumentError, /no terrain/, function():void
-                {
-                    new TerrainSurface(null);
-                });
+            assertThrows(ArgumentError, /no terrain/, create, TerrainSurface, null);
         }
 
         private function someTerrains():Vector.<Terrain>

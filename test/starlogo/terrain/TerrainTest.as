@@ -9,9 +9,10 @@ package starlogo.terrain
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.engine;
-    import support.GroundReference;
     import support.RandomGround;
     import support.assertThrows;
+    import support.assign;
+    import support.create;
 
     use namespace engine;
 
@@ -258,18 +259,9 @@ package starlogo.terrain
             {
                 assertEquals(terrain.getHeight(corner & 1, corner >> 1), same.getHeight(corner & 1, corner >> 1));
             }
-            assertThrows(ArgumentError, /./, function():void
-                {
-                    Terrain.fromPicture(null, 1);
-                });
-            assertThrows(ArgumentError, /too little data: 15/, function():void
-                {
-                    Terrain.fromPicture({width: 2, height: 2, data: picture.data.slice(1)}, 1);
-                });
-            assertThrows(RangeError, /./, function():void
-                {
-                    Terrain.fromPicture(picture, NaN);
-                });
+            assertThrows(ArgumentError, /./, Terrain.fromPicture, null, 1);
+            assertThrows(ArgumentError, /too little data: 15/, Terrain.fromPicture, {width: 2, height: 2, data: picture.data.slice(1)}, 1);
+            assertThrows(RangeError, /./, Terrain.fromPicture, picture, NaN);
         }
 
         [Test]
@@ -282,18 +274,9 @@ package starlogo.terrain
         public function itsAgentIsOfItsOwnBreed():void
         {
             assertEquals("*terrain", _terrain.agent.breed);
-            assertThrows(ArgumentError, /./, function():void
-                {
-                    _terrain.agent.breed = "turtles";
-                });
-            assertThrows(ArgumentError, /./, function():void
-                {
-                    new Agent("any", "*terrain");
-                });
-            assertThrows(ArgumentError, /./, function():void
-                {
-                    new Agent("any").breed = "*terrain";
-                });
+            assertThrows(ArgumentError, /./, assign, _terrain.agent, "breed", "turtles");
+            assertThrows(ArgumentError, /./, create, Agent, "any", "*terrain");
+            assertThrows(ArgumentError, /./, assign, new Agent("any"), "breed", "*terrain");
         }
 
         [Test]
@@ -302,112 +285,36 @@ package starlogo.terrain
             for each (var bad:Array in [[0, 5, 1, 0, 0, "0"], [5, 1, 1, 0, 0, "1"], [-3, 5, 1, 0, 0, "-3"], [4002, 4001, 1, 0, 0, "4002"], [2, 2, 0, 0, 0, "0"],
                         [2, 2, -1, 0, 0, "-1"], [2, 2, NaN, 0, 0, "NaN"], [2, 2, 1, NaN, 0, "NaN"], [2, 2, 1, 0, Infinity, "Infinity"], [2, 2, 1e9, 1e9, 0, ""]])
             {
-                assertThrows(RangeError, containing(bad[5]), function():void
-                    {
-                        new Terrain(bad[0], bad[1], bad[2], bad[3], bad[4]);
-                    });
+                assertThrows(RangeError, bad[5], create, Terrain, bad[0], bad[1], bad[2], bad[3], bad[4]);
             }
         }
 
         [Test]
         public function badHeightsAndRegionsAreRefusedAndNothingChanges():void
         {
-            var bad:Array = [
-                    function():void
-                    {
-                        _terrain.setHeight(0, 0, NaN);
-                    }, "NaN",
-                    function():void
-                    {
-                        _terrain.setHeight(0, 0, Infinity);
-                    }, "Infinity",
-                    function():void
-                    {
-                        _terrain.setHeight(0, 0, 2e9);
-                    }, "2000000000",
-                    function():void
-                    {
-                        _terrain.setHeight(3, 0, 1);
-                    }, "column 3 and row 0",
-                    function():void
-                    {
-                        _terrain.setHeight(0, -1, 1);
-                    }, "column 0 and row -1",
-                    function():void
-                    {
-                        _terrain.getHeight(0, 3);
-                    }, "column 0 and row 3",
-                    function():void
-                    {
-                        _terrain.setHeights(1, 1, 3, 1, new <Number>[1, 2, 3]);
-                    }, "3 by 1",
-                    function():void
-                    {
-                        _terrain.setHeights(0, 0, 0, 1, new <Number>[]);
-                    }, "0 by 1",
-                    function():void
-                    {
-                        _terrain.setHeights(0, 0, 2, 2, new <Number>[1, 2, 3]);
-                    }, "3",
-                    function():void
-                    {
-                        _terrain.setHeights(0, 0, 2, 1, new <Number>[1, NaN]);
-                    }, "NaN",
-                    function():void
-                    {
-                        _terrain.raiseMound(0, 0, 0, 1);
-                    }, "0",
-                    function():void
-                    {
-                        _terrain.raiseMound(0, 0, NaN, 1);
-                    }, "NaN",
-                    function():void
-                    {
-                        _terrain.raiseMound(0, 0, 4, Infinity);
-                    }, "Infinity",
-                    function():void
-                    {
-                        _terrain.raiseMound(NaN, 0, 4, 1);
-                    }, "NaN",
-                    function():void
-                    {
-                        _terrain.raiseMound(9, 0, 4, 1);
-                    }, "(9, 0)",
-                    function():void
-                    {
-                        _terrain.raiseMound(0, 0, 4, 1e9);
-                    }, "1000000011",
-                    function():void
-                    {
-                        _terrain.raiseWall(5, 0, 1);
-                    }, "(5, 0)",
-                    function():void
-                    {
-                        _terrain.raiseWall(0, NaN, 1);
-                    }, "NaN",
-                    function():void
-                    {
-                        _terrain.raiseWall(0, 0, NaN);
-                    }, "NaN"];
-            for (var i:int = 0; i < bad.length; i += 2)
-            {
-                assertThrows(RangeError, containing(bad[i + 1]), bad[i]);
-            }
-            assertThrows(ArgumentError, /./, function():void
-                {
-                    _terrain.setHeights(0, 0, 1, 1, null);
-                });
-            assertThrows(ArgumentError, /./, function():void
-                {
-                    _terrain.isUnder(null);
-                });
+            assertThrows(RangeError, "NaN", _terrain.setHeight, 0, 0, NaN);
+            assertThrows(RangeError, "Infinity", _terrain.setHeight, 0, 0, Infinity);
+            assertThrows(RangeError, "2000000000", _terrain.setHeight, 0, 0, 2e9);
+            assertThrows(RangeError, "column 3 and row 0", _terrain.setHeight, 3, 0, 1);
+            assertThrows(RangeError, "column 0 and row -1", _terrain.setHeight, 0, -1, 1);
+            assertThrows(RangeError, "column 0 and row 3", _terrain.getHeight, 0, 3);
+            assertThrows(RangeError, "3 by 1", _terrain.setHeights, 1, 1, 3, 1, new <Number>[1, 2, 3]);
+            assertThrows(RangeError, "0 by 1", _terrain.setHeights, 0, 0, 0, 1, new <Number>[]);
+            assertThrows(RangeError, "3", _terrain.setHeights, 0, 0, 2, 2, new <Number>[1, 2, 3]);
+            assertThrows(RangeError, "NaN", _terrain.setHeights, 0, 0, 2, 1, new <Number>[1, NaN]);
+            assertThrows(RangeError, "0", _terrain.raiseMound, 0, 0, 0, 1);
+            assertThrows(RangeError, "NaN", _terrain.raiseMound, 0, 0, NaN, 1);
+            assertThrows(RangeError, "Infinity", _terrain.raiseMound, 0, 0, 4, Infinity);
+            assertThrows(RangeError, "NaN", _terrain.raiseMound, NaN, 0, 4, 1);
+            assertThrows(RangeError, "(9, 0)", _terrain.raiseMound, 9, 0, 4, 1);
+            assertThrows(RangeError, "1000000011", _terrain.raiseMound, 0, 0, 4, 1e9);
+            assertThrows(RangeError, "(5, 0)", _terrain.raiseWall, 5, 0, 1);
+            assertThrows(RangeError, "NaN", _terrain.raiseWall, 0, NaN, 1);
+            assertThrows(RangeError, "NaN", _terrain.raiseWall, 0, 0, NaN);
+            assertThrows(ArgumentError, /./, _terrain.setHeights, 0, 0, 1, 1, null);
+            assertThrows(ArgumentError, /./, _terrain.isUnder, null);
             heightsAreWhereTheyWereSet();
             checkBounds(_terrain);
-        }
-
-        private static function containing(text:String):RegExp
-        {
-            return new RegExp(text.replace(/[()]/g, "\\$&"));
         }
 
         // The bounds of every square are those of its heights and of the heights around them.

@@ -15,14 +15,14 @@ package starlogo.intersection.sweep
     import starlogo.terrain.WorldBounds;
     import support.EachCollider;
     import support.agentAt;
+    import support.landOf;
 
     public class RelativeMotionTest
     {
         [Test]
         public function noTestChangesTheMotionOfWhatStands():void
         {
-            var land:GreatLand = new GreatLand();
-            land.addModel(BuiltInModel.cube());
+            var land:GreatLand = landOf(BuiltInModel.cube());
             var tilted:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
             var other:Box = new Box(new Vector3D(1.5, 0, 0), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
             var turn:Matrix3D = new Matrix3D();

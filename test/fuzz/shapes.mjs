@@ -1,5 +1,9 @@
 /** What a collision system tests of an agent, as plain bodies in the world: the numbers are the engine's fits and models, the placing is the fuzzer's own. */
 import { boxBody, placed, pointOf, triangleBody, turned, withExtents } from "./geometry.mjs";
+import { engine } from "./tools.mjs";
+
+/** By what an agent may set collideAs to. */
+const KINDS = { sphere: engine.Sphere, box: engine.Box, capsule: engine.Capsule };
 
 /** Of a Sphere, Capsule or Box of the model. */
 function ofStructure(structure, agent) {
@@ -28,7 +32,9 @@ export function bodiesOf(game, agent) {
 	if (system === 0) return [withExtents({ corners: [[agent.x, agent.y, agent.z + agent.size / 2]], radius: agent.size / 2 })];
 	if (system === 1 || system === 3 && !agent.hierarchical) {
 		const library = land.boundingStructures;
-		const structure = agent.collideAs === "tightest" ? library.tightestFit(agent.shape) : library.hasAll(agent.shape) ? library[agent.collideAs](agent.shape) : null;
+		const tightest = library.tightestFit(agent.shape);
+		const isTightest = agent.collideAs === "tightest" || tightest instanceof KINDS[agent.collideAs];
+		const structure = isTightest ? tightest : library.hasAll(agent.shape) ? library[agent.collideAs](agent.shape) : null;
 		return structure && [withExtents(ofStructure(structure, agent))];
 	}
 	const model = game.models.get(agent.shape);

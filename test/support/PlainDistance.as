@@ -2,12 +2,29 @@ package support
 {
     import flash.geom.Vector3D;
 
-    /** The distance of two triangles, and of a triangle along a ray, by the formulas of textbooks: points, edges, crossings one after the other. */
+    /**
+     * The distance of two triangles, and of a triangle along a ray, by the formulas of textbooks: points, edges, crossings one after the other.
+     * Of triangles without area, or nearly so, the edges count.
+     */
     public final class PlainDistance
     {
+        // height over longest edge
+        private static const NEEDLE:Number = 1e-8;
+
+        // the square of the sine of an angle
+        private static const PARALLEL:Number = 1e-6;
+
+        // the normal of a triangle, and whether it is too imprecise to use
         private static var sX:Number;
         private static var sY:Number;
         private static var sZ:Number;
+        private static var sIsNeedle:Boolean;
+
+        /** The distance of the nine numbers of a from the nine of b. */
+        public static function between(a:Array, b:Array):Number
+        {
+            return ofTriangles(Vector.<Number>(a), 0, Vector.<Number>(b), 0);
+        }
 
         /** The distance of nine numbers of one list from nine of another; triangles may be segments or points. */
         public static function ofTriangles(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):Number
@@ -64,7 +81,7 @@ package support
             var z:Number = sZ;
             var atP:Number = x * (s[p] - t[at]) + y * (s[p + 1] - t[at + 1]) + z * (s[p + 2] - t[at + 2]);
             var atQ:Number = x * (s[q] - t[at]) + y * (s[q + 1] - t[at + 1]) + z * (s[q + 2] - t[at + 2]);
-            if (!(atP * atQ < 0))
+            if (!(atP * atQ < 0) || sIsNeedle)
             {
                 return false;
             }
@@ -83,6 +100,8 @@ package support
             sX = uy * vz - uz * vy;
             sY = uz * vx - ux * vz;
             sZ = ux * vy - uy * vx;
+            var longest:Number = Math.max(lengthOf(ux, uy, uz), lengthOf(vx, vy, vz), lengthOf(ux - vx, uy - vy, uz - vz));
+            sIsNeedle = !(lengthOf(sX, sY, sZ) > NEEDLE * longest * longest);
         }
 
         private static function isOver(px:Number, py:Number, pz:Number, t:Vector.<Number>, at:int, x:Number, y:Number, z:Number):Boolean
@@ -112,15 +131,14 @@ package support
             var x:Number = sX;
             var y:Number = sY;
             var z:Number = sZ;
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (!(length > 0) || !isOver(s[p], s[p + 1], s[p + 2], t, at, x, y, z))
+            if (sIsNeedle || !isOver(s[p], s[p + 1], s[p + 2], t, at, x, y, z))
             {
                 return Infinity;
             }
-            return Math.abs(x * (s[p] - t[at]) + y * (s[p + 1] - t[at + 1]) + z * (s[p + 2] - t[at + 2])) / length;
+            return Math.abs(x * (s[p] - t[at]) + y * (s[p + 1] - t[at + 1]) + z * (s[p + 2] - t[at + 2])) / lengthOf(x, y, z);
         }
 
-        // Ericson, "Real-Time Collision Detection", 5.1.9.
+        // Ericson, "Real-Time Collision Detection", 5.1.9. Of segments that are nearly parallel, or points, the least of the ends from the segments counts too.
         private static function ofSegments(a:Vector.<Number>, p:int, q:int, b:Vector.<Number>, r:int, s:int):Number
         {
             var ux:Number = a[q] - a[p];
@@ -139,12 +157,31 @@ package support
             var vw:Number = vx * wx + vy * wy + vz * wz;
             var across:Number = uu * vv - uv * uv;
             var share:Number = across > 0 ? Math.max(0, Math.min(1, (uv * vw - uw * vv) / across)) : 0;
-            var other:Number = vv > 0 ? (uv * share + vw) / vv : 0;
-            other = Math.max(0, Math.min(1, other));
+            var other:Number = vv > 0 ? Math.max(0, Math.min(1, (uv * share + vw) / vv)) : 0;
             share = uu > 0 ? Math.max(0, Math.min(1, (uv * other - uw) / uu)) : 0;
-            var x:Number = wx + share * ux - other * vx;
-            var y:Number = wy + share * uy - other * vy;
-            var z:Number = wz + share * uz - other * vz;
+            var least:Number = lengthOf(wx + share * ux - other * vx, wy + share * uy - other * vy, wz + share * uz - other * vz);
+            if (!(across > PARALLEL * uu * vv))
+            {
+                least = Math.min(least, fromSegment(a, p, b, r, s), fromSegment(a, q, b, r, s), fromSegment(b, r, a, p, q), fromSegment(b, s, a, p, q));
+            }
+            return least;
+        }
+
+        private static function fromSegment(a:Vector.<Number>, p:int, b:Vector.<Number>, r:int, s:int):Number
+        {
+            var ux:Number = b[s] - b[r];
+            var uy:Number = b[s + 1] - b[r + 1];
+            var uz:Number = b[s + 2] - b[r + 2];
+            var wx:Number = a[p] - b[r];
+            var wy:Number = a[p + 1] - b[r + 1];
+            var wz:Number = a[p + 2] - b[r + 2];
+            var squared:Number = ux * ux + uy * uy + uz * uz;
+            var t:Number = squared > 0 ? Math.max(0, Math.min(1, (wx * ux + wy * uy + wz * uz) / squared)) : 0;
+            return lengthOf(wx - t * ux, wy - t * uy, wz - t * uz);
+        }
+
+        private static function lengthOf(x:Number, y:Number, z:Number):Number
+        {
             return Math.sqrt(x * x + y * y + z * z);
         }
     }

@@ -13,8 +13,8 @@ package starlogo.intersection
     import starlogo.intersection.sweep.RelativeMotion;
     import support.Complaints;
     import support.Effort;
+    import support.PlainDistance;
     import support.SurfaceDistance;
-    import support.TriangleDistance;
 
     /** When structures that move touch a triangle, and how: against their distances at many times. */
     public class ConvexTriangleTest
@@ -82,7 +82,7 @@ package starlogo.intersection
             var point:Vector3D = new Vector3D(out.x, out.y, out.z);
             var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
             var onStructure:Number = SurfaceDistance.of(there, point);
-            var onTriangle:Number = TriangleDistance.between(numbersOf(corners), [point.x, point.y, point.z, point.x, point.y, point.z, point.x, point.y, point.z]);
+            var onTriangle:Number = PlainDistance.between(numbersOf(corners), [point.x, point.y, point.z, point.x, point.y, point.z, point.x, point.y, point.z]);
             if (!(onStructure < 1e-7) || !(onTriangle < 1e-7) || out.depth > NEAR)
             {
                 _wrong.add("point", onStructure + ", " + onTriangle + ", depth " + out.depth + ", normal " + normal + ": " + message);
@@ -107,7 +107,7 @@ package starlogo.intersection
             var end:Vector3D = capsule == null ? start : capsule.end;
             var radius:Number = capsule == null ? Sphere(structure).radius : capsule.radius;
             var core:Array = [start.x, start.y, start.z, end.x, end.y, end.z, end.x, end.y, end.z];
-            return TriangleDistance.between(numbersOf(corners), core) <= radius + tolerance;
+            return PlainDistance.between(numbersOf(corners), core) <= radius + tolerance;
         }
 
         private static function numbersOf(corners:Vector.<Number>):Array

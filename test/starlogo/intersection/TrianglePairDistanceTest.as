@@ -4,7 +4,7 @@ package starlogo.intersection
     import org.flexunit.asserts.assertTrue;
     import starlogo.intersection.distance.DistanceResult;
     import support.Effort;
-    import support.TriangleDistance;
+    import support.PlainDistance;
 
     /**
      * The closest points of triangles. That they are the closest is proved for each pair: no corner of one or the other is between the planes
@@ -107,7 +107,7 @@ package starlogo.intersection
                 _meeting++;
                 if (areFat)
                 {
-                    assertTrue(what + ": they meet", TriangleDistance.between(listed(_a), listed(_b)) <= slack);
+                    assertTrue(what + ": they meet", PlainDistance.between(listed(_a), listed(_b)) <= slack);
                 }
                 return distance / size;
             }
@@ -183,7 +183,7 @@ package starlogo.intersection
 
         private static function offTriangle(p:Array, t:Vector.<Number>):Number
         {
-            return TriangleDistance.between(p.concat(p, p), listed(t));
+            return PlainDistance.between(p.concat(p, p), listed(t));
         }
 
         private static function listed(t:Vector.<Number>):Array

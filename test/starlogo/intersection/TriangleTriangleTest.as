@@ -4,7 +4,7 @@ package starlogo.intersection
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.intersection.triangleTriangle;
-    import support.TriangleDistance;
+    import support.PlainDistance;
 
     /** The test of triangles against their distance: right about all that are not within 1e-11 of their size of touching. */
     public class TriangleTriangleTest
@@ -133,7 +133,7 @@ package starlogo.intersection
             for (var i:int = 0; i < count; i++)
             {
                 var pair:Array = make(random);
-                var distance:Number = TriangleDistance.between(pair[0], pair[1]);
+                var distance:Number = PlainDistance.between(pair[0], pair[1]);
                 var isHit:Boolean = meet(pair[0], pair[1]);
                 var what:String = "pair " + i + ", " + distance + " apart";
                 // rounding may turn 0 to 1e-16
@@ -159,7 +159,7 @@ package starlogo.intersection
         // Any order of corners and of the two, unless too close to tell.
         private static function compareOrders(what:String, a:Array, b:Array, isHit:Boolean):void
         {
-            var nearby:Number = TriangleDistance.between(a, b);
+            var nearby:Number = PlainDistance.between(a, b);
             if (nearby > TOLERANCE / 10 && nearby < BAND)
             {
                 return;

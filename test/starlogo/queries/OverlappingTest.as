@@ -22,9 +22,9 @@ package starlogo.queries
     import support.EachCollider;
     import support.Effort;
     import support.Fixtures;
+    import support.PlainDistance;
     import support.SolidAngles;
     import support.TransformedStructure;
-    import support.TriangleDistance;
     import support.assertThrows;
 
     /** Which agents overlap a structure: against other ways to find out, for each collision system. */
@@ -259,7 +259,7 @@ package starlogo.queries
                     var at:int = 3 * model.triangles[i + k];
                     corners.push(model.vertices[at], model.vertices[at + 1], model.vertices[at + 2]);
                 }
-                if (TriangleDistance.between(corners, core) <= radius / agent.size)
+                if (PlainDistance.between(corners, core) <= radius / agent.size)
                 {
                     return true;
                 }

@@ -12,9 +12,9 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.PlainDistance;
     import support.RandomWorlds;
     import support.SolidModels;
-    import support.TriangleDistance;
     import support.assertThrows;
 
     /** How far points are from agents, against balls that overlap them; and which triangle a ray meets. */
@@ -133,7 +133,7 @@ package starlogo.queries
                     }
                     met++;
                     var at:Array = [hit.point.x, hit.point.y, hit.point.z];
-                    assertTrue(name, TriangleDistance.between(cornersOf(agent, hit.triangle), at.concat(at, at)) < NEAR_BY_MATRIX);
+                    assertTrue(name, PlainDistance.between(cornersOf(agent, hit.triangle), at.concat(at, at)) < NEAR_BY_MATRIX);
                     assertEquals(name, hit.triangle, queries.castAll(from, new Vector3D(-from.x, -from.y, 0.5 - from.z))[0].triangle);
                 }
             }

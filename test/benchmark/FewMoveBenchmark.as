@@ -14,13 +14,16 @@ package benchmark
 
     /**
      * Frames in which all agents move, some, or none: spheres of the BinCollider and turned cubes of the TightestFitCollider, one on each patch,
-     * with a handler for all pairs or for the pairs of those that move. The last row is a maze: 20,000 cubes on a ground, and 50 movers of which
+     * with a handler for all pairs, for the pairs of those that move, or for starts and ends of all pairs. The last row is a maze: 20,000 cubes on a ground, and 50 movers of which
      * 10 sweep, with handlers for touches, their starts and their ends. The times are those of <code>update()</code> and of the moves.
      */
     public class FewMoveBenchmark
     {
         private static const ROUNDS:int = 9;
         private static const SHARES:Array = [1, 0.1, 0.01, 0];
+        private static const OF_ALL:String = "all pairs";
+        private static const OF_MOVERS:String = "movers";
+        private static const OF_TOUCHES:String = "starts and ends";
         private static const SPEED:Number = 0.03;
         private static const WALLS:int = 20000;
         private static const MOVERS:int = 50;
@@ -38,10 +41,13 @@ package benchmark
             var counts:Array = Host.player.indexOf("Ruffle") < 0 ? [1000, 10000, 100000] : [1000, 10000];
             for each (var count:int in counts)
             {
-                addRow(table, count + " spheres, all pairs", "sphere", count, false);
-                addRow(table, count + " spheres, movers", "sphere", count, true);
-                addRow(table, count + " cubes, all pairs", "cube", count, false);
-                addRow(table, count + " cubes, movers", "cube", count, true);
+                for each (var shape:String in ["sphere", "cube"])
+                {
+                    for each (var handlers:String in [OF_ALL, OF_MOVERS, OF_TOUCHES])
+                    {
+                        addRow(table, count + " " + shape + "s, " + handlers, shape, count, handlers);
+                    }
+                }
             }
             var maze:Measurement = mazeFrame();
             Measurement.runAll(new <Measurement>[maze], ROUNDS);
@@ -49,18 +55,18 @@ package benchmark
             return String(table);
         }
 
-        private function addRow(table:Table, name:String, shape:String, count:int, ofMovers:Boolean):void
+        private function addRow(table:Table, name:String, shape:String, count:int, handlers:String):void
         {
             var all:Vector.<Measurement> = new Vector.<Measurement>();
             for each (var share:Number in SHARES)
             {
-                all.push(frame(shape, count, share, ofMovers));
+                all.push(frame(shape, count, share, handlers));
             }
             Measurement.runAll(all, ROUNDS);
             table.add(name, ms(all[0]), ms(all[1]), ms(all[2]), ms(all[3]));
         }
 
-        private function frame(shape:String, count:int, share:Number, ofMovers:Boolean):Measurement
+        private function frame(shape:String, count:int, share:Number, handlers:String):Measurement
         {
             var random:SeededRandom = new SeededRandom(count);
             var agents:Vector.<Agent> = new Vector.<Agent>();
@@ -69,14 +75,22 @@ package benchmark
             for (var i:int = 0; i < count; i++)
             {
                 var moves:Boolean = int((i + 1) * share) > int(i * share);
-                agents.push(scattered(random, shape, ofMovers && moves ? "movers" : "walls", side));
+                agents.push(scattered(random, shape, handlers == OF_MOVERS && moves ? "movers" : "walls", side));
                 if (moves)
                 {
                     movers.push(agents[i]);
                 }
             }
             var collision:Collision = new Collision(shape == "cube" ? new TightestFitCollider(_greatLand) : new BinCollider(_greatLand));
-            collision.onCollision(ofMovers ? "movers" : Collision.ANY_BREED, Collision.ANY_BREED, call);
+            if (handlers == OF_TOUCHES)
+            {
+                collision.onCollisionStart(Collision.ANY_BREED, Collision.ANY_BREED, call);
+                collision.onCollisionEnd(Collision.ANY_BREED, Collision.ANY_BREED, call);
+            }
+            else
+            {
+                collision.onCollision(handlers == OF_MOVERS ? "movers" : Collision.ANY_BREED, Collision.ANY_BREED, call);
+            }
             return measure(collision, agents, movers);
         }
 

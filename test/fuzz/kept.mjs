@@ -41,25 +41,38 @@ export function play(seed, most = 300) {
 		return agent;
 	};
 	const list = Array.from({ length: 2 + Math.floor(chance() * most) }, created);
+	const [removes, throws] = [0, 1].map(() => chance.isOne(4) ? chance.of([3, 20, 200]) : 0);
 	const sides = [[], []].map(calls => {
 		const collision = new Collision(new kind(land));
-		const handlers = BREEDS.map(() => ["", "start ", "end "].map(what => (a, b) => calls.push(`${what}${a.id} ${b.id}`)));
-		handlers.forEach(of => of.push((a, b, contact) => calls.push(`contact ${a.id} ${b.id} ${contact.time} ${contact.depth}`)));
-		return { calls, collision, handlers };
+		const side = { calls, collision, list: [] };
+		const note = (what, a, b) => {
+			calls.push(`${what} ${a.id} ${b.id}`);
+			// its own list of the frame, which loses agents
+			if (removes && (a.id * 31 + b.id) % removes == 0) side.list.splice(side.list.indexOf(b), 1);
+			if (throws && (a.id + b.id * 31) % throws == 0) throw new Error("of a handler");
+		};
+		side.handlers = BREEDS.map(() => ["", "start", "end"].map(what => (a, b) => note(what, a, b)));
+		side.handlers.forEach(of => of.push((a, b, contact) => note(`contact ${contact.time} ${contact.depth}`, a, b)));
+		side.handlers.forEach(of => of.push((a, b, contact) => note(`start ${contact.time} ${contact.depth}`, a, b)));
+		return side;
 	});
 	const names = [...BREEDS, Collision.ANY_BREED];
+	const kinds = chance.of([[0, 1, 2, 3, 4], [1, 2], [1, 2, 4], [0, 1, 2]]);
 	const change = () => {
 		const [breed, other] = [chance.of(names), chance.of([...names, ...(hasGround ? [Collision.TERRAIN, Collision.EDGE] : [])])];
-		const which = Math.floor(chance() * 4), by = Math.floor(chance() * BREEDS.length), removes = chance.isOne(3);
+		const which = chance.of(kinds), by = Math.floor(chance() * BREEDS.length), removes = chance.isOne(3);
 		for (const { collision, handlers } of sides) {
 			const handler = handlers[by][which];
 			if (removes) collision.removeHandler(breed, other, handler);
-			else collision[["onCollision", "onCollisionStart", "onCollisionEnd", "onCollision"][which]](breed, other, handler);
+			else collision[["onCollision", "onCollisionStart", "onCollisionEnd", "onCollision", "onCollisionStart"][which]](breed, other, handler);
 		}
 	};
 	const handlerCount = chance.of([1, 2, 6]);
 	for (let i = 0; i < handlerCount; i++) change();
-	if (chance.isOne(3)) for (const { collision, handlers } of sides) collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, handlers[0][0]);
+	if (chance.isOne(3)) for (const { collision, handlers } of sides) {
+		if (kinds.includes(0)) collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, handlers[0][0]);
+		else collision.onCollisionEnd(Collision.ANY_BREED, Collision.ANY_BREED, handlers[0][2]);
+	}
 	const ground = () => new Terrain(12, 12, side / 10, -side / 2, -side / 2);
 	const rarely = chance.of([30, 100, 400]);
 	const movers = chance.of([0, 0, .01, .02, .1]);
@@ -120,7 +133,12 @@ export function play(seed, most = 300) {
 			if (asks) collision.collisionSystem.findCollisions(list.slice(0, 20));
 		}
 		const [kept, full] = sides;
-		for (const { collision } of sides) collision.update(list);
+		for (const side of sides) {
+			side.list = [...list];
+			try { side.collision.update(side.list); } catch (error) { if (error.message != "of a handler") throw error; }
+			side.calls.push(`${side.collision.handlerErrors.length} errors`);
+		}
+		if (chance.isOne(2 * rarely)) kept.collision.restore(kept.collision.snapshot(), [...list]);
 		// the second goes back to this frame, so it keeps no pairs for the next one
 		full.collision.restore(full.collision.snapshot(), [...list]);
 		calls += kept.calls.length;

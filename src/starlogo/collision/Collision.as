@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
+    import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
     import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
@@ -368,7 +369,7 @@ package starlogo.collision
         {
             if (_touchesAreStale)
             {
-                _calls.tracker.clear();
+                _calls.tracker = new TouchTracker();
                 _touchesAreStale = false;
             }
         }

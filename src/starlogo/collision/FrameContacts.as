@@ -7,21 +7,19 @@ package starlogo.collision
     {
         private var _system:BaseCollider = null;
 
-        // Indexed by the pairs' numbers. There may be more entries than pairs.
+        // By pair: the contact, and the frame in which it was computed.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
-        private var _areKnown:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _frames:Vector.<int> = new Vector.<int>();
+        private var _frame:int = 0;
 
         // The contact passed to handlers, which may change it.
         private var _given:Contact = new Contact();
 
         /** Begins a frame with pairs that the collision system has found. */
-        public function begin(system:BaseCollider, pairCount:int):void
+        public function begin(system:BaseCollider):void
         {
             _system = system;
-            for (var i:int = 0; i < pairCount; i++)
-            {
-                _areKnown[i] = false;
-            }
+            _frame++;
         }
 
         /** Ends the frame. */
@@ -36,9 +34,10 @@ package starlogo.collision
             while (_contacts.length <= pair)
             {
                 _contacts.push(new Contact());
+                _frames.push(0);
             }
             _system.contactOf(first, second, _contacts[pair]);
-            _areKnown[pair] = true;
+            _frames[pair] = _frame;
         }
 
         /**
@@ -52,7 +51,7 @@ package starlogo.collision
          */
         public function contactFor(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
         {
-            if (!_areKnown[pair])
+            if (pair >= _frames.length || _frames[pair] != _frame)
             {
                 find(pair, first, second);
             }

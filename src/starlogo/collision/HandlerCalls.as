@@ -39,11 +39,12 @@ package starlogo.collision
         private var _areInPlace:Boolean;
         private var _places:Vector.<int> = new Vector.<int>();
 
-        // For each pair: its touch, or null.
-        private var _touches:Vector.<Touch> = new Vector.<Touch>();
+        // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
+        private var _turns:Vector.<int>;
+        private var _areTouchesComplete:Boolean;
 
-        // What is being called: a negative number for an ended touch, from 0 on a pair. Its handlers, and the index of the next one. After an
-        // error the calls go on from here.
+        // What is being called: a negative number for an ended touch, from 0 on a pair's turn. Its handlers, and the index of the next one. After
+        // an error the calls go on from here.
         private var _step:int;
         private var _handlers:PairHandlers;
         private var _next:int;
@@ -64,26 +65,36 @@ package starlogo.collision
             _agents = agents;
             _areInPlace = true;
             _step = _next = count = 0;
-            if (!table.isPlain || tracker.count > 0)
+            _turns = null;
+            _areTouchesComplete = true;
+            var isPlain:Boolean = table.isPlain && tracker.count == 0;
+            if (!isPlain)
             {
-                _contacts.begin(system, pairs.count);
-                tracker.frame++;
-                findTouches();
+                _contacts.begin(system);
+                var areKept:Boolean = tracker.begin(pairs);
+                findTouches(areKept && !table.takesContactsEachFrame);
                 tracker.collectEnded();
                 _step = -tracker.endedCount;
                 callUpTo(0, errors);
                 tracker.forgetEnded();
+                _turns = areKept && !table.callsEachFrame ? pairs.added : null;
             }
-            callUpTo(pairs.count, errors);
+            callUpTo(_turns == null ? pairs.count : pairs.addedCount, errors);
+            if (!isPlain && _areTouchesComplete)
+            {
+                tracker.complete(pairs);
+            }
             _contacts.end();
             _listed = _agents = null;
         }
 
         // Finds which pairs touched before. Computes the contacts that handlers take, before a handler moves an agent.
-        private function findTouches():void
+        private function findTouches(ofAdded:Boolean):void
         {
-            for (var pair:int = 0; pair < pairs.count; pair++)
+            var end:int = ofAdded ? pairs.addedCount : pairs.count;
+            for (var turn:int = 0; turn < end; turn++)
             {
+                var pair:int = ofAdded ? pairs.added[turn] : turn;
                 var first:Agent = agentAt(pairs.indices[2 * pair]);
                 var second:Agent = agentAt(pairs.indices[2 * pair + 1]);
                 var handlers:PairHandlers = _table.handlersOf(first.breedNumber, second.breedNumber);
@@ -91,7 +102,10 @@ package starlogo.collision
                 {
                     _contacts.find(pair, first, second);
                 }
-                _touches[pair] = handlers.tracksTouches ? tracker.renew(first, second) : null;
+                if (handlers.tracksTouches && tracker.touches[pair] == null)
+                {
+                    tracker.renew(pair, first, second);
+                }
             }
         }
 
@@ -128,7 +142,7 @@ package starlogo.collision
                 }
                 else
                 {
-                    takePair(pairs.indices[int(2 * _step)], pairs.indices[int(2 * _step + 1)]);
+                    takePair(_turns == null ? _step : _turns[_step]);
                 }
                 _next = 0;
             }
@@ -170,8 +184,10 @@ package starlogo.collision
         }
 
         // In the first frame of a touch, its handlers for starts are called before those for every frame.
-        private function takePair(firstAt:int, secondAt:int):void
+        private function takePair(pair:int):void
         {
+            var firstAt:int = pairs.indices[2 * pair];
+            var secondAt:int = pairs.indices[2 * pair + 1];
             var listed:Vector.<Agent> = _listed;
             var first:Agent = listed[firstAt];
             var second:Agent = secondAt < listed.length ? listed[secondAt] : fixtures[secondAt - listed.length];
@@ -187,16 +203,22 @@ package starlogo.collision
             var isStarting:Boolean = false;
             if (tracksTouches)
             {
-                var touch:Touch = _touches[_step];
-                if (touch == null)
+                var touch:Touch = tracker.touches[pair];
+                if (touch != null)
                 {
-                    if (!areListed(firstAt, secondAt))
-                    {
-                        return;
-                    }
-                    touch = _touches[_step] = tracker.start(first, second, first.breedNumber, second.breedNumber);
+                    // a touch that began earlier, unless a handler of this pair threw
+                    isStarting = _next > 0 && touch.beganIn == tracker.frame;
                 }
-                isStarting = touch.beganIn == tracker.frame;
+                else if (areListed(firstAt, secondAt))
+                {
+                    touch = tracker.start(pair, first, second, first.breedNumber, second.breedNumber);
+                    isStarting = true;
+                }
+                else
+                {
+                    _areTouchesComplete = false;
+                    return;
+                }
             }
             var next:int = _next;
             while (next < end)
@@ -224,16 +246,17 @@ package starlogo.collision
                 var collidee:Agent = isBack ? first : second;
                 if (handler.takesContact)
                 {
-                    toCall(collider, collidee, _contacts.contactFor(_step, first, second, isBack));
+                    toCall(collider, collidee, _contacts.contactFor(pair, first, second, isBack));
                 }
                 else
                 {
                     toCall(collider, collidee);
                 }
             }
-            if (isStarting && (next > forwardCount || next == end))
+            if (isStarting)
             {
-                touch.isBothWays = true;
+                touch.isBothWays = next > forwardCount || next == end;
+                _areTouchesComplete &&= touch.isBothWays;
             }
         }
 

@@ -185,10 +185,11 @@ package starlogo.collision
 
         private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, fixtures:Vector.<Agent>):void
         {
-            bytes.writeInt(tracker.count);
-            for (var i:int = 0; i < tracker.count; i++)
+            var touches:Vector.<Touch> = tracker.inOrder();
+            bytes.writeInt(touches.length);
+            for (var i:int = 0; i < touches.length; i++)
             {
-                var pair:Touch = tracker.pairAt(i);
+                var pair:Touch = touches[i];
                 bytes.writeInt(table.ranks[table.rowOf(pair.first)]);
                 bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + indexOfFixture(pair, fixtures) : table.ranks[table.rowOf(pair.second)]);
                 bytes.writeInt(names.ofBreed(pair.firstBreed));
@@ -286,7 +287,7 @@ package starlogo.collision
                     var missing:String = second == count ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                touches.start(agents[first], agents[second], firstBreed, secondBreed, flag == 1);
+                touches.start(pairs - left, agents[first], agents[second], firstBreed, secondBreed, flag == 1);
             }
             // each agent is there once
             check(touches.count == pairs);

@@ -26,6 +26,12 @@ package starlogo.handlers
         /** True if no handler takes contacts and no handler is for starts or ends. */
         public var isPlain:Boolean = true;
 
+        /** Whether a handler is called in every frame of a touch. */
+        public var callsEachFrame:Boolean = false;
+
+        /** Whether a handler that is called in every frame takes contacts. */
+        public var takesContactsEachFrame:Boolean = false;
+
         // The pairs of breeds that have handlers, or that have met. A hash table with open addressing finds them; it is at most half full. A pair
         // of an older revision gets its handlers anew.
         private var _pairs:Vector.<PairHandlers>;
@@ -103,7 +109,10 @@ package starlogo.handlers
             for each (var handler:CollisionHandler in _added)
             {
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
-                isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
+                var isOfEachFrame:Boolean = handler.kind == CollisionHandler.COLLISION;
+                isPlain &&= isOfEachFrame && !handler.takesContact;
+                callsEachFrame ||= isOfEachFrame;
+                takesContactsEachFrame ||= isOfEachFrame && handler.takesContact;
             }
             _added.length = 0;
             _knownCount = _count;
@@ -180,7 +189,7 @@ package starlogo.handlers
             fill(new Vector.<PairHandlers>(), LEAST_SLOTS);
             interests = new BreedInterests();
             isPlain = true;
-            _isOneRemoved = false;
+            callsEachFrame = takesContactsEachFrame = _isOneRemoved = false;
             _added.length = 0;
             for each (var pair:PairHandlers in pairs)
             {

@@ -24,8 +24,14 @@ package starlogo.handlers
         /** The tracker's frame in which the touch began. */
         public var beganIn:int;
 
-        /** The last of the tracker's frames in which the two touched. */
+        /** The tracker's frame in which it was compared last. */
         public var seenIn:int;
+
+        /** How many touches began before it. */
+        public var order:Number;
+
+        /** The hash of the two agents, in the tracker's table. */
+        public var hash:int;
 
         /** Whether handlers have been called for both agents, not only for the first. */
         public var isBothWays:Boolean;

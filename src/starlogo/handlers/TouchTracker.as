@@ -2,13 +2,15 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.search.FoundPairs;
+    import starlogo.search.KeySort;
 
     use namespace engine;
 
     /**
-     * Keeps the touching pairs from frame to frame, in the order in which their touches began. A table finds a touch by the agents' ids, as in
-     * IdTable. Objects of ended touches are used again, so a frame allocates nothing unless more agents touch than before. The memory is in
-     * proportion to the number of touching pairs.
+     * Keeps the touches of a Collision from frame to frame: the touch of each pair. If the pairs of a frame are those of the last frame with few
+     * changes, only the touches of dropped and added pairs are compared. Objects of ended touches are used again, so a frame allocates nothing
+     * unless more agents touch than before. The memory is in proportion to the largest number of pairs that there were.
      *
      * @private
      */
@@ -16,11 +18,14 @@ package starlogo.handlers
     {
         private static const LEAST_LENGTH:int = 16;
 
-        /** The number of the frame, which the caller advances. */
+        /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
-        /** The number of touching pairs. */
+        /** The number of touches. */
         public var count:int = 0;
+
+        /** By pair: its touch, or null. The list may be longer. */
+        public var touches:Vector.<Touch> = new Vector.<Touch>();
 
         /** The touches that ended in this frame, in the order in which they began. */
         public var ended:Vector.<Touch> = new Vector.<Touch>();
@@ -28,100 +33,89 @@ package starlogo.handlers
         /** The number of entries of <code>ended</code> that count. The others are left over from earlier frames. */
         public var endedCount:int = 0;
 
-        // The touches, followed by objects for later touches.
-        private var _pairs:Vector.<Touch> = new Vector.<Touch>();
+        // The number of pairs; and the number of their FoundPairs if all their touches are complete, or else 0.
+        private var _pairCount:int = 0;
+        private var _pairs:int = 0;
+
+        // The touches that end unless they are renewed. Some entries may be null.
+        private var _open:Vector.<Touch> = new Vector.<Touch>();
+        private var _openCount:int = 0;
+
+        // A hash table of all touches, with open addressing. It is at most half full, and its length is a power of two. The last hash that was
+        // computed.
         private var _table:Vector.<Touch> = new Vector.<Touch>(LEAST_LENGTH);
+        private var _hash:int;
+
+        // Objects for later touches, and the number of touches that ever began.
+        private var _spares:Vector.<Touch> = new Vector.<Touch>();
+        private var _spareCount:int = 0;
+        private var _begun:Number = 0;
+
+        private var _sort:KeySort = new KeySort();
+        private var _turns:Vector.<int> = new Vector.<int>();
+        private var _keys:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * Continues the touch of two agents.
+         * Begins a frame. The touches of dropped pairs, or of all, end unless they are renewed.
          *
-         * @return the touch, or null. If the breeds have changed, or if handlers were called for the first agent only, the touch counts as ended
+         * @return whether the touches of all pairs but the added ones go on. Otherwise no pair has a touch yet
          */
-        public function renew(a:Agent, b:Agent):Touch
+        public function begin(pairs:FoundPairs):Boolean
         {
-            var pair:Touch = _table[slotOf(a, b)];
-            if (pair == null || !pair.isBothWays || pair.firstBreed != pair.first.breedNumber || pair.secondBreed != pair.second.breedNumber)
+            var areKept:Boolean = pairs.origin == _pairs;
+            frame++;
+            _pairs = 0;
+            if (areKept)
             {
-                return null;
+                drop(pairs);
+                makeRoom(pairs);
             }
-            pair.seenIn = frame;
-            return pair;
+            else
+            {
+                var spare:Vector.<Touch> = _open;
+                _open = touches;
+                _openCount = _pairCount;
+                touches = spare;
+                for (var i:int = 0; i < pairs.count; i++)
+                {
+                    spare[i] = null;
+                }
+            }
+            _pairCount = pairs.count;
+            return areKept;
         }
 
-        /** Returns the touch of two agents of these breeds. If there is none, it begins. */
-        public function start(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
+        /**
+         * Continues the touch of two agents, if there is one. It does not go on if the breeds have changed, or if handlers were called for the first
+         * agent only.
+         */
+        public function renew(pair:int, a:Agent, b:Agent):void
         {
-            var slot:int = slotOf(first, second);
-            if (_table[slot] != null)
+            var touch:Touch = _table[slotOf(a, b)];
+            if (touch != null && touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
-                return _table[slot];
+                touch.seenIn = frame;
+                touches[pair] = touch;
             }
-            if (count == _pairs.length)
-            {
-                _pairs[count] = new Touch();
-            }
-            var pair:Touch = _pairs[count];
-            pair.first = first;
-            pair.second = second;
-            pair.firstBreed = firstBreed;
-            pair.secondBreed = secondBreed;
-            pair.beganIn = pair.seenIn = frame;
-            pair.isBothWays = isBothWays;
-            _table[slot] = pair;
-            count++;
-            if (2 * count > _table.length)
-            {
-                fill(2 * _table.length);
-            }
-            return pair;
         }
 
-        /** Returns one of <code>count</code> touches, in the order in which they began. */
-        public function pairAt(index:int):Touch
-        {
-            return _pairs[index];
-        }
-
-        /** Forgets all pairs. None of them counts as ended. */
-        public function clear():void
-        {
-            for (var i:int = 0; i < count; i++)
-            {
-                _pairs[i].first = _pairs[i].second = null;
-            }
-            count = 0;
-            fill(_table.length);
-        }
-
-        /** Moves the pairs that do not touch in this frame into <code>ended</code>. */
+        /** Ends the touches that were not renewed. */
         public function collectEnded():void
         {
-            var kept:int = 0;
             endedCount = 0;
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < _openCount; i++)
             {
-                var pair:Touch = _pairs[i];
-                if (pair.seenIn == frame)
+                var touch:Touch = _open[i];
+                if (touch != null && touch.seenIn != frame)
                 {
-                    _pairs[kept] = pair;
-                    kept++;
-                }
-                else
-                {
-                    ended[endedCount] = pair;
+                    // a pair that is listed twice has one touch
+                    touch.seenIn = frame;
+                    remove(touch);
+                    _open[endedCount] = touch;
                     endedCount++;
                 }
             }
-            count = kept;
-            // their objects are kept for later touches
-            for (i = 0; i < endedCount; i++)
-            {
-                _pairs[count + i] = ended[i];
-            }
-            if (endedCount > 0)
-            {
-                fill(_table.length > LEAST_LENGTH && 16 * count < _table.length ? _table.length >> 2 : _table.length);
-            }
+            sort(_open, endedCount, ended);
         }
 
         /** Forgets the ended touches. */
@@ -130,45 +124,179 @@ package starlogo.handlers
             for (var i:int = 0; i < endedCount; i++)
             {
                 ended[i].first = ended[i].second = null;
-                ended[i] = null;
+                _spares[_spareCount] = ended[i];
+                _spareCount++;
             }
             endedCount = 0;
-            if (_pairs.length > 4 * count + LEAST_LENGTH)
+        }
+
+        /** Returns the touch of a pair, of two agents with these breeds. If there is none, it begins. */
+        public function start(pair:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
+        {
+            var slot:int = slotOf(first, second);
+            var touch:Touch = _table[slot];
+            if (touch == null)
             {
-                _pairs.length = 2 * count + LEAST_LENGTH;
+                touch = _table[slot] = newTouch();
+                touch.first = first;
+                touch.second = second;
+                touch.firstBreed = firstBreed;
+                touch.secondBreed = secondBreed;
+                touch.isBothWays = isBothWays;
+                touch.hash = _hash;
+                count++;
+                if (2 * count > _table.length)
+                {
+                    growTable();
+                }
+            }
+            touches[pair] = touch;
+            if (pair >= _pairCount)
+            {
+                _pairCount = pair + 1;
+            }
+            return touch;
+        }
+
+        /** Ends a frame in which each pair with handlers for starts or ends has got its touch, both ways. */
+        public function complete(pairs:FoundPairs):void
+        {
+            _pairs = pairs.number;
+        }
+
+        /** Returns all touches, in the order in which they began. */
+        public function inOrder():Vector.<Touch>
+        {
+            var found:Vector.<Touch> = new Vector.<Touch>();
+            for (var i:int = 0; i < _table.length; i++)
+            {
+                if (_table[i] != null)
+                {
+                    found.push(_table[i]);
+                }
+            }
+            var ordered:Vector.<Touch> = new Vector.<Touch>();
+            sort(found, found.length, ordered);
+            return ordered;
+        }
+
+        private function newTouch():Touch
+        {
+            var touch:Touch;
+            if (_spareCount > 0)
+            {
+                _spareCount--;
+                touch = _spares[_spareCount];
+            }
+            else
+            {
+                touch = new Touch();
+            }
+            touch.beganIn = touch.seenIn = frame;
+            touch.order = _begun;
+            _begun++;
+            return touch;
+        }
+
+        // Opens the touches of dropped pairs. The touches after them move up.
+        private function drop(pairs:FoundPairs):void
+        {
+            var all:Vector.<Touch> = touches;
+            var dropped:Vector.<int> = pairs.dropped;
+            _openCount = pairs.droppedCount;
+            for (var i:int = 0; i < _openCount; i++)
+            {
+                var from:int = dropped[i];
+                var next:int = i + 1 < _openCount ? dropped[i + 1] : _pairCount;
+                _open[i] = all[from];
+                for (from++; from < next; from++)
+                {
+                    all[int(from - i - 1)] = all[from];
+                }
             }
         }
 
-        // Makes a table of this length, a power of two, and enters all pairs again.
-        private function fill(length:int):void
+        // Moves touches down, so that the added pairs have none.
+        private function makeRoom(pairs:FoundPairs):void
         {
-            if (_table.length != length)
+            var all:Vector.<Touch> = touches;
+            var added:Vector.<int> = pairs.added;
+            var to:int = pairs.count;
+            if (all.length < to)
             {
-                _table = new Vector.<Touch>(length);
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                all.length = to + (to >> 3);
             }
+            for (var i:int = pairs.addedCount - 1; i >= 0; i--)
+            {
+                for (to--; to > added[i]; to--)
+                {
+                    all[to] = all[int(to - i - 1)];
+                }
+                all[to] = null;
+            }
+        }
+
+        // Writes touches in the order in which they began.
+        private function sort(from:Vector.<Touch>, length:int, out:Vector.<Touch>):void
+        {
             for (var i:int = 0; i < length; i++)
             {
-                _table[i] = null;
+                _turns[i] = i;
+                _keys[i] = from[i].order;
             }
-            for (i = 0; i < count; i++)
+            _sort.sort(_turns, _keys, length);
+            for (i = 0; i < length; i++)
             {
-                _table[slotOf(_pairs[i].first, _pairs[i].second)] = _pairs[i];
+                out[i] = from[_turns[i]];
             }
+        }
+
+        private function growTable():void
+        {
+            var before:Vector.<Touch> = _table;
+            _table = new Vector.<Touch>(2 * before.length);
+            for (var i:int = 0; i < before.length; i++)
+            {
+                if (before[i] != null)
+                {
+                    _table[slotOf(before[i].first, before[i].second)] = before[i];
+                }
+            }
+        }
+
+        // The touches behind the gap move up into it, except a touch whose own slot is behind the gap.
+        private function remove(touch:Touch):void
+        {
+            var mask:int = _table.length - 1;
+            var gap:int = slotOf(touch.first, touch.second);
+            for (var slot:int = (gap + 1) & mask; _table[slot] != null; slot = (slot + 1) & mask)
+            {
+                var other:Touch = _table[slot];
+                if (((slot - other.hash) & mask) >= ((slot - gap) & mask))
+                {
+                    _table[gap] = other;
+                    gap = slot;
+                }
+            }
+            _table[gap] = null;
+            count--;
         }
 
         // The slot of a pair in the table, in either order of its agents, or the free slot where it belongs.
         private function slotOf(a:Agent, b:Agent):int
         {
-            var idA:int = a.id;
-            var idB:int = b.id;
+            var idA:int = a.number;
+            var idB:int = b.number;
             var mixed:int = idA < idB ? idA * 8191 + idB * 131 : idB * 8191 + idA * 131;
             var mask:int = _table.length - 1;
-            var slot:int = (mixed ^ mixed >>> 11) & mask;
-            var pair:Touch = _table[slot];
-            while (pair != null && !(pair.first === a && pair.second === b) && !(pair.first === b && pair.second === a))
+            _hash = mixed ^ mixed >>> 11;
+            var slot:int = _hash & mask;
+            var touch:Touch = _table[slot];
+            while (touch != null && !(touch.first === a && touch.second === b) && !(touch.first === b && touch.second === a))
             {
                 slot = (slot + 1) & mask;
-                pair = _table[slot];
+                touch = _table[slot];
             }
             return slot;
         }

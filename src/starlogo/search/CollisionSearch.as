@@ -147,8 +147,7 @@ package starlogo.search
             chooseMembers(interests, takePart);
             _out = out;
             _outAgents = _isSwept ? null : outAgents;
-            out.count = 0;
-            out.keeper = null;
+            out.begin();
             _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {

@@ -9,17 +9,45 @@ package starlogo.search
      */
     public final class FoundPairs
     {
+        private static const NONE:int = -1;
+
         /** The number of pairs. */
         public var count:int = 0;
 
         /** The indices: a0, b0, a1, b1, ... The list may be longer: numbers after the last pair are left over from earlier searches. */
         public var indices:Vector.<int> = new Vector.<int>();
 
-        /** The object that keeps these pairs for the next search, or null. Whoever else writes them sets it to null. */
+        /** The number of these pairs, from 1 on. Other pairs get another number. */
+        public var number:int = 0;
+
+        /**
+         * If these pairs are earlier pairs without <code>dropped</code> and with <code>added</code>: the number of the earlier pairs. Otherwise
+         * NONE.
+         */
+        public var origin:int = NONE;
+
+        /** The indices of the dropped pairs among the earlier ones, in ascending order, and their number. */
+        public var dropped:Vector.<int> = new Vector.<int>();
+        public var droppedCount:int = 0;
+
+        /** The indices of the added pairs among these pairs, in ascending order, and their number. */
+        public var added:Vector.<int> = new Vector.<int>();
+        public var addedCount:int = 0;
+
+        /** The object that keeps these pairs for the next search, or null. */
         internal var keeper:Object = null;
 
         // The index of each agent in a list, by the agent's id.
         private var _byId:IdTable = new IdTable();
+
+        /** Begins to write other pairs. */
+        internal function begin():void
+        {
+            count = 0;
+            number++;
+            origin = NONE;
+            keeper = null;
+        }
 
         /** Reads pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
         public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):void
@@ -32,8 +60,7 @@ package starlogo.search
                     _byId.set (list[i].id, i);
                 }
             }
-            count = 0;
-            keeper = null;
+            begin();
             for (i = 0; i + 1 < pairs.length; i += 2)
             {
                 indices[2 * count] = _byId.valueOf(pairs[i].id);

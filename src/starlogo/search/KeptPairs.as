@@ -167,8 +167,7 @@ package starlogo.search
             }
             findAtFixture(RowList.GROUND);
             findAtFixture(RowList.EDGES);
-            _pairs.renew(_changedIn, _number, _isSwept ? _search.times : null);
-            _pairs.write(out);
+            _pairs.renew(_changedIn, _number, _isSwept ? _search.times : null, out);
             _wasFiltered = _takePart != null;
             _isValid = true;
             return true;

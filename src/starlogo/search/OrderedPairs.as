@@ -31,8 +31,7 @@ package starlogo.search
         private var _order:KeySort = new KeySort();
         private var _early:int = 0;
 
-        // Whether the last renewal has changed the pairs. The list with whose ranks they were written last.
-        private var _haveChanged:Boolean = true;
+        // The list with whose ranks they were written last.
         private var _writtenList:int = -1;
 
         /**
@@ -63,6 +62,7 @@ package starlogo.search
                     _count++;
                 }
             }
+            noteWritten(found, _count == found.count);
         }
 
         /**
@@ -89,31 +89,40 @@ package starlogo.search
          * @param marks by row
          * @param mark the mark
          * @param times the times of the found pairs; null if no agent sweeps
+         * @param out takes the pairs. It is left as it is if they are there already
          */
-        public function renew(marks:Vector.<int>, mark:int, times:Vector.<Number>):void
+        public function renew(marks:Vector.<int>, mark:int, times:Vector.<Number>, out:FoundPairs):void
         {
-            var before:int = _count;
-            drop(marks, mark);
-            _haveChanged = _count < before || foundCount > 0;
+            drop(marks, mark, out);
             sortFound(times);
-            merge();
+            merge(out);
+            var isSource:Boolean = out.keeper === this;
+            var before:int = out.number;
+            if (!isSource || out.droppedCount > 0 || foundCount > 0 || _writtenList != _table.listNumber)
+            {
+                write(out);
+            }
+            if (isSource && _early == 0)
+            {
+                out.origin = before;
+            }
             foundCount = 0;
         }
 
-        /** Writes the pairs, unless they are there already. */
-        public function write(out:FoundPairs):void
+        private function write(out:FoundPairs):void
         {
-            if (!_haveChanged && out.keeper === this && _writtenList == _table.listNumber)
-            {
-                return;
-            }
-            out.count = 0;
+            out.begin();
             for (var i:int = 0; i < _early; i++)
             {
                 writePairs(out, _found, _turns[i], _turns[i] + 1);
             }
             writePairs(out, _pairs, 0, _count);
-            out.keeper = _early == 0 ? this : null;
+            noteWritten(out, _early == 0);
+        }
+
+        private function noteWritten(out:FoundPairs, areAll:Boolean):void
+        {
+            out.keeper = areAll ? this : null;
             _writtenList = _table.listNumber;
         }
 
@@ -122,11 +131,12 @@ package starlogo.search
             return rank < _table.count ? _table.rows[rank] : rank - _table.count;
         }
 
-        private function drop(marks:Vector.<int>, mark:int):void
+        private function drop(marks:Vector.<int>, mark:int, out:FoundPairs):void
         {
             var pairs:Vector.<int> = _pairs;
             var end:int = 2 * _count;
             var kept:int = 0;
+            out.droppedCount = 0;
             for (var i:int = 0; i < end; i += 2)
             {
                 var a:int = pairs[i];
@@ -136,6 +146,11 @@ package starlogo.search
                     pairs[kept] = a;
                     pairs[int(kept + 1)] = b;
                     kept += 2;
+                }
+                else
+                {
+                    out.dropped[out.droppedCount] = i >> 1;
+                    out.droppedCount++;
                 }
             }
             _count = kept >> 1;
@@ -189,11 +204,16 @@ package starlogo.search
         }
 
         // Puts the found pairs between the others, from the last one on.
-        private function merge():void
+        private function merge(out:FoundPairs):void
         {
             var pairs:Vector.<int> = _pairs;
             var from:int = _count;
-            _count += foundCount - _early;
+            out.addedCount = foundCount - _early;
+            if (out.added.length < out.addedCount)
+            {
+                out.added.length = out.addedCount;
+            }
+            _count += out.addedCount;
             var to:int = _count;
             if (pairs.length < 2 * to)
             {
@@ -213,6 +233,7 @@ package starlogo.search
                     pairs[int(2 * to + 1)] = pairs[int(2 * from + 1)];
                 }
                 to--;
+                out.added[int(i - _early)] = to;
                 pairs[int(2 * to)] = _found[int(2 * turn)];
                 pairs[int(2 * to + 1)] = _found[int(2 * turn + 1)];
             }

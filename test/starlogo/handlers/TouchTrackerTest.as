@@ -2,11 +2,13 @@ package starlogo.handlers
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.search.FoundPairs;
 
     use namespace engine;
 
@@ -15,6 +17,7 @@ package starlogo.handlers
         private static const FRAMES:int = 300;
 
         private var _tracker:TouchTracker = new TouchTracker();
+        private var _found:FoundPairs = new FoundPairs();
         private var _agents:Array = [];
 
         [Before]
@@ -32,11 +35,14 @@ package starlogo.handlers
             var random:SeededRandom = new SeededRandom(4711);
             var pairs:Array = [];
             var most:int = 0;
-            for (_tracker.frame = 1; _tracker.frame <= FRAMES; _tracker.frame++)
+            for (var frame:int = 1; frame <= FRAMES; frame++)
             {
-                // crowds that come and go, so that the table grows and shrinks
-                var wanted:int = _tracker.frame % 60 < 30 ? 200 : 3;
+                // crowds that come and go
+                var wanted:int = frame % 60 < 30 ? 200 : 3;
                 var seen:Object = {};
+                _found.count = wanted;
+                assertFalse("all pairs are others", _tracker.begin(_found));
+                assertEquals(frame, _tracker.frame);
                 for (var i:int = 0; i < wanted; i++)
                 {
                     var a:Agent = random.pick(_agents);
@@ -46,13 +52,15 @@ package starlogo.handlers
                     {
                         continue;
                     }
-                    var known:Touch = _tracker.renew(a, b);
+                    _tracker.renew(i, a, b);
+                    var known:Touch = _tracker.touches[i];
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
-                        known = _tracker.start(a, b, a.breedNumber, b.breedNumber, true);
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.start(b, a, b.breedNumber, a.breedNumber, true));
-                        assertEquals(_tracker.frame, known.beganIn);
+                        known = _tracker.start(i, a, b, a.breedNumber, b.breedNumber, true);
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.start(i, b, a, b.breedNumber, a.breedNumber, true));
+                        assertStrictlyEquals(known, _tracker.touches[i]);
+                        assertEquals(frame, known.beganIn);
                         pairs.push(name);
                     }
                     seen[name] = true;
@@ -69,18 +77,110 @@ package starlogo.handlers
                 _tracker.collectEnded();
                 assertEquals(ended.join(), namesOf(_tracker.ended, _tracker.endedCount));
                 _tracker.forgetEnded();
-                var touching:Vector.<Touch> = new Vector.<Touch>();
-                for (i = 0; i < _tracker.count; i++)
-                {
-                    touching.push(_tracker.pairAt(i));
-                }
-                assertEquals(left.join(), namesOf(touching, touching.length));
+                assertEquals(left.join(), namesOf(_tracker.inOrder(), _tracker.count));
                 pairs = left;
             }
             assertTrue("there were many", most > 150);
-            _tracker.clear();
-            assertEquals(0, _tracker.count);
-            assertNull(_tracker.renew(_agents[0], _agents[1]));
+        }
+
+        [Test]
+        public function touchesOfKeptPairsGoOn():void
+        {
+            var random:SeededRandom = new SeededRandom(815);
+            var pairs:Array = [];
+            var numbers:Array = [];
+            var begun:Array = [];
+            _found.number = 1;
+            for (var frame:int = 1; frame <= FRAMES; frame++)
+            {
+                _found.origin = _found.number;
+                _found.number++;
+                var dropped:Array = [];
+                var left:Array = [];
+                for (var i:int = 0; i < pairs.length; i++)
+                {
+                    if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
+                    {
+                        _found.dropped[dropped.length] = i;
+                        dropped.push(pairs[i]);
+                    }
+                    else
+                    {
+                        left.push(pairs[i]);
+                    }
+                }
+                _found.droppedCount = dropped.length;
+                pairs = left.concat();
+                // some pairs that were dropped, and new ones
+                var found:Array = dropped.filter(function(...rest):Boolean
+                    {
+                        return random.next() < 0.5;
+                    });
+                for (i = 0; i < 8; i++)
+                {
+                    var a:int = random.next() * _agents.length;
+                    var b:int = random.next() * _agents.length;
+                    var name:String = nameOf(_agents[a], _agents[b]);
+                    if (a != b && numbers.indexOf(name) < 0 && found.indexOf(name) < 0)
+                    {
+                        found.push(name);
+                    }
+                }
+                var places:Array = [];
+                while (places.length < found.length)
+                {
+                    var place:int = random.next() * (pairs.length + found.length);
+                    if (places.indexOf(place) < 0)
+                    {
+                        places.push(place);
+                    }
+                }
+                places.sort(Array.NUMERIC);
+                for (i = 0; i < places.length; i++)
+                {
+                    pairs.splice(places[i], 0, found[i]);
+                    _found.added[i] = places[i];
+                }
+                _found.addedCount = found.length;
+                _found.count = pairs.length;
+                assertEquals("pairs were kept", frame > 1, _tracker.begin(_found));
+                for (i = 0; i < found.length; i++)
+                {
+                    assertNull(_tracker.touches[places[i]]);
+                    _tracker.renew(places[i], agentOf(found[i], 0), agentOf(found[i], 1));
+                }
+                _tracker.collectEnded();
+                var ended:Array = begun.filter(function(each:String, ...rest):Boolean
+                    {
+                        return pairs.indexOf(each) < 0;
+                    });
+                assertEquals(ended.join(), namesOf(_tracker.ended, _tracker.endedCount));
+                _tracker.forgetEnded();
+                begun = begun.filter(function(each:String, ...rest):Boolean
+                    {
+                        return pairs.indexOf(each) >= 0;
+                    });
+                for (i = 0; i < pairs.length; i++)
+                {
+                    var first:Agent = agentOf(pairs[i], 0);
+                    var second:Agent = agentOf(pairs[i], 1);
+                    assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, _tracker.touches[i] != null);
+                    if (_tracker.touches[i] == null)
+                    {
+                        _tracker.start(i, first, second, first.breedNumber, second.breedNumber, true);
+                        begun.push(pairs[i]);
+                    }
+                    assertEquals(pairs[i], nameOf(_tracker.touches[i].first, _tracker.touches[i].second));
+                }
+                assertEquals(begun.join(), namesOf(_tracker.inOrder(), _tracker.count));
+                _tracker.complete(_found);
+                numbers = pairs.concat();
+            }
+            assertTrue("some remained", begun.length > 5);
+            _found.origin = _found.number;
+            _tracker.begin(_found);
+            _found.origin = _found.number;
+            assertFalse("the frame before was not completed", _tracker.begin(_found));
         }
 
         [Test]
@@ -88,16 +188,31 @@ package starlogo.handlers
         {
             var a:Agent = _agents[0];
             var b:Agent = _agents[1];
-            _tracker.start(a, b, a.breedNumber, b.breedNumber);
-            assertNull("handlers of one way only", _tracker.renew(a, b));
-            _tracker.clear();
-            var touch:Touch = _tracker.start(a, b, a.breedNumber, b.breedNumber, true);
-            assertStrictlyEquals(touch, _tracker.renew(b, a));
+            _tracker.start(0, a, b, a.breedNumber, b.breedNumber);
+            assertNull("handlers of one way only", renewed(a, b));
+            _tracker.collectEnded();
+            var touch:Touch = _tracker.start(0, a, b, a.breedNumber, b.breedNumber, true);
+            assertStrictlyEquals(touch, renewed(b, a));
             b.breed = "sheep";
-            assertNull(_tracker.renew(a, b));
+            assertNull(renewed(a, b));
             b.breed = "wolves";
             a.breed = "wolves";
-            assertNull(_tracker.renew(a, b));
+            assertNull(renewed(a, b));
+        }
+
+        // The touch that goes on in a next frame.
+        private function renewed(a:Agent, b:Agent):Touch
+        {
+            _found.count = 1;
+            _tracker.begin(_found);
+            _tracker.renew(0, a, b);
+            return _tracker.touches[0];
+        }
+
+        private function agentOf(name:String, which:int):Agent
+        {
+            var id:int = name.split(" ")[which];
+            return _agents[id - _agents[0].id];
         }
 
         private static function nameOf(a:Agent, b:Agent):String

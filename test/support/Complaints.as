@@ -26,6 +26,15 @@ package support
             _counts[name]++;
         }
 
+        /** Notes it if it is wrong. */
+        public function addIf(isWrong:Boolean, name:String, what:String):void
+        {
+            if (isWrong)
+            {
+                add(name, what);
+            }
+        }
+
         /** Fails if anything is wrong. */
         public function assertNone():void
         {

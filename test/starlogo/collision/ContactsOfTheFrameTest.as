@@ -518,10 +518,7 @@ package starlogo.collision
                 _compared++;
                 _deep += expected[at + 1] > 0 ? 1 : 0;
                 _passing += expected[at] > 0 && expected[at] < 1 ? 1 : 0;
-                if (!areNear(expected, actual, at))
-                {
-                    _wrong.add(name, textAt(actual, at) + ", not " + textAt(expected, at));
-                }
+                _wrong.addIf(!areNear(expected, actual, at), name, textAt(actual, at) + ", not " + textAt(expected, at));
             }
         }
 

@@ -87,14 +87,8 @@ package starlogo.collision
                         var beyond:Array = beyondOf(name, agent);
                         var most:Number = Math.max.apply(null, beyond);
                         var contact:Contact = contactWith(agent);
-                        if (queries.touchesEdge(agent, _bounds) != (contact != null))
-                        {
-                            _wrong.add(name + ": the question", contact + ": " + agent);
-                        }
-                        if (Math.abs(most) > NEAR && most > 0 != (contact != null))
-                        {
-                            _wrong.add(name + ": touches", most + ", " + contact + ": " + agent);
-                        }
+                        _wrong.addIf(queries.touchesEdge(agent, _bounds) != (contact != null), name + ": the question", contact + ": " + agent);
+                        _wrong.addIf(Math.abs(most) > NEAR && most > 0 != (contact != null), name + ": touches", most + ", " + contact + ": " + agent);
                         if (contact == null)
                         {
                             free++;
@@ -315,10 +309,8 @@ package starlogo.collision
                         var found:Number = queries.distance(agent, _bounds.agent, from, to);
                         var way:Vector3D = to.subtract(from);
                         var isAxis:Boolean = int(way.x == 0) + int(way.y == 0) + int(way.z == 0) >= 2;
-                        if (Math.abs(found - expected) > NEAR || !isAxis || expected > 0 && Math.abs(way.length - found) > NEAR)
-                        {
-                            _wrong.add(name, found + ", not " + expected + ", " + from + " " + to + ": " + agent);
-                        }
+                        _wrong.addIf(Math.abs(found - expected) > NEAR || !isAxis || expected > 0 && Math.abs(way.length - found) > NEAR,
+                                name, found + ", not " + expected + ", " + from + " " + to + ": " + agent);
                         closer += expected > 0 ? 1 : 0;
                     }
                 }
@@ -452,10 +444,7 @@ package starlogo.collision
             var beyond:Array = beyondOf(name, agent);
             var size:Number = _size;
             var message:String = beyond + ", depth " + contact.depth + ", normal " + contact.normal + ", point " + contact.point + ": " + agent;
-            if (Math.abs(contact.normal.length - 1) > 1e-12 || contact.time != 1 || contact.approachSpeed != 0)
-            {
-                _wrong.add(name + ": contact", message);
-            }
+            _wrong.addIf(Math.abs(contact.normal.length - 1) > 1e-12 || contact.time != 1 || contact.approachSpeed != 0, name + ": contact", message);
             var normals:Array = [contact.normal.x, -contact.normal.x, contact.normal.y, -contact.normal.y, contact.normal.z, -contact.normal.z];
             var isFree:Boolean = true;
             var isTouching:Boolean = false;
@@ -464,19 +453,14 @@ package starlogo.collision
                 isFree = isFree && beyond[edge] - (contact.depth + 1e-9 * size) * normals[edge] < 0;
                 isTouching = isTouching || beyond[edge] - (contact.depth - 1.1e-9 * size) * normals[edge] >= 0;
             }
-            if (!isFree || !isTouching)
-            {
-                _wrong.add(name + ": separates " + isFree + ", " + isTouching, message);
-            }
+            _wrong.addIf(!isFree || !isTouching, name + ": separates " + isFree + ", " + isTouching, message);
             // the point is beyond the edges that it is led away from, no deeper than the agent
             var point:Array = [_bounds.minX - contact.point.x, contact.point.x - _bounds.maxX, _bounds.minY - contact.point.y, contact.point.y - _bounds.maxY,
                     _bounds.minZ - contact.point.z, contact.point.z - _bounds.maxZ];
             for (edge = 0; edge < 6; edge++)
             {
-                if (normals[edge] > 0 && Math.abs(point[edge] - beyond[edge] / 2) > 1e-8 || point[edge] > Math.max(beyond[edge], 0) + 1e-8)
-                {
-                    _wrong.add(name + ": point", point + ": " + message);
-                }
+                _wrong.addIf(normals[edge] > 0 && Math.abs(point[edge] - beyond[edge] / 2) > 1e-8 || point[edge] > Math.max(beyond[edge], 0) + 1e-8,
+                        name + ": point", point + ": " + message);
             }
         }
 

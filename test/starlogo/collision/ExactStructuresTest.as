@@ -295,10 +295,7 @@ package starlogo.collision
 
         private function check(what:String, isRight:Boolean, structure:BoundingStructure):void
         {
-            if (!isRight)
-            {
-                _wrong.add(what, structure + " and " + _tree.shape + " of size " + _tree.size);
-            }
+            _wrong.addIf(!isRight, what, structure + " and " + _tree.shape + " of size " + _tree.size);
         }
     }
 }

@@ -104,6 +104,9 @@ package starlogo.collision
             assertEquals(0, statistics.triangleTests);
             assertEquals(0, statistics.tests);
             assertEquals(1, statistics.collisions);
+            agents[1].pitch = 30;
+            _collider.findCollisions(agents);
+            assertTrue("one a level at least, leaning", statistics.nodeVisits >= 5);
             _collider.exact = true;
             agents[1].heading = 10;
             _collider.findCollisions(agents);

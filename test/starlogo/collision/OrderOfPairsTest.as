@@ -266,10 +266,7 @@ package starlogo.collision
                 var first:int = _agents.indexOf(found[i]);
                 var second:int = _agents.indexOf(found[i + 1]);
                 _againstIds += found[i].id > found[i + 1].id ? 1 : 0;
-                if (first < 0 || first >= second)
-                {
-                    _wrong.add(name, when + ": " + first + "-" + second);
-                }
+                _wrong.addIf(first < 0 || first >= second, name, when + ": " + first + "-" + second);
                 if (times != null && i > 0 && times[i / 2] < times[i / 2 - 1] - NEAR)
                 {
                     _wrong.add(name + ", times", when + ": " + times[i / 2 - 1] + ", then " + times[i / 2]);

@@ -5,15 +5,13 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.models.Model;
     import support.Effort;
-    import support.EveryDepth;
     import support.PlacementTally;
     import support.PlacementVectors;
     import support.RealModels;
 
     /**
      * The colliders against 6,954 pairs of real models whose surfaces are known to meet or not to: tightest fits miss nothing, nor do
-     * hierarchies of triangles at any depth, and exact ones are right about all. Printed: recall and precision of each, also of the thesis's
-     * hierarchies of vertices.
+     * hierarchies of triangles at any depth, and exact ones are right about all. Printed: recall and precision of each.
      */
     public class PlacementsTest
     {
@@ -33,7 +31,7 @@ package starlogo.collision
         public function tightestFitsMissNothing():void
         {
             readModels();
-            var tally:PlacementTally = tallyOf("tightest fits", new TightestFitCollider(load(true, FULL, true)));
+            var tally:PlacementTally = tallyOf("tightest fits", new TightestFitCollider(load(FULL, true)));
             assertEquals("missed", 0, tally.missed);
             assertTrue("enough meet, enough don't", tally.found > 2000 && tally.falseHits + tally.apart > 2000);
         }
@@ -42,7 +40,7 @@ package starlogo.collision
         public function hierarchiesOfTrianglesMissNothing():void
         {
             readModels();
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, 10));
+            var collider:HierarchicalCollider = new HierarchicalCollider(load(10));
             var precision:Number = 0;
             for each (var depth:int in DEPTHS)
             {
@@ -55,23 +53,10 @@ package starlogo.collision
         }
 
         [Test]
-        public function hierarchiesOfVerticesMissCollisions():void
-        {
-            readModels();
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(false, FULL));
-            for each (var depth:int in DEPTHS.concat(FULL))
-            {
-                collider.maxDepth = depth;
-                var tally:PlacementTally = tallyOf("vertices, " + (depth == FULL ? "full" : "depth " + depth), collider);
-                assertTrue("the thesis's hierarchy has holes below its first level", depth == 1 || tally.missed > 0);
-            }
-        }
-
-        [Test]
         public function exactHierarchiesAreTheModels():void
         {
             readModels();
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, FULL, true));
+            var collider:HierarchicalCollider = new HierarchicalCollider(load(FULL, true));
             collider.exact = true;
             var wrong:Array = [];
             var inside:int = 0;
@@ -92,30 +77,6 @@ package starlogo.collision
             assertTrue("many are inside", inside > 500 / every);
         }
 
-        [Test]
-        public function allFindWhatExactOnesFind():void
-        {
-            readModels();
-            var greatLand:GreatLand = load(true, FULL, true);
-            var exact:HierarchicalCollider = new HierarchicalCollider(greatLand);
-            var tightest:TightestFitCollider = new TightestFitCollider(greatLand);
-            var everyDepth:EveryDepth = new EveryDepth(greatLand, DEPTHS.concat(FULL));
-            exact.exact = true;
-            var found:int = 0;
-            var inside:int = 0;
-            var stride:int = Effort.choose(10, 1);
-            for (var i:int = 0; i < sVectors.count; i += stride)
-            {
-                sVectors.read(i);
-                var isHit:Boolean = exact.areColliding(sVectors.a, sVectors.b);
-                assertTrue(i + ", tightest fit", !isHit || tightest.areColliding(sVectors.a, sVectors.b));
-                everyDepth.check(String(i), sVectors.a, sVectors.b, isHit);
-                found += isHit ? 1 : 0;
-                inside += isHit && sVectors.isInside ? 1 : 0;
-            }
-            assertTrue("found: " + found + ", inside: " + inside, found > 0.4 * sVectors.count / stride && inside > 0.08 * sVectors.count / stride);
-        }
-
         // Once for all tests. Each may be the only one that is run.
         private static function readModels():void
         {
@@ -131,9 +92,9 @@ package starlogo.collision
             }
         }
 
-        private static function load(triangles:Boolean, maxDepth:int, loadTightestFit:Boolean = false):GreatLand
+        private static function load(maxDepth:int, loadTightestFit:Boolean = false):GreatLand
         {
-            var key:String = [triangles, maxDepth, loadTightestFit].join();
+            var key:String = [maxDepth, loadTightestFit].join();
             if (key == sLoadedKey)
             {
                 return sLoaded;
@@ -144,7 +105,7 @@ package starlogo.collision
             greatLand.hierarchies.maxDepth = maxDepth;
             for each (var model:Model in sModels)
             {
-                greatLand.addModel(triangles ? model : new Model(model.name, model.vertices));
+                greatLand.addModel(model);
             }
             sLoadedKey = key;
             sLoaded = greatLand;

@@ -134,10 +134,7 @@ package starlogo.collision
                     var isHit:Boolean = isColliding(manner, pair, _colliders[i]);
                     asked++;
                     hits += isHit ? 1 : 0;
-                    if (isHit != expected)
-                    {
-                        _wrong.add(nameOf(i) + ", " + pair.shape + ", " + (manners === STANDING ? "standing" : "moving"), manner + ", " + pair);
-                    }
+                    _wrong.addIf(isHit != expected, nameOf(i) + ", " + pair.shape + ", " + (manners === STANDING ? "standing" : "moving"), manner + ", " + pair);
                 }
             }
             _questions += asked;

@@ -714,10 +714,8 @@ package starlogo.collision
             copySettings();
             var expected:String = find(_younger);
             var found:String = find(_kept);
-            if (found != expected)
-            {
-                _wrong.add(_cause + ": " + _name + (_isSwept ? ", swept, " : ", standing, ") + when, found.substr(0, 80) + ", not " + expected.substr(0, 80));
-            }
+            _wrong.addIf(found != expected,
+                    _cause + ": " + _name + (_isSwept ? ", swept, " : ", standing, ") + when, found.substr(0, 80) + ", not " + expected.substr(0, 80));
             return found;
         }
 

@@ -73,25 +73,17 @@ package starlogo.intersection
         private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:ConvexTriangle, message:String):void
         {
             var there:BoundingStructure = moved(structure, motion, sweep.time);
-            if (!areTouching(there, corners, NEAR))
-            {
-                _wrong.add("no touch", message);
-            }
+            _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);
             var out:ContactPoint = new ContactPoint();
             sweep.findContact(out);
             var point:Vector3D = new Vector3D(out.x, out.y, out.z);
             var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
             var onStructure:Number = SurfaceDistance.of(there, point);
             var onTriangle:Number = PlainDistance.between(numbersOf(corners), [point.x, point.y, point.z, point.x, point.y, point.z, point.x, point.y, point.z]);
-            if (!(onStructure < 1e-7) || !(onTriangle < 1e-7) || out.depth > NEAR)
-            {
-                _wrong.add("point", onStructure + ", " + onTriangle + ", depth " + out.depth + ", normal " + normal + ": " + message);
-            }
+            _wrong.addIf(!(onStructure < 1e-7) || !(onTriangle < 1e-7) || out.depth > NEAR,
+                    "point", onStructure + ", " + onTriangle + ", depth " + out.depth + ", normal " + normal + ": " + message);
             var apart:BoundingStructure = there.clone().translate(new Vector3D(1e-7 * normal.x, 1e-7 * normal.y, 1e-7 * normal.z));
-            if (Math.abs(normal.length - 1) > 1e-12 || areTouching(apart, corners, 0))
-            {
-                _wrong.add("normal", normal + ": " + message);
-            }
+            _wrong.addIf(Math.abs(normal.length - 1) > 1e-12 || areTouching(apart, corners, 0), "normal", normal + ": " + message);
         }
 
         private function areTouching(structure:BoundingStructure, corners:Vector.<Number>, tolerance:Number):Boolean

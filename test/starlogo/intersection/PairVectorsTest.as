@@ -120,10 +120,8 @@ package starlogo.intersection
 
         private function checkHit(pairs:PairVectors):void
         {
-            if (intersects(pairs.a, pairs.b) != pairs.isHit || intersects(pairs.b, pairs.a) != pairs.isHit)
-            {
-                _wrong.add(pairs.family + (pairs.isHit ? ": missed" : ": false hit"), pairs.a + " and " + pairs.b);
-            }
+            _wrong.addIf(intersects(pairs.a, pairs.b) != pairs.isHit || intersects(pairs.b, pairs.a) != pairs.isHit,
+                    pairs.family + (pairs.isHit ? ": missed" : ": false hit"), pairs.a + " and " + pairs.b);
         }
 
         // How far they are apart; and the closest points, each on its structure.
@@ -141,10 +139,7 @@ package starlogo.intersection
             var slack:Number = 10 * DISTANCE * (size + truth) + ROUNDING * (pointA.length + pointB.length);
             var isOnBoth:Boolean = truth > 0 ? SurfaceDistance.of(pairs.a, pointA) <= slack && SurfaceDistance.of(pairs.b, pointB) <= slack
                 : isIn(pairs.a, pointA, slack) && isIn(pairs.b, pointA, slack);
-            if (!isOnBoth || Math.abs(Vector3D.distance(pointA, pointB) - truth) > slack)
-            {
-                _wrong.add(pairs.family + ": closest points", pointA + " and " + pointB);
-            }
+            _wrong.addIf(!isOnBoth || Math.abs(Vector3D.distance(pointA, pointB) - truth) > slack, pairs.family + ": closest points", pointA + " and " + pointB);
         }
 
         // The first touch on the way, and the contact there.
@@ -185,10 +180,7 @@ package starlogo.intersection
         private function note(family:String, what:String, error:Number, limit:Number):void
         {
             _worst[what] = Math.max(_worst[what], error);
-            if (!(error <= limit))
-            {
-                _wrong.add(family + ": " + what, "off by " + error);
-            }
+            _wrong.addIf(!(error <= limit), family + ": " + what, "off by " + error);
         }
 
         private static function offNormal(touch:ContactPoint, motions:MotionVectors, sign:Number):Number

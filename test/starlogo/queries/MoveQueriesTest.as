@@ -106,19 +106,11 @@ package starlogo.queries
                     var x:Number = mover.x;
                     var slides:Boolean = _random.chance();
                     var part:Number = slides ? queries.slide(mover, dx, dy, dz) : queries.moveUntilTouch(mover, dx, dy, dz, null, contact);
-                    if (!(part >= 0 && part <= 1) || !(contact.time >= 0 && contact.time <= 1))
-                    {
-                        _wrong.add(name + ": no part", part + " of " + [dx, dy, dz] + " at " + contact.time);
-                    }
+                    _wrong.addIf(!(part >= 0 && part <= 1) || !(contact.time >= 0 && contact.time <= 1),
+                            name + ": no part", part + " of " + [dx, dy, dz] + " at " + contact.time);
                     // along a plane it may go farther along x, but never farther than the whole way
-                    if (!(Math.abs(mover.x - x) <= 2 * smallness + 1e-8))
-                    {
-                        _wrong.add(name + ": elsewhere", mover.x + " from " + x + " by " + dx);
-                    }
-                    if (part == 1 && isFree && mover.x != x + dx)
-                    {
-                        _wrong.add(name + ": free, and not there", mover.x + " from " + x + " by " + dx);
-                    }
+                    _wrong.addIf(!(Math.abs(mover.x - x) <= 2 * smallness + 1e-8), name + ": elsewhere", mover.x + " from " + x + " by " + dx);
+                    _wrong.addIf(part == 1 && isFree && mover.x != x + dx, name + ": free, and not there", mover.x + " from " + x + " by " + dx);
                     part == 1 ? free++ : stopped++;
                 }
             }
@@ -149,10 +141,7 @@ package starlogo.queries
                     var contact:Contact = new Contact();
                     var part:Number = queries.moveUntilTouch(mover, d[0], d[1], d[2], null, contact);
                     var at:Array = [mover.x, mover.y, mover.z];
-                    if (contact.time != part || !(part >= 0 && part <= 1))
-                    {
-                        _wrong.add(name + ": another time", part + ", " + contact.time);
-                    }
+                    _wrong.addIf(contact.time != part || !(part >= 0 && part <= 1), name + ": another time", part + ", " + contact.time);
                     // nothing touches before
                     for (var k:int = 0; k <= 50; k++)
                     {
@@ -172,14 +161,8 @@ package starlogo.queries
                     }
                     stopped++;
                     mover.moveTo(at[0], at[1], at[2]);
-                    if (!touchesAny(collider, mover, agents))
-                    {
-                        _wrong.add(name + ": ends without a touch", String(part));
-                    }
-                    if (isDeep(collider, mover, agents, contact))
-                    {
-                        _wrong.add(name + ": ends deep", String(part));
-                    }
+                    _wrong.addIf(!touchesAny(collider, mover, agents), name + ": ends without a touch", String(part));
+                    _wrong.addIf(isDeep(collider, mover, agents, contact), name + ": ends deep", String(part));
                 }
             }
             _wrong.assertNone();

@@ -60,24 +60,16 @@ package starlogo.queries
                     var out:Vector3D = new Vector3D(NaN, NaN, NaN);
                     var distance:Number = queries.distanceToPoint(agent, point, out);
                     var message:String = distance + " from " + point + " to " + out + ", " + agent;
-                    if (distance != queries.distanceToPoint(agent, point))
-                    {
-                        _wrong.add(name + ": another without a point", message);
-                    }
-                    if (distance == 0 != queries.overlapping(new Sphere(point, 0)).length > 0 || Math.abs(Vector3D.distance(point, out) - distance) > NEAR)
-                    {
-                        _wrong.add(name + ": 0, or the point", message);
-                    }
+                    _wrong.addIf(distance != queries.distanceToPoint(agent, point), name + ": another without a point", message);
+                    _wrong.addIf(distance == 0 != queries.overlapping(new Sphere(point, 0)).length > 0 || Math.abs(Vector3D.distance(point, out) - distance) > NEAR,
+                            name + ": 0, or the point", message);
                     distance == 0 ? inside++ : outside++;
                     if (distance > NEAR && queries.overlapping(new Sphere(point, distance * (1 - NEAR) - 1e-12)).length > 0
                             || queries.overlapping(new Sphere(point, distance * (1 + NEAR) + NEAR)).length == 0)
                     {
                         _wrong.add(name + ": not as far", message);
                     }
-                    if (!(queries.distanceToPoint(agent, out) < NEAR))
-                    {
-                        _wrong.add(name + ": not of the agent", message);
-                    }
+                    _wrong.addIf(!(queries.distanceToPoint(agent, out) < NEAR), name + ": not of the agent", message);
                 }
             }
             _wrong.assertNone();

@@ -398,26 +398,15 @@ package starlogo.queries
         private function assertHit(name:String, queries:AgentQueries, structure:BoundingStructure, way:Vector3D, hit:ShapeHit):void
         {
             var message:String = structure + " along " + way + " at " + hit.time + ", normal " + hit.normal + ", point " + hit.point + ", " + hit.agent;
-            if (Math.abs(hit.normal.length - 1) > 1e-12 || !(hit.normal.dotProduct(way) < 0))
-            {
-                _wrong.add(name + ": normal", message);
-            }
+            _wrong.addIf(Math.abs(hit.normal.length - 1) > 1e-12 || !(hit.normal.dotProduct(way) < 0), name + ": normal", message);
             var there:BoundingStructure = moved(structure, way, hit.time);
             var surface:Number = SurfaceDistance.of(there, hit.point);
-            if (!(surface < NEAR) || !(queries.distanceToPoint(hit.agent, hit.point) < NEAR))
-            {
-                _wrong.add(name + ": point", surface + ", " + queries.distanceToPoint(hit.agent, hit.point) + ": " + message);
-            }
+            _wrong.addIf(!(surface < NEAR) || !(queries.distanceToPoint(hit.agent, hit.point) < NEAR),
+                    name + ": point", surface + ", " + queries.distanceToPoint(hit.agent, hit.point) + ": " + message);
             var deeper:BoundingStructure = moved(there, hit.normal, -1e-7);
-            if (queries.overlapping(deeper).indexOf(hit.agent) < 0)
-            {
-                _wrong.add(name + ": no touch", message);
-            }
+            _wrong.addIf(queries.overlapping(deeper).indexOf(hit.agent) < 0, name + ": no touch", message);
             var apart:BoundingStructure = moved(there, hit.normal, 1e-7);
-            if (queries.overlapping(apart).indexOf(hit.agent) >= 0)
-            {
-                _wrong.add(name + ": normal does not separate", message);
-            }
+            _wrong.addIf(queries.overlapping(apart).indexOf(hit.agent) >= 0, name + ": normal does not separate", message);
         }
 
         private function assertCastAlike(message:String, queries:AgentQueries, structure:BoundingStructure, agent:Agent):int

@@ -83,10 +83,7 @@ package starlogo.queries
                         gone += Math.min(part * length, far);
                         possible += far;
                         touched += far < length ? 1 : 0;
-                        if (overlap(mover) > HAIR)
-                        {
-                            _wrong.add(name + ": deep", String(overlap(mover)));
-                        }
+                        _wrong.addIf(overlap(mover) > HAIR, name + ": deep", String(overlap(mover)));
                         if (Math.abs(mover.x) > 4.5 || Math.abs(mover.y) > 4.5 || Math.abs(mover.z) > 2)
                         {
                             mover.moveTo(0, 0, 0);
@@ -94,10 +91,7 @@ package starlogo.queries
                         }
                     }
                 }
-                if (gone < 0.999 * possible)
-                {
-                    _wrong.add(name + ": not far enough", gone + " of " + possible);
-                }
+                _wrong.addIf(gone < 0.999 * possible, name + ": not far enough", gone + " of " + possible);
                 assertTrue(name + ": touched " + touched, touched > 200);
             }
             _wrong.assertNone();

@@ -85,10 +85,7 @@ package starlogo.queries
                     _queries.terrain = terrain;
                     _queries.update(new <Agent>[u]);
                     go(u, _random.pick([-2, -0.3, 0, 0.3, 2]), _random.pick([-2, -0.3, 0, 0.3, 2]), _random.pick([0, 0.2]));
-                    if (Math.abs(u.x) > HAIR || u.y > HAIR)
-                    {
-                        _wrong.add(system, u.x + ", " + u.y);
-                    }
+                    _wrong.addIf(Math.abs(u.x) > HAIR || u.y > HAIR, system, u.x + ", " + u.y);
                 }
             }
             _wrong.assertNone();
@@ -262,10 +259,7 @@ package starlogo.queries
 
         private function expect(isRight:Boolean, system:String, way:*, problem:String, mover:Agent):void
         {
-            if (!isRight)
-            {
-                _wrong.add(system + ", " + way + ": " + problem, [mover.x, mover.y, mover.z].join(" "));
-            }
+            _wrong.addIf(!isRight, system + ", " + way + ": " + problem, [mover.x, mover.y, mover.z].join(" "));
         }
 
         // A square without thickness across y, with its middle at the origin.

@@ -94,16 +94,10 @@ package starlogo.queries
                 _touching++;
                 for (var i:int = 0; i < 3; i++)
                 {
-                    if (!collider.areColliding(a, b))
-                    {
-                        _wrong.add(text, "stops at nothing");
-                    }
+                    _wrong.addIf(!collider.areColliding(a, b), text, "stops at nothing");
                     queries.update(agents);
                     var part:Number = queries.moveUntilTouch(a, 5 * way.x, 5 * way.y, 5 * way.z);
-                    if (part > 0)
-                    {
-                        _wrong.add(text, "goes on by " + part);
-                    }
+                    _wrong.addIf(part > 0, text, "goes on by " + part);
                 }
             }
         }

@@ -280,10 +280,7 @@ package starlogo.queries
 
         private function expect(isRight:Boolean, problem:String, mover:Agent, details:Array):void
         {
-            if (!isRight)
-            {
-                _wrong.add(_system + ", " + mover.shape + ": " + problem, [mover.x, mover.y, mover.z, "by", details].join(" "));
-            }
+            _wrong.addIf(!isRight, _system + ", " + mover.shape + ": " + problem, [mover.x, mover.y, mover.z, "by", details].join(" "));
         }
 
         private function expectShallow(mover:Agent):void

@@ -81,10 +81,7 @@ package starlogo.queries
                     }
                     var at:String = [_walker.x, _walker.y, _walker.z].join();
                     _queries.walk(_walker, 0, 0, _options, _footing);
-                    if ([_walker.x, _walker.y, _walker.z].join() != at)
-                    {
-                        _wrong.add(name + ": trembles", at + " to " + [_walker.x, _walker.y, _walker.z]);
-                    }
+                    _wrong.addIf([_walker.x, _walker.y, _walker.z].join() != at, name + ": trembles", at + " to " + [_walker.x, _walker.y, _walker.z]);
                     wedged += _footing.stands ? 0 : 1;
                 }
             }
@@ -242,14 +239,8 @@ package starlogo.queries
             var climbed:Number = Math.ceil(way / _walker.size) * _options.stepHeight + way * steepest;
             var message:String = [x, y, z].join() + " of " + way + " to " + [_walker.x, _walker.y, _walker.z] + ", " + stood + ", " + _footing.stands;
             _falls += _footing.stands ? 0 : 1;
-            if (rise > (stood ? climbed : 0) + NEAR)
-            {
-                _wrong.add(name + ": too high", message);
-            }
-            if (gone > way + Math.max(0, climbed - rise) / steepest + NEAR)
-            {
-                _wrong.add(name + ": too far", message);
-            }
+            _wrong.addIf(rise > (stood ? climbed : 0) + NEAR, name + ": too high", message);
+            _wrong.addIf(gone > way + Math.max(0, climbed - rise) / steepest + NEAR, name + ": too far", message);
         }
 
         // Two slopes that meet in a level groove.

@@ -216,14 +216,8 @@ package starlogo.queries
             var message:String = [x, y, z].join() + " to " + [_walker.x, _walker.y, _walker.z] + " " + gone + " of " + way + " " + _footing.part;
             _walks++;
             _whole += way > 0 && _footing.part > 1 - ROUNDING ? 1 : 0;
-            if (gone > (way + sideways) * (1 + ROUNDING) + GAPS * _walker.size)
-            {
-                _wrong.add(name + ": too far", message);
-            }
-            if (sideways == 0 && Math.abs(_footing.part * way - gone) > ROUNDING * way + GAPS * _walker.size)
-            {
-                _wrong.add(name + ": another part", message);
-            }
+            _wrong.addIf(gone > (way + sideways) * (1 + ROUNDING) + GAPS * _walker.size, name + ": too far", message);
+            _wrong.addIf(sideways == 0 && Math.abs(_footing.part * way - gone) > ROUNDING * way + GAPS * _walker.size, name + ": another part", message);
         }
     }
 }

@@ -371,23 +371,11 @@ package starlogo.queries
                         var y:Number = walker.y;
                         queries.walk(walker, 0.12 * Math.cos(turn), 0.12 * Math.sin(turn), _options, _footing);
                         var message:String = i + " at " + [x, y, walker.x, walker.y, walker.z, terrain.heightAt(walker.x, walker.y)] + " " + _footing.part;
-                        if (!_footing.stands || _footing.on != terrain.agent)
-                        {
-                            _wrong.add(name + ": does not stand", message);
-                        }
+                        _wrong.addIf(!_footing.stands || _footing.on != terrain.agent, name + ": does not stand", message);
                         // at the edges of columns the slide of a sphere goes up steeply
-                        if (!(_footing.part > (terrain.isBlocky ? 0.1 : 0.4)))
-                        {
-                            _wrong.add(name + ": stuck", message);
-                        }
-                        if (terrain.heightAt(walker.x, walker.y) > walker.z + 0.2)
-                        {
-                            _wrong.add(name + ": in the ground", message);
-                        }
-                        if (queries.touchesAny(walker))
-                        {
-                            _wrong.add(name + ": ends in a touch", message);
-                        }
+                        _wrong.addIf(!(_footing.part > (terrain.isBlocky ? 0.1 : 0.4)), name + ": stuck", message);
+                        _wrong.addIf(terrain.heightAt(walker.x, walker.y) > walker.z + 0.2, name + ": in the ground", message);
+                        _wrong.addIf(queries.touchesAny(walker), name + ": ends in a touch", message);
                         if (Math.abs(walker.x) > 10 || Math.abs(walker.y) > 10)
                         {
                             walker.moveTo(-0.9 * walker.x, -0.9 * walker.y, 20);
@@ -465,14 +453,8 @@ package starlogo.queries
                 }
                 var share:Number = Math.min(1, step / far);
                 queries.walk(walker, share * toX, share * toY, _options, _footing);
-                if (queries.touchesAny(walker))
-                {
-                    _wrong.add(name + ": ends in a touch", frames + " at " + [walker.x, walker.y, walker.z]);
-                }
-                if (name != "" && !_footing.stands)
-                {
-                    _wrong.add(name + ": does not stand", frames + " at " + [walker.x, walker.y, walker.z, _footing.part]);
-                }
+                _wrong.addIf(queries.touchesAny(walker), name + ": ends in a touch", frames + " at " + [walker.x, walker.y, walker.z]);
+                _wrong.addIf(name != "" && !_footing.stands, name + ": does not stand", frames + " at " + [walker.x, walker.y, walker.z, _footing.part]);
             }
             return frames;
         }
@@ -486,19 +468,12 @@ package starlogo.queries
                 var z:Number = walker.z;
                 queries.walk(walker, Math.min(0.1, x - walker.x), 0, _options, _footing);
                 falls += _footing.stands ? 0 : 1;
-                if (walker.z < z - 0.51 - 0.25 || walker.z > z + NEAR || walker.z < bottom - NEAR)
-                {
-                    _wrong.add(message + ": falls too far", i + ": " + [walker.x, walker.z, z]);
-                }
-                if (queries.touchesAny(walker))
-                {
-                    _wrong.add(message + ": ends in a touch", i + ": " + [walker.x, walker.z, _footing.stands]);
-                }
+                _wrong.addIf(walker.z < z - 0.51 - 0.25 || walker.z > z + NEAR || walker.z < bottom - NEAR,
+                        message + ": falls too far", i + ": " + [walker.x, walker.z, z]);
+                _wrong.addIf(queries.touchesAny(walker), message + ": ends in a touch", i + ": " + [walker.x, walker.z, _footing.stands]);
             }
-            if (!_footing.stands || Math.abs(walker.z - bottom) > 1e-3 || !(walker.x > x - NEAR))
-            {
-                _wrong.add(message + ": does not land", [walker.x, walker.z, _footing.stands].join());
-            }
+            _wrong.addIf(!_footing.stands || Math.abs(walker.z - bottom) > 1e-3 || !(walker.x > x - NEAR),
+                    message + ": does not land", [walker.x, walker.z, _footing.stands].join());
             return falls;
         }
 

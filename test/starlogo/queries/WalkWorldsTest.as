@@ -258,10 +258,7 @@ package starlogo.queries
         private function go(message:String, x:Number, y:Number, most:Number):void
         {
             var far:Number = walkTowards(x, y, 200, message, most);
-            if (far > 1e-6)
-            {
-                _wrong.add(message + ": does not arrive", String(local()));
-            }
+            _wrong.addIf(far > 1e-6, message + ": does not arrive", String(local()));
         }
 
         private function walkTowards(x:Number, y:Number, frames:int, message:String = null, most:Number = 0):Number
@@ -281,21 +278,12 @@ package starlogo.queries
                 var at:Vector3D = local();
                 var over:Number = at.z - _terrain.heightAt(at.x, at.y);
                 var text:String = i + " at " + at + ", " + over + ", pushed " + _footing.pushed;
-                if (message != null && !_footing.stands)
-                {
-                    _wrong.add(message + ": does not stand", text);
-                }
+                _wrong.addIf(message != null && !_footing.stands, message + ": does not stand", text);
                 // on a slope it stands on its side
-                if (message != null && !(over > -0.01 && over < most))
-                {
-                    _wrong.add(message + ": not on the ground", text);
-                }
+                _wrong.addIf(message != null && !(over > -0.01 && over < most), message + ": not on the ground", text);
                 _walks++;
                 _touches += _queries.touchesAny(_walker) ? 1 : 0;
-                if (_footing.pushed > 1e-3)
-                {
-                    _wrong.add(message + ": overlaps", text);
-                }
+                _wrong.addIf(_footing.pushed > 1e-3, message + ": overlaps", text);
             }
             return far;
         }

@@ -149,10 +149,7 @@ package starlogo.search
                     {
                         var depth:Number = collider.contactOf(a, b).depth;
                         _overlapping++;
-                        if (!(depth >= 0))
-                        {
-                            _wrong.add(name, String(depth));
-                        }
+                        _wrong.addIf(!(depth >= 0), name, String(depth));
                     }
                 }
             }
@@ -179,10 +176,8 @@ package starlogo.search
                 _wrong.add(name + " has no unit normal, or no depth", contact.normal + ", " + contact.depth);
                 return;
             }
-            if (!isInReach(contact.point, a) || !isInReach(contact.point, b))
-            {
-                _wrong.add(name + " has its point outside", contact.point + ", " + describe(a, b, contact));
-            }
+            _wrong.addIf(!isInReach(contact.point, a) || !isInReach(contact.point, b),
+                    name + " has its point outside", contact.point + ", " + describe(a, b, contact));
             _overlapping++;
             var extent:Number = Math.max(a.size, b.size);
             if (contact.depth > 0.01 * extent)
@@ -194,16 +189,10 @@ package starlogo.search
             var z:Number = a.z;
             var far:Number = contact.depth + HAIR * extent;
             a.moveTo(x + far * contact.normal.x, y + far * contact.normal.y, z + far * contact.normal.z);
-            if (collider.areColliding(a, b))
-            {
-                _wrong.add(name + " still collide", describe(a, b, contact));
-            }
+            _wrong.addIf(collider.areColliding(a, b), name + " still collide", describe(a, b, contact));
             far = contact.depth - HAIR * extent;
             a.moveTo(x + far * contact.normal.x, y + far * contact.normal.y, z + far * contact.normal.z);
-            if (!collider.areColliding(a, b))
-            {
-                _wrong.add(name + " are apart before", describe(a, b, contact));
-            }
+            _wrong.addIf(!collider.areColliding(a, b), name + " are apart before", describe(a, b, contact));
             a.moveTo(x, y, z);
         }
 

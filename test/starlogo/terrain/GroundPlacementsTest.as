@@ -127,10 +127,8 @@ package starlogo.terrain
         {
             var gap:Number = reference.gapOf(pieces(name, agent), 0, 0, 0, 2 * nearOf(agent, terrain));
             var areTouching:Boolean = _colliders[name].areColliding(agent, terrain.agent);
-            if (areTouching != gap <= 0 && (gap == 0 || Math.abs(gap) > nearOf(agent, terrain)))
-            {
-                _wrong.add(name, where + ", " + describe(agent, terrain) + ", gap " + gap);
-            }
+            _wrong.addIf(areTouching != gap <= 0 && (gap == 0 || Math.abs(gap) > nearOf(agent, terrain)),
+                    name, where + ", " + describe(agent, terrain) + ", gap " + gap);
             if (areTouching)
             {
                 checkContact(name, agent, terrain, reference, where);
@@ -187,10 +185,8 @@ package starlogo.terrain
             if (expected != time && !(Math.abs(expected - time) * motion.length < 1e4 * nearOf(agent, terrain)))
             {
                 // grazing: it has to come clearly nearer
-                if (isDeeper(name, agent, motion, reference, Math.min(expected, time), nearOf(agent, terrain)))
-                {
-                    _wrong.add(name, where + ", " + describe(agent, terrain) + " along " + motion + ": " + time + " instead of " + expected);
-                }
+                _wrong.addIf(isDeeper(name, agent, motion, reference, Math.min(expected, time), nearOf(agent, terrain)),
+                        name, where + ", " + describe(agent, terrain) + " along " + motion + ": " + time + " instead of " + expected);
             }
             return time <= 1 ? 1 : 0;
         }

@@ -46,6 +46,13 @@ package support
             return new Model("open cube", cube.vertices, cube.triangles.slice(3));
         }
 
+        /** A pyramid on a rectangle, thin if it is low. */
+        public static function wedge(name:String, height:Number):Model
+        {
+            return new Model(name, new <Number>[0, 0, 0, 1, 0, 0, 1, 0.4, 0, 0, 0.4, 0, 0.5, 0.2, height],
+                    new <uint>[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 2, 1, 0, 3, 2]);
+        }
+
         /**
          * A model of cubes.
          *

@@ -7,6 +7,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import support.AgentChanges;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -330,7 +331,7 @@ package starlogo.collision
 
         private function addModels(agents:Array = null):void
         {
-            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(), plank(0.3)])
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(), SolidModels.wedge("plank", 0.3)])
             {
                 sGreatLand.addModel(model);
             }
@@ -341,7 +342,7 @@ package starlogo.collision
         {
             for each (var shape:String in SHAPES)
             {
-                sGreatLand.addModel(plank(0.7, shape));
+                sGreatLand.addModel(SolidModels.wedge(shape, 0.7));
             }
             sAreModelsSpoilt = true;
         }
@@ -357,7 +358,7 @@ package starlogo.collision
 
         private static function changeLibraries(agents:Array):void
         {
-            var other:Model = plank(0.7);
+            var other:Model = SolidModels.wedge("plank", 0.7);
             for each (var shape:String in SHAPES)
             {
                 sGreatLand.boundingStructures.add(shape, other.vertices);
@@ -401,42 +402,7 @@ package starlogo.collision
         {
             for each (var agent:Agent in agents)
             {
-                switch (trait)
-                {
-                    case "position":
-                        agent.moveTo(agent.x + _random.normal(), agent.y + _random.normal(), agent.z + 0.3 * _random.normal());
-                        break;
-                    case "jump":
-                        agent.jumpTo(agent.x + _random.normal(), agent.y + _random.normal(), agent.z + 0.3 * _random.normal());
-                        break;
-                    case "size":
-                        agent.size *= _random.pick([0.4, 0.8, 1.5]);
-                        break;
-                    case "shape":
-                        agent.shape = SHAPES[(SHAPES.indexOf(agent.shape) + _random.integer(1, SHAPES.length - 1)) % SHAPES.length];
-                        break;
-                    case "unknown shape":
-                        agent.shape = "nothing";
-                        break;
-                    case "hierarchical":
-                        agent.hierarchical = !agent.hierarchical;
-                        break;
-                    case "collideAs":
-                        agent.collideAs = _random.pick([Agent.SPHERE, Agent.BOX, Agent.CAPSULE]);
-                        break;
-                    case "traversalDepth":
-                        agent.traversalDepth = agent.traversalDepth == 1 ? 6 : 1;
-                        break;
-                    case "sweeps":
-                        agent.sweeps = !agent.sweeps;
-                        break;
-                    case "breed":
-                        agent.breed = "others";
-                        break;
-                    default:
-                        // heading, pitch, roll
-                        agent[trait] = _random.between(0, 360);
-                }
+                AgentChanges.change(trait, agent, SHAPES, _random);
             }
         }
 
@@ -578,12 +544,6 @@ package starlogo.collision
                 lines.push(pairs[i].id + "-" + pairs[i + 1].id);
             }
             return lines.sort().join(" ");
-        }
-
-        private static function plank(height:Number, name:String = "plank"):Model
-        {
-            return new Model(name, new <Number>[0, 0, 0, 1, 0, 0, 1, 0.4, 0, 0, 0.4, 0, 0.5, 0.2, height],
-                    new <uint>[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 2, 1, 0, 3, 2]);
         }
     }
 }

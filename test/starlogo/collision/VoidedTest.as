@@ -8,6 +8,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.search.BreedInterests;
+    import support.AgentChanges;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -82,46 +83,18 @@ package starlogo.collision
             check("nothing happened", NOBODY, function():void
                 {
                 });
-            each("agents moved", ALL, function(agent:Agent):void
-                {
-                    agent.moveTo(agent.x + _random.normal(), agent.y, agent.z);
-                });
+            changing("position", ALL);
+            changing("jump", ALL);
+            changing("heading", MODELS);
+            changing("pitch", MODELS);
+            changing("roll", MODELS);
+            changing("size", ALL);
+            changing("shape", MODELS);
+            changing("hierarchical", ["combinations"]);
+            changing("collideAs", STRUCTURES);
             each("one coordinate was set", ALL, function(agent:Agent):void
                 {
                     agent[_random.pick(["x", "y", "z"])] += _random.normal();
-                });
-            each("agents jumped", ALL, function(agent:Agent):void
-                {
-                    agent.jumpTo(agent.x, agent.y + _random.normal(), agent.z);
-                });
-            for each (var angle:String in ["heading", "pitch", "roll"])
-            {
-                each("agents got another " + angle, MODELS, function(agent:Agent):void
-                    {
-                        agent[angle] += _random.between(20, 340);
-                    });
-            }
-            each("agents grew and shrank", ALL, function(agent:Agent):void
-                {
-                    agent.size *= _random.pick([0.3, 0.8, 1.2, 4]);
-                });
-            each("agents changed their shape", MODELS, function(agent:Agent):void
-                {
-                    agent.shape = SHAPES[(SHAPES.indexOf(agent.shape) + 1) % SHAPES.length];
-                });
-            check("agents became hierarchical or ceased to be", ["combinations"], function():void
-                {
-                    for each (var agent:Agent in _agents)
-                    {
-                        agent.hierarchical = !agent.hierarchical;
-                    }
-                });
-            check("agents collide as something else", STRUCTURES, function():void
-                {
-                    for each (var agent:Agent in _agents)
-                    {
-                        agent.collideAs = _random.pick([Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE]);
-                    }
                 });
             check("agents were boxes and are what fits tightest", STRUCTURES, function():void
                 {
@@ -598,6 +571,14 @@ package starlogo.collision
             sGreatLand.expectNoMore("later");
         }
 
+        private function changing(trait:String, changed:Array):void
+        {
+            each("agents got another " + trait, changed, function(agent:Agent):void
+                {
+                    AgentChanges.change(trait, agent, SHAPES, _random);
+                });
+        }
+
         private function each(cause:String, changed:Array, change:Function, interests:Function = null):void
         {
             check(cause, changed, function():void
@@ -823,8 +804,7 @@ package starlogo.collision
 
         private static function flat(height:Number):Model
         {
-            return new Model("flat", new <Number>[0, 0, 0, 1, 0, 0, 1, 0.4, 0, 0, 0.4, 0, 0.5, 0.2, height],
-                    new <uint>[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 2, 1, 0, 3, 2]);
+            return SolidModels.wedge("flat", height);
         }
     }
 }

@@ -28,15 +28,8 @@ package starlogo
         private static const BUDGET:int = 8;
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
 
-        private var _greatLand:GreatLand;
-        private var _loader:ModelLoader;
-
-        [Before]
-        public function setUp():void
-        {
-            _greatLand = new GreatLand();
-            _loader = new ModelLoader(_greatLand, BUDGET);
-        }
+        private var _greatLand:GreatLand = new GreatLand();
+        private var _loader:ModelLoader = new ModelLoader(_greatLand, BUDGET);
 
         [Test(async, timeout="330000")]
         public function twelveModelsLoadWhileTheGameRuns():void

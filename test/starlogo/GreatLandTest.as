@@ -17,13 +17,7 @@ package starlogo
 
     public class GreatLandTest
     {
-        private var _greatLand:GreatLand;
-
-        [Before]
-        public function make():void
-        {
-            _greatLand = new GreatLand();
-        }
+        private var _greatLand:GreatLand = new GreatLand();
 
         [Test]
         public function flagsAreTheThesiss():void

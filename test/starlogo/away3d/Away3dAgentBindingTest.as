@@ -21,17 +21,9 @@ package starlogo.away3d
         private static const ANGLES:Array = [0, 90, -90, 180, 270, 360, 89.9999999, 45];
 
         private var _random:SeededRandom = new SeededRandom(1304);
-        private var _agent:Agent;
-        private var _object:Mesh;
-        private var _binding:Away3dAgentBinding;
-
-        [Before]
-        public function bind():void
-        {
-            _agent = new Agent("cube");
-            _object = new Mesh(new CubeGeometry(1, 1, 1));
-            _binding = new Away3dAgentBinding(_agent, _object);
-        }
+        private var _agent:Agent = new Agent("cube");
+        private var _object:Mesh = new Mesh(new CubeGeometry(1, 1, 1));
+        private var _binding:Away3dAgentBinding = new Away3dAgentBinding(_agent, _object);
 
         [Test]
         public function axesAndTurnsGoOver():void

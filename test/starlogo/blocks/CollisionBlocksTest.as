@@ -20,22 +20,14 @@ package starlogo.blocks
     {
         private static var sGreatLand:GreatLand;
 
-        private var _agents:Vector.<Agent>;
-        private var _blocks:CollisionBlocks;
-        private var _calls:Array;
+        private var _agents:Vector.<Agent> = new <Agent>[];
+        private var _blocks:CollisionBlocks = new CollisionBlocks(sGreatLand, _agents);
+        private var _calls:Array = [];
 
         [BeforeClass]
         public static function load():void
         {
             sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _agents = new <Agent>[];
-            _blocks = new CollisionBlocks(sGreatLand, _agents);
-            _calls = [];
         }
 
         [Test]

@@ -35,9 +35,9 @@ package starlogo.blocks
 
         private static var sModels:Object;
 
-        private var _agents:Vector.<Agent>;
-        private var _collisions:CollisionBlocks;
-        private var _blocks:StructureBlocks;
+        private var _agents:Vector.<Agent> = new <Agent>[];
+        private var _collisions:CollisionBlocks = new CollisionBlocks(sGreatLand, _agents);
+        private var _blocks:StructureBlocks = new StructureBlocks(_collisions);
 
         [BeforeClass]
         public static function load():void
@@ -53,14 +53,6 @@ package starlogo.blocks
                 sGreatLand.addModel(model);
                 sThorough.addModel(model);
             }
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _agents = new <Agent>[];
-            _collisions = new CollisionBlocks(sGreatLand, _agents);
-            _blocks = new StructureBlocks(_collisions);
         }
 
         [Test]

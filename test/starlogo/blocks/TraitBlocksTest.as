@@ -7,19 +7,10 @@ package starlogo.blocks
 
     public class TraitBlocksTest
     {
-        private var _bear:Agent;
-        private var _otherBear:Agent;
-        private var _ball:Agent;
-        private var _blocks:TraitBlocks;
-
-        [Before]
-        public function begin():void
-        {
-            _bear = new Agent("bear", "bears");
-            _otherBear = new Agent("bear", "bears");
-            _ball = new Agent("sphere", "hasOwnProperty");
-            _blocks = new TraitBlocks(new <Agent>[_bear, _otherBear, _ball]);
-        }
+        private var _bear:Agent = new Agent("bear", "bears");
+        private var _otherBear:Agent = new Agent("bear", "bears");
+        private var _ball:Agent = new Agent("sphere", "hasOwnProperty");
+        private var _blocks:TraitBlocks = new TraitBlocks(new <Agent>[_bear, _otherBear, _ball]);
 
         [Test]
         public function anAgentAlone():void

@@ -8,19 +8,10 @@ package starlogo.broadphase
     /** The bins alone, with extents that come from no agent. */
     public class BinsTest
     {
-        private var _bins:Bins;
-        private var _sink:PairList;
-        private var _extents:Extents;
-        private var _rows:Vector.<int>;
-
-        [Before]
-        public function makeBins():void
-        {
-            _bins = new Bins();
-            _sink = new PairList(_bins);
-            _extents = new Extents();
-            _rows = new Vector.<int>();
-        }
+        private var _bins:Bins = new Bins();
+        private var _sink:PairList = new PairList(_bins);
+        private var _extents:Extents = new Extents();
+        private var _rows:Vector.<int> = new Vector.<int>();
 
         [Test]
         public function findsThePairsWhoseCirclesOverlapOnce():void

@@ -13,14 +13,8 @@ package starlogo.collision
     {
         private static const NEAR:Number = 1e-9;
 
-        private var _greatLand:GreatLand;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.cube(), BuiltInModel.sphere());
         private var _speeds:Array;
-
-        [Before]
-        public function begin():void
-        {
-            _greatLand = landOf(BuiltInModel.cube(), BuiltInModel.sphere());
-        }
 
         [Test]
         public function itIsThatOfTheMotionsAlongTheNormal():void

@@ -19,15 +19,8 @@ package starlogo.collision
     {
         private var _worlds:int = Effort.choose(30, 150);
 
-        private var _greatLand:GreatLand;
-        private var _collider:BinCollider;
-
-        [Before]
-        public function makeCollider():void
-        {
-            _greatLand = landOf(BuiltInModel.cube());
-            _collider = new BinCollider(_greatLand);
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.cube());
+        private var _collider:BinCollider = new BinCollider(_greatLand);
 
         [Test]
         public function isAUnitSphereOnTheGround():void

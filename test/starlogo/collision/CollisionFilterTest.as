@@ -18,14 +18,8 @@ package starlogo.collision
     {
         private static const BREEDS:Array = ["turtles", "wolves", "sheep"];
 
-        private var _greatLand:GreatLand;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.cube());
         private var _calls:Array;
-
-        [Before]
-        public function begin():void
-        {
-            _greatLand = landOf(BuiltInModel.cube());
-        }
 
         [Test]
         public function excludedAgentsAreAsNotListed():void

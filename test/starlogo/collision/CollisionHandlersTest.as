@@ -14,19 +14,10 @@ package starlogo.collision
     /** What handlers may do to a game, and to other handlers. */
     public class CollisionHandlersTest
     {
-        private var _greatLand:GreatLand;
-        private var _collision:Collision;
-        private var _agents:Vector.<Agent>;
-        private var _calls:Array;
-
-        [Before]
-        public function makeGame():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere());
-            _collision = new Collision(new BinCollider(_greatLand));
-            _agents = new Vector.<Agent>();
-            _calls = [];
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere());
+        private var _collision:Collision = new Collision(new BinCollider(_greatLand));
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
+        private var _calls:Array = [];
 
         [Test]
         public function everyErrorOfAFrameIsKept():void

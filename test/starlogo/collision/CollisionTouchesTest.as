@@ -14,23 +14,12 @@ package starlogo.collision
     /** When touches begin and end: handlers of onCollisionStart and onCollisionEnd. */
     public class CollisionTouchesTest
     {
-        private var _greatLand:GreatLand;
-        private var _collision:Collision;
-        private var _bear:Agent;
-        private var _ball:Agent;
-        private var _agents:Vector.<Agent>;
-        private var _calls:Array;
-
-        [Before]
-        public function makeGame():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            _collision = new Collision(new BinCollider(_greatLand));
-            _bear = new Agent("sphere", "bears");
-            _ball = new Agent("sphere", "balls");
-            _agents = new <Agent>[_bear, _ball];
-            _calls = [];
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+        private var _collision:Collision = new Collision(new BinCollider(_greatLand));
+        private var _bear:Agent = new Agent("sphere", "bears");
+        private var _ball:Agent = new Agent("sphere", "balls");
+        private var _agents:Vector.<Agent> = new <Agent>[_bear, _ball];
+        private var _calls:Array = [];
 
         [Test]
         public function beginsOnceAndEndsOnce():void

@@ -20,23 +20,14 @@ package starlogo.collision
         private static const SHAPES:Array = ["sphere", "cube", "cylinder"];
         private static const NEAR:Number = 1e-9;
 
-        private var _greatLand:GreatLand;
-        private var _random:SeededRandom;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
+        private var _random:SeededRandom = new SeededRandom(404);
         private var _agents:Vector.<Agent>;
-        private var _wrong:Complaints;
-        private var _pairs:int;
+        private var _wrong:Complaints = new Complaints();
+        private var _pairs:int = 0;
 
         // pairs whose order is not that of the agents' ids
-        private var _againstIds:int;
-
-        [Before]
-        public function makeGame():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-            _random = new SeededRandom(404);
-            _wrong = new Complaints();
-            _pairs = _againstIds = 0;
-        }
+        private var _againstIds:int = 0;
 
         [Test]
         public function isOneInWorldsOfAllKinds():void

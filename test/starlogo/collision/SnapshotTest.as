@@ -23,13 +23,7 @@ package starlogo.collision
     {
         private static const FRAMES:int = 40;
 
-        private var _greatLand:GreatLand;
-
-        [Before]
-        public function setUp():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), SolidModels.crossed());
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), SolidModels.crossed());
 
         [Test]
         public function afterItTheFramesAreTheSame():void

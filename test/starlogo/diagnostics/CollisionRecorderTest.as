@@ -18,13 +18,7 @@ package starlogo.diagnostics
 
     public class CollisionRecorderTest
     {
-        private var _greatLand:GreatLand;
-
-        [Before]
-        public function load():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
 
         [Test]
         public function recordsFramesByBreedPair():void

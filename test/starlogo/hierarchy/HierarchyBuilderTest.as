@@ -14,13 +14,7 @@ package starlogo.hierarchy
     /** Trees, as the library makes them. */
     public class HierarchyBuilderTest
     {
-        private var _library:HierarchiesLibrary;
-
-        [Before]
-        public function makeLibrary():void
-        {
-            _library = new HierarchiesLibrary();
-        }
+        private var _library:HierarchiesLibrary = new HierarchiesLibrary();
 
         [Test]
         public function splitsHalfwayAlongTheLongestAxis():void

@@ -20,17 +20,9 @@ package starlogo.libraries
     /** What is kept from one game to the next, and what happens where that does not go well. */
     public class FitStoreTest
     {
-        private var _storage:MemoryStorage;
-        private var _store:FitStore;
-        private var _fitter:CountingFitter;
-
-        [Before]
-        public function setUp():void
-        {
-            _storage = new MemoryStorage();
-            _store = new FitStore(1e6, _storage);
-            _fitter = new CountingFitter();
-        }
+        private var _storage:MemoryStorage = new MemoryStorage();
+        private var _store:FitStore = new FitStore(1e6, _storage);
+        private var _fitter:CountingFitter = new CountingFitter();
 
         [Test]
         public function theSecondGameComputesNothing():void

@@ -16,13 +16,7 @@ package starlogo.libraries
 
     public class HierarchiesLibraryTest
     {
-        private var _library:HierarchiesLibrary;
-
-        [Before]
-        public function makeLibrary():void
-        {
-            _library = new HierarchiesLibrary();
-        }
+        private var _library:HierarchiesLibrary = new HierarchiesLibrary();
 
         [Test]
         public function anyNameDoes():void

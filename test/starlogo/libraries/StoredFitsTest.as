@@ -49,13 +49,7 @@ package starlogo.libraries
         // What the twelve models' fits come to. Where it changes, raise FitSettings.REVISION: what players have kept is void.
         private static const FINGERPRINT:String = "37c383a5473e80ee";
 
-        private var _greatLand:GreatLand;
-
-        [Before]
-        public function setUp():void
-        {
-            _greatLand = new GreatLand();
-        }
+        private var _greatLand:GreatLand = new GreatLand();
 
         [Test]
         public function whatIsReadIsWhatWasComputed():void

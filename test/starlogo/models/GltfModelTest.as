@@ -15,13 +15,7 @@ package starlogo.models
     {
         private static const SQUARE:Array = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
 
-        private var _file:Gltf;
-
-        [Before]
-        public function setUp():void
-        {
-            _file = new Gltf();
-        }
+        private var _file:Gltf = new Gltf();
 
         [Test]
         public function readsBothKindsOfFiles():void

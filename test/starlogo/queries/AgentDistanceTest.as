@@ -24,7 +24,7 @@ package starlogo.queries
         private static var sGreatLand:GreatLand;
         private static var sNames:Array;
 
-        private var _random:SeededRandom;
+        private var _random:SeededRandom = new SeededRandom(2240);
 
         [BeforeClass]
         public static function load():void
@@ -37,12 +37,6 @@ package starlogo.queries
                 sGreatLand.addModel(model);
                 sNames.push(model.name);
             }
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(2240);
         }
 
         [Test]

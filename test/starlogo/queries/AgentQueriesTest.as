@@ -34,8 +34,8 @@ package starlogo.queries
         private var _queries:AgentQueries;
         private var _reference:LoopedQuestions;
         private var _agents:Vector.<Agent>;
-        private var _answers:int;
-        private var _empty:int;
+        private var _answers:int = 0;
+        private var _empty:int = 0;
 
         [BeforeClass]
         public static function load():void
@@ -46,12 +46,6 @@ package starlogo.queries
             {
                 sGreatLand.addModel(new ObjModel(name, Fixtures.text("/assets/" + name + ".obj")));
             }
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _answers = _empty = 0;
         }
 
         [Test]

@@ -16,13 +16,7 @@ package starlogo.queries
     /** Answers at borders: the first of several overlaps, the ground's largest cells. */
     public class BordersTest
     {
-        private var _greatLand:GreatLand;
-
-        [Before]
-        public function makeModels():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
 
         // What the motion enters at its beginning is met at time 0. If there are several, the first in the list is named.
         [Test]

@@ -47,12 +47,12 @@ package starlogo.queries
         private static var sShapes:Array;
         private static var sGreatLand:GreatLand;
 
-        private var _random:SeededRandom;
-        private var _structures:RandomStructures;
+        private var _random:SeededRandom = new SeededRandom(2221);
+        private var _structures:RandomStructures = new RandomStructures(_random);
         private var _agents:Vector.<Agent>;
         private var _origin:Vector3D;
         private var _direction:Vector3D;
-        private var _counts:Object;
+        private var _counts:Object = {rays: 0, hits: 0, inside: 0, unclear: 0, agents: 0};
 
         [BeforeClass]
         public static function load():void
@@ -69,14 +69,6 @@ package starlogo.queries
             {
                 addModel(new ObjModel(address, Fixtures.text(address)));
             }
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(2221);
-            _structures = new RandomStructures(_random);
-            _counts = {rays: 0, hits: 0, inside: 0, unclear: 0, agents: 0};
         }
 
         [Test(timeout="3600000")]

@@ -25,8 +25,8 @@ package starlogo.queries
 
         private static var sGreatLand:GreatLand;
 
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
+        private var _random:SeededRandom = new SeededRandom(2203);
+        private var _wrong:Complaints = new Complaints();
 
         [BeforeClass]
         public static function makeModels():void
@@ -38,13 +38,6 @@ package starlogo.queries
             }
             sGreatLand.addModel(BuiltInModel.cylinder());
             sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(2203);
-            _wrong = new Complaints();
         }
 
         [Test]

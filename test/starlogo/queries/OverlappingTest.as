@@ -39,10 +39,10 @@ package starlogo.queries
         private static var sGreatLand:GreatLand;
         private static var sModels:Object;
 
-        private var _random:SeededRandom;
+        private var _random:SeededRandom = new SeededRandom(2203);
         private var _agents:Vector.<Agent>;
-        private var _hits:int;
-        private var _misses:int;
+        private var _hits:int = 0;
+        private var _misses:int = 0;
 
         [BeforeClass]
         public static function load():void
@@ -57,13 +57,6 @@ package starlogo.queries
             {
                 sGreatLand.addModel(model);
             }
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(2203);
-            _hits = _misses = 0;
         }
 
         [Test(timeout="600000")]

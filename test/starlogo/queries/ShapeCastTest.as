@@ -37,9 +37,9 @@ package starlogo.queries
 
         private static var sGreatLand:GreatLand;
 
-        private var _random:SeededRandom;
-        private var _structures:RandomStructures;
-        private var _wrong:Complaints;
+        private var _random:SeededRandom = new SeededRandom(3805);
+        private var _structures:RandomStructures = new RandomStructures(_random);
+        private var _wrong:Complaints = new Complaints();
 
         [BeforeClass]
         public static function makeModels():void
@@ -51,14 +51,6 @@ package starlogo.queries
             }
             sGreatLand.addModel(BuiltInModel.cylinder());
             sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(3805);
-            _structures = new RandomStructures(_random);
-            _wrong = new Complaints();
         }
 
         private static const SAME:Number = 1e-9;

@@ -29,8 +29,8 @@ package starlogo.queries
 
         private static var sGreatLand:GreatLand;
 
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
+        private var _random:SeededRandom = new SeededRandom(2204);
+        private var _wrong:Complaints = new Complaints();
 
         // The walls: their middles and half-extents.
         private var _walls:Array;
@@ -42,13 +42,6 @@ package starlogo.queries
             sGreatLand.addModel(SolidModels.of("post", [[0.2, 0, 0, 0, false], [0.2, 0, 0, 0.2, false], [0.2, 0, 0, 0.4, false],
                             [0.2, 0, 0, 0.6, false]]));
             sGreatLand.addModel(new ObjModel("fortress", Fixtures.text("/assets/fortress.obj")));
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(2204);
-            _wrong = new Complaints();
         }
 
         [Test]

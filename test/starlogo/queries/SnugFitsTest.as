@@ -27,8 +27,8 @@ package starlogo.queries
 
         private static var sGreatLand:GreatLand;
 
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
+        private var _random:SeededRandom = new SeededRandom(4906);
+        private var _wrong:Complaints = new Complaints();
 
         // The world under way.
         private var _agents:Vector.<Agent>;
@@ -42,13 +42,6 @@ package starlogo.queries
                             [1, 1, -1, 0, false]], Model.AS_GIVEN));
             sGreatLand.addModel(sheet("sheet", 1));
             sGreatLand.addModel(sheet("large sheet", 3));
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(4906);
-            _wrong = new Complaints();
         }
 
         [Test]

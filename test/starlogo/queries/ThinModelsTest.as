@@ -16,8 +16,8 @@ package starlogo.queries
     {
         private static var sGreatLand:GreatLand;
 
-        private var _wrong:Complaints;
-        private var _touching:int;
+        private var _wrong:Complaints = new Complaints();
+        private var _touching:int = 0;
 
         [BeforeClass]
         public static function makeModels():void
@@ -26,13 +26,6 @@ package starlogo.queries
             ThinModels.addTo(sGreatLand);
             sGreatLand.addModel(BuiltInModel.cube());
             sGreatLand.addModel(BuiltInModel.sphere());
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _wrong = new Complaints();
-            _touching = 0;
         }
 
         [Test]

@@ -25,9 +25,9 @@ package starlogo.queries
         // With the tightest fits alone, and with all structures.
         private static var sLands:Vector.<GreatLand>;
 
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
-        private var _cases:int;
+        private var _random:SeededRandom = new SeededRandom(3301);
+        private var _wrong:Complaints = new Complaints();
+        private var _cases:int = 0;
 
         // The world under way.
         private var _collider:Collider;
@@ -51,14 +51,6 @@ package starlogo.queries
                 land.addModel(stretched("board", 0.001, 1, 1));
                 sLands.push(land);
             }
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(3301);
-            _wrong = new Complaints();
-            _cases = 0;
         }
 
         [Test]

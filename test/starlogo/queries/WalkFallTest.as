@@ -21,7 +21,7 @@ package starlogo.queries
     {
         private static const NEAR:Number = 1e-6;
 
-        private var _greatLand:GreatLand;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
         private var _random:SeededRandom = new SeededRandom(6151);
         private var _wrong:Complaints = new Complaints();
         private var _options:WalkOptions = new WalkOptions();
@@ -30,12 +30,6 @@ package starlogo.queries
         private var _queries:AgentQueries;
         private var _walker:Agent;
         private var _falls:int = 0;
-
-        [Before]
-        public function makeModels():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-        }
 
         // No walk ends higher than steps and slopes explain, and none goes farther sideways than it goes down.
         [Test]

@@ -21,7 +21,7 @@ package starlogo.queries
         private static const ROUNDING:Number = 1e-9;
         private static const GAPS:Number = 1e-9;
 
-        private var _greatLand:GreatLand;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
         private var _random:SeededRandom = new SeededRandom(4703);
         private var _wrong:Complaints = new Complaints();
         private var _options:WalkOptions = new WalkOptions();
@@ -34,12 +34,6 @@ package starlogo.queries
         private var _walks:int = 0;
         private var _whole:int = 0;
         private var _falls:int = 0;
-
-        [Before]
-        public function makeModels():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-        }
 
         [Test]
         public function aWalkIsNeverLongerThanItsWay():void

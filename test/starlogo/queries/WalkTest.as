@@ -29,24 +29,15 @@ package starlogo.queries
 
         private static var sGreatLand:GreatLand;
 
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
-        private var _options:WalkOptions;
-        private var _footing:Footing;
+        private var _random:SeededRandom = new SeededRandom(3809);
+        private var _wrong:Complaints = new Complaints();
+        private var _options:WalkOptions = new WalkOptions();
+        private var _footing:Footing = new Footing();
 
         [BeforeClass]
         public static function makeModels():void
         {
             sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(3809);
-            _wrong = new Complaints();
-            _options = new WalkOptions();
-            _footing = new Footing();
         }
 
         [Test]

@@ -8,19 +8,11 @@ package starlogo.search
     {
         private static const MOST:int = 300;
 
-        private var _random:SeededRandom;
-        private var _table:IdTable;
+        private var _random:SeededRandom = new SeededRandom(515);
+        private var _table:IdTable = new IdTable();
 
         // The values, by id; -1 where there is none.
-        private var _expected:Object;
-
-        [Before]
-        public function makeTable():void
-        {
-            _random = new SeededRandom(515);
-            _table = new IdTable();
-            _expected = {};
-        }
+        private var _expected:Object = {};
 
         [Test]
         public function anEmptyTableHasNothing():void

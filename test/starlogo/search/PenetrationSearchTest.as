@@ -27,23 +27,15 @@ package starlogo.search
 
         private static var sGreatLand:GreatLand;
 
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
-        private var _overlapping:int;
-        private var _deep:int;
+        private var _random:SeededRandom = new SeededRandom(2201);
+        private var _wrong:Complaints = new Complaints();
+        private var _overlapping:int = 0;
+        private var _deep:int = 0;
 
         [BeforeClass]
         public static function makeModels():void
         {
             sGreatLand = withModels(new GreatLand());
-        }
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(2201);
-            _wrong = new Complaints();
-            _overlapping = _deep = 0;
         }
 
         [Test]

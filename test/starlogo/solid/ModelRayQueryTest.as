@@ -31,15 +31,8 @@ package starlogo.solid
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, 40];
 
         private var _rays:ModelRayQuery = new ModelRayQuery();
-        private var _random:SeededRandom;
-        private var _structures:RandomStructures;
-
-        [Before]
-        public function begin():void
-        {
-            _random = new SeededRandom(2211);
-            _structures = new RandomStructures(_random);
-        }
+        private var _random:SeededRandom = new SeededRandom(2211);
+        private var _structures:RandomStructures = new RandomStructures(_random);
 
         [Test]
         public function meetsTheFirstOfAllTriangles():void

@@ -5,13 +5,7 @@ package starlogo.steps
 
     public class SlicesTest
     {
-        private var _log:Array;
-
-        [Before]
-        public function setUp():void
-        {
-            _log = [];
-        }
+        private var _log:Array = [];
 
         [Test]
         public function doesSomeInAStep():void

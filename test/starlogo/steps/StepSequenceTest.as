@@ -7,15 +7,8 @@ package starlogo.steps
 
     public class StepSequenceTest
     {
-        private var _log:Array;
-        private var _left:int;
-
-        [Before]
-        public function setUp():void
-        {
-            _log = [];
-            _left = 3;
-        }
+        private var _log:Array = [];
+        private var _left:int = 3;
 
         [Test]
         public function doesItsPartsInOrder():void

@@ -18,17 +18,11 @@ package starlogo.blocks
 
     public class CollisionBlocksTest
     {
-        private static var sGreatLand:GreatLand;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
 
         private var _agents:Vector.<Agent> = new <Agent>[];
-        private var _blocks:CollisionBlocks = new CollisionBlocks(sGreatLand, _agents);
+        private var _blocks:CollisionBlocks = new CollisionBlocks(_greatLand, _agents);
         private var _calls:Array = [];
-
-        [BeforeClass]
-        public static function load():void
-        {
-            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-        }
 
         [Test]
         public function collisionsCallTheirScripts():void

@@ -20,13 +20,7 @@ package starlogo.collision
     /** Snapshots with the agents' traits: one call writes a game, one brings it back. */
     public class SnapshotTraitsTest
     {
-        private static var sGreatLand:GreatLand;
-
-        [BeforeClass]
-        public static function makeModels():void
-        {
-            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
 
         [Test]
         public function traitsComeBackToTheBit():void
@@ -34,7 +28,7 @@ package starlogo.collision
             var random:SeededRandom = new SeededRandom(51);
             for (var round:int = 0; round < Effort.choose(20, 200); round++)
             {
-                var collision:Collision = new Collision(new CombinationCollider(sGreatLand));
+                var collision:Collision = new Collision(new CombinationCollider(_greatLand));
                 var agents:Vector.<Agent> = new Vector.<Agent>();
                 for (var i:int = 0; i < 12; i++)
                 {
@@ -55,7 +49,7 @@ package starlogo.collision
                 {
                     others.push(randomAgent(random));
                 }
-                new Collision(new CombinationCollider(sGreatLand)).restore(bytes, others);
+                new Collision(new CombinationCollider(_greatLand)).restore(bytes, others);
                 assertEquals("others", expected, textOf(others));
                 for (i = 0; i < agents.length; i++)
                 {
@@ -91,7 +85,7 @@ package starlogo.collision
         {
             for each (var withTraits:Boolean in [true, false])
             {
-                var first:PlatformGame = new PlatformGame(sGreatLand);
+                var first:PlatformGame = new PlatformGame(_greatLand);
                 first.run(5);
                 var bytes:ByteArray = first.collision.snapshot(withTraits);
                 var places:Array = first.traits();
@@ -99,7 +93,7 @@ package starlogo.collision
                 assertTrue(expected, first.carried > 5 * 0.1 && first.touches > 0);
 
                 // others, created in another order
-                var other:PlatformGame = new PlatformGame(sGreatLand);
+                var other:PlatformGame = new PlatformGame(_greatLand);
                 other.frame = 5;
                 other.agents.reverse();
                 other.agents.unshift(other.agents.pop());
@@ -124,7 +118,7 @@ package starlogo.collision
         [Test]
         public function theGroundIsThereIfItIsAskedFor():void
         {
-            var collision:Collision = new Collision(new TightestFitCollider(sGreatLand));
+            var collision:Collision = new Collision(new TightestFitCollider(_greatLand));
             collision.terrain = new Terrain(20, 20);
             collision.terrain.setHeight(3, 3, 2);
             var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 3, 3, 1)];
@@ -165,7 +159,7 @@ package starlogo.collision
         }
 
         // When two trees meet, or -1. Either may be the older one, and the first in the list.
-        private static function timeOfMeeting(seed:int, isSecondOlder:Boolean, isTurned:Boolean):Number
+        private function timeOfMeeting(seed:int, isSecondOlder:Boolean, isTurned:Boolean):Number
         {
             var random:SeededRandom = new SeededRandom(seed);
             var second:Agent = isSecondOlder ? new Agent("cylinder") : null;
@@ -178,7 +172,7 @@ package starlogo.collision
                 agent.moveTo(random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.1, 0.1));
             }
             first.x -= 5;
-            var collision:Collision = new Collision(EachCollider.make("triangles", sGreatLand));
+            var collision:Collision = new Collision(EachCollider.make("triangles", _greatLand));
             var time:Number = -1;
             collision.onCollision("turtles", "turtles", function(a:Agent, b:Agent, contact:Contact):void
                 {
@@ -217,7 +211,7 @@ package starlogo.collision
         [Test]
         public function badBytesChangeNothing():void
         {
-            var game:PlatformGame = new PlatformGame(sGreatLand);
+            var game:PlatformGame = new PlatformGame(_greatLand);
             game.run(5);
             var bytes:ByteArray = game.collision.snapshot(true);
             var random:SeededRandom = new SeededRandom(7);
@@ -260,7 +254,7 @@ package starlogo.collision
         [Test]
         public function aModelThatIsNotThereChangesNothing():void
         {
-            var game:PlatformGame = new PlatformGame(sGreatLand);
+            var game:PlatformGame = new PlatformGame(_greatLand);
             game.run(5);
             var bytes:ByteArray = game.collision.snapshot(true);
             var land:GreatLand = landOf(BuiltInModel.sphere());

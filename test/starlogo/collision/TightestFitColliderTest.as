@@ -20,20 +20,14 @@ package starlogo.collision
     {
         private static const SHAPES:Array = ["ball", "wall", "pole", "brick"];
 
-        private static var sGreatLand:GreatLand;
-
-        [BeforeClass]
-        public static function load():void
-        {
-            sGreatLand = landOf(new Model("ball", BuiltInModel.sphere().vertices), box("wall", 1, 0.05, 2), pole(), box("brick", 1, 0.6, 0.4));
-        }
+        private var _greatLand:GreatLand = landOf(new Model("ball", BuiltInModel.sphere().vertices), box("wall", 1, 0.05, 2), pole(), box("brick", 1, 0.6, 0.4));
 
         [Test]
         public function eachKindIsTheTightestFitOfSomeModel():void
         {
-            assertEquals(BoundingStructure.SPHERE, sGreatLand.boundingStructures.tightestFit("ball").kind);
-            assertEquals(BoundingStructure.BOX, sGreatLand.boundingStructures.tightestFit("wall").kind);
-            assertEquals(BoundingStructure.CAPSULE, sGreatLand.boundingStructures.tightestFit("pole").kind);
+            assertEquals(BoundingStructure.SPHERE, _greatLand.boundingStructures.tightestFit("ball").kind);
+            assertEquals(BoundingStructure.BOX, _greatLand.boundingStructures.tightestFit("wall").kind);
+            assertEquals(BoundingStructure.CAPSULE, _greatLand.boundingStructures.tightestFit("pole").kind);
         }
 
         [Test]
@@ -41,21 +35,21 @@ package starlogo.collision
         {
             for each (var kind:String in ["scattered", "mixed sizes", "on borders", "wide and sparse"])
             {
-                compareWithBruteForce(sGreatLand, kind, 201);
+                compareWithBruteForce(_greatLand, kind, 201);
             }
         }
 
         [Test]
         public function farOutIsLikeBruteForce():void
         {
-            compareWithBruteForce(sGreatLand, "far out", 203);
+            compareWithBruteForce(_greatLand, "far out", 203);
         }
 
         [Test]
         public function countsTestsByTheirKinds():void
         {
             var agents:Vector.<Agent> = new <Agent>[agentAt("ball", 0, 0, 0), agentAt("ball", 0.1, 0, 0), agentAt("wall", 0, 0.04, 0), agentAt("pole", 0, 0, 0.1), agentAt("wall", 0, 0, 0)];
-            var collider:TightestFitCollider = new TightestFitCollider(sGreatLand);
+            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
             collider.areColliding(agents[2], agents[4]);
             collider.findCollisions(agents);
             var statistics:CollisionStatistics = collider.statistics;

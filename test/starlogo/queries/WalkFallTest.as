@@ -31,7 +31,10 @@ package starlogo.queries
         private var _walker:Agent;
         private var _falls:int = 0;
 
-        // No walk ends higher than steps and slopes explain, and none goes farther sideways than it goes down.
+        // rocks may push the walker, so that slopes do not explain where it goes
+        private var _hasRocks:Boolean = false;
+
+        // No walk ends higher than steps and slopes explain, none goes farther sideways than it goes down, and none farther than its way.
         [Test]
         public function noWalkGoesWhereNoSlopeLeads():void
         {
@@ -168,6 +171,64 @@ package starlogo.queries
             assertTrue(String(edges), edges > 20);
         }
 
+        // On the edge of a low column the ground's normal is tilted. The plane of such a place would lead a long walk over any wall.
+        [Test]
+        public function aLongWalkGoesOverNoWall():void
+        {
+            _options.fall = Infinity;
+            var far:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var world:int = 0; world < Effort.choose(4, 40, 1); world++)
+                {
+                    _terrain = new Terrain(21, 21, 1, -10, -10);
+                    _terrain.isBlocky = world % 2 == 0;
+                    fillHeights(_terrain, function(column:int, row:int):Number
+                        {
+                            return Math.max(Math.abs(column - 10), Math.abs(row - 10)) == 8 ? 4 : _random.between(-0.1, 0.1);
+                        });
+                    _walker = agentAt(_random.pick(["sphere", "cube", "cylinder"]), 0, 0, 0.2);
+                    ask(name);
+                    for (var k:int = 0; k < Effort.choose(20, 20, 2); k++)
+                    {
+                        var angle:Number = _random.between(0, 2 * Math.PI);
+                        var way:Number = _random.between(1, 40);
+                        _queries.walk(_walker, way * Math.cos(angle), way * Math.sin(angle), _options, _footing);
+                        var message:String = name + " " + world + ", walk " + k + " of " + way + ": " + [_walker.x, _walker.y, _walker.z];
+                        assertTrue(message, Math.abs(_walker.x) < 8 && Math.abs(_walker.y) < 8 && _walker.z < 3.5);
+                        far += Math.max(Math.abs(_walker.x), Math.abs(_walker.y)) > 5 ? 1 : 0;
+                    }
+                }
+            }
+            assertTrue("at the wall: " + far, far > 2);
+        }
+
+        [Test]
+        public function whatIsInTheWayOfASlideDownStopsIt():void
+        {
+            _options.fall = 0.5;
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                _terrain = new Terrain(9, 9, 1, -4, -4);
+                fillHeights(_terrain, function(column:int, row:int):Number
+                    {
+                        return -2 * column;
+                    });
+                _walker = agentAt("sphere", 0, 0.1, -7.5);
+                _walker.size = 0.5;
+                var rock:Agent = agentAt("cube", 2.3, 0.1, -9.5);
+                rock.size = 4;
+                rock.hierarchical = true;
+                ask(name, [rock]);
+                for (var i:int = 0; i < 5; i++)
+                {
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertFalse(name + ": " + [i, _walker.x, _walker.z], _queries.touchesAny(_walker));
+                }
+                assertTrue(name + ": " + _walker.x, _walker.x > 0.04 && _walker.x < 0.06);
+            }
+        }
+
         [Test]
         public function whatIsRefusedHasNotMoved():void
         {
@@ -194,19 +255,28 @@ package starlogo.queries
             _options.slopeDegrees = _random.pick([30, 45, 60]);
             _options.stepHeight = _random.pick([0, 0.1, 0.25, 0.5]);
             _options.snap = _random.pick([0.1, 0.25, 0.5]);
-            _options.fall = _random.pick([0.1, 0.5, 2]);
+            _options.fall = _random.pick([0, 0.1, 0.5, 2]);
             _walker = agentAt(_random.pick(["sphere", "cube", "cylinder"]), 0, 0, 0);
             _walker.size = _random.pick([0.2, 0.5, 1.2]);
             _walker.heading = _random.between(0, 360);
-            ask(name);
+            _hasRocks = world % 3 == 2;
+            var rocks:Array = [];
+            for (var i:int = 0; i < 40 && _hasRocks; i++)
+            {
+                rocks.push(agentAt("cube", _random.between(-10, 10), _random.between(-10, 10), _random.between(-1, 0.5)));
+                rocks[i].heading = _random.between(0, 360);
+                rocks[i].pitch = _random.between(-40, 40);
+                rocks[i].hierarchical = true;
+            }
+            ask(name, rocks);
             land(_random.between(-9, 9), _random.between(-9, 9));
         }
 
-        private function ask(name:String):void
+        private function ask(name:String, rocks:Array = null):void
         {
             _queries = new AgentQueries(EachCollider.make(name, _greatLand));
             _queries.terrain = _terrain;
-            _queries.update(new <Agent>[_walker]);
+            _queries.update(Vector.<Agent>([_walker].concat(rocks || [])));
         }
 
         // Puts the walker on the ground.
@@ -233,8 +303,11 @@ package starlogo.queries
             var climbed:Number = Math.ceil(way / _walker.size) * _options.stepHeight + way * steepest;
             var message:String = [x, y, z].join() + " of " + way + " to " + [_walker.x, _walker.y, _walker.z] + ", " + stood + ", " + _footing.stands;
             _falls += _footing.stands ? 0 : 1;
-            _wrong.addIf(rise > (stood ? climbed : 0) + NEAR, name + ": too high", message);
-            _wrong.addIf(gone > way + Math.max(0, climbed - rise) / steepest + NEAR, name + ": too far", message);
+            var rounding:Number = 1e-9 * (way + _options.fall + _walker.size);
+            _wrong.addIf(gone > way + _options.fall / 2 + rounding, name + ": farther than its way", message);
+            _wrong.addIf(_options.fall == 0 && Math.abs(_footing.part * way - gone) > rounding, name + ": another part", message);
+            _wrong.addIf(!_hasRocks && rise > (stood ? climbed : 0) + NEAR, name + ": too high", message);
+            _wrong.addIf(!_hasRocks && gone > way + Math.max(0, climbed - rise) / steepest + NEAR, name + ": too far", message);
         }
 
         // Two slopes that meet in a level groove.

@@ -19,7 +19,7 @@ package starlogo.queries
         private static const NAMES:Array = ["tightest fits", "hierarchies", "triangles", "combinations", "combinations, exact"];
         private static const NEAR:Number = 1e-6;
 
-        private static var sGreatLand:GreatLand;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.cube(), BuiltInModel.cylinder());
 
         private var _options:WalkOptions = new WalkOptions();
         private var _footing:Footing = new Footing();
@@ -28,12 +28,6 @@ package starlogo.queries
         private var _wall:Agent;
         private var _agents:Vector.<Agent>;
         private var _queries:AgentQueries;
-
-        [BeforeClass]
-        public static function makeModels():void
-        {
-            sGreatLand = landOf(BuiltInModel.cube(), BuiltInModel.cylinder());
-        }
 
         [Test]
         public function aTurnBesideAWallPushes():void
@@ -246,7 +240,7 @@ package starlogo.queries
             {
                 agent.hierarchical = true;
             }
-            _queries = new AgentQueries(EachCollider.make(name, sGreatLand));
+            _queries = new AgentQueries(EachCollider.make(name, _greatLand));
             _queries.update(_agents);
             _queries.walk(_walker, 0, 0, _options, _footing);
         }

@@ -27,18 +27,12 @@ package starlogo.queries
         private static const WALKERS:Array = ["sphere", "cube", "cylinder"];
         private static const NEAR:Number = 1e-6;
 
-        private static var sGreatLand:GreatLand;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
 
         private var _random:SeededRandom = new SeededRandom(3809);
         private var _wrong:Complaints = new Complaints();
         private var _options:WalkOptions = new WalkOptions();
         private var _footing:Footing = new Footing();
-
-        [BeforeClass]
-        public static function makeModels():void
-        {
-            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-        }
 
         [Test]
         public function tilesAreOneFloor():void
@@ -341,7 +335,7 @@ package starlogo.queries
             {
                 for (var world:int = 0; world < Effort.choose(4, 200); world++)
                 {
-                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
                     var terrain:Terrain = new Terrain(24, 24, 1, -12, -12);
                     for (var i:int = 0; i < 12; i++)
                     {
@@ -397,7 +391,7 @@ package starlogo.queries
             assertThrows(ArgumentError, /unicorn/, queries.walk, new Agent("unicorn"), 1, 0);
             assertEquals(0, walker.x);
             assertTrue("in no list, and with no options", queries.walk(walker, 0.1, 0).stands && walker.x > 0.09);
-            var loader:ModelLoader = new ModelLoader(sGreatLand);
+            var loader:ModelLoader = new ModelLoader(_greatLand);
             loader.load("late", "late.obj");
             var late:Agent = new Agent("late");
             assertFalse(queries.walk(late, 1, 2, _options, _footing).stands);
@@ -474,7 +468,7 @@ package starlogo.queries
             {
                 agent.hierarchical = true;
             }
-            var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+            var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
             queries.update(agents);
             return queries;
         }

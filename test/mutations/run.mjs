@@ -17,7 +17,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { randomNumbers } from "../module/games.mjs";
 
-const PACKAGES = ["collision", "handlers", "search", "terrain", "hierarchy", "intersection", "queries"];
+const PACKAGES = ["collision", "handlers", "search", "ground", "terrain", "hierarchy", "intersection", "queries"];
 const PATIENCE_MS = 600000;
 
 /** Measures time: a busy machine fails it, whatever was changed. */

@@ -16,7 +16,7 @@ import { fileURLToPath } from 'node:url';
 
 /** Packages and classes whose functions run every frame. */
 const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.geometry.Placement',
-	'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid', 'starlogo.terrain'];
+	'starlogo.ground', 'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid', 'starlogo.terrain'];
 
 /** Classes of those packages that do not, and why. */
 const COLD = {

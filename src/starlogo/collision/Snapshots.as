@@ -12,8 +12,8 @@ package starlogo.collision
     import starlogo.search.AgentTable;
     import starlogo.search.CollisionSearch;
     import starlogo.search.KeptPlaces;
+    import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
-    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 

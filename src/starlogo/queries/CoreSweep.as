@@ -165,7 +165,7 @@ package starlogo.queries
             put(at, 0);
             if (body.form == ModelShape.GROUND)
             {
-                return _narrowPhase.ground.isDeeper(_moving, body, slop);
+                return _narrowPhase.testsOf(_moving, body).isDeeper(_moving, body, slop);
             }
             _standing.readShrunk(body, null, shrinkOf(body, slop));
             return touches(_standing);

@@ -8,7 +8,6 @@ package starlogo.queries
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.solid.ModelRayQuery;
-    import starlogo.terrain.HeightGrid;
 
     use namespace engine;
 
@@ -57,8 +56,7 @@ package starlogo.queries
             triangle = -1;
             if (shape.form == ModelShape.GROUND)
             {
-                var grid:HeightGrid = shape.fixture.terrain.grid;
-                return grid.rays.find(grid, ray);
+                return shape.fixture.isMet(ray);
             }
             var body:Body = _seen.table.bodyOf(row);
             var placement:Placement = body.placement;

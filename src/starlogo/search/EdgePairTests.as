@@ -6,7 +6,6 @@ package starlogo.search
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 

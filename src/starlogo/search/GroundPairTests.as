@@ -3,12 +3,12 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.ground.GroundEarlyOut;
+    import starlogo.ground.HeightGrid;
+    import starlogo.ground.TerrainPair;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.terrain.GroundEarlyOut;
-    import starlogo.terrain.HeightGrid;
-    import starlogo.terrain.TerrainPair;
 
     use namespace engine;
 
@@ -26,6 +26,10 @@ package starlogo.search
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
         private var _separation:PenetrationSearch;
+
+        // Decides quickly about bodies that are clearly above or in the ground; and about the others.
+        private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
+        private var _pair:TerrainPair = new TerrainPair();
 
         /** @param narrowPhase knows how deep trees are visited */
         public function GroundPairTests(narrowPhase:NarrowPhase)
@@ -49,8 +53,8 @@ package starlogo.search
             return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).areOverlapping();
         }
 
-        /** Whether a piece of a body is deeper in the ground than this, in patches. */
-        public function isDeeper(a:Body, b:Body, depth:Number):Boolean
+        /** @inheritDoc */
+        override public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
             return pairOf(a, b).isDeeper(depth);
         }
@@ -137,25 +141,23 @@ package starlogo.search
 
         private static function gridOf(ground:Body):HeightGrid
         {
-            return ground.shape.fixture.terrain.grid;
+            return ground.shape.fixture.grid;
         }
 
-        private static function lookOf(ground:Body):GroundEarlyOut
+        private function lookOf(ground:Body):GroundEarlyOut
         {
-            var grid:HeightGrid = gridOf(ground);
-            grid.earlyOut.begin(grid);
-            return grid.earlyOut;
+            _earlyOut.begin(gridOf(ground));
+            return _earlyOut;
         }
 
         // The test of the ground, set to a body.
         private function pairOf(a:Body, b:Body):TerrainPair
         {
             var shape:ModelShape = a.shape;
-            var grid:HeightGrid = gridOf(b);
             var trees:TreePairTests = _narrowPhase.trees;
-            var pair:TerrainPair = grid.pair;
+            var pair:TerrainPair = _pair;
             var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(a);
-            pair.setTo(grid, shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
+            pair.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
             return pair;
         }
     }

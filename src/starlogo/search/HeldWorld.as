@@ -2,8 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
-    import starlogo.terrain.HeightGrid;
-    import starlogo.terrain.WorldAgent;
+    import starlogo.ground.HeightGrid;
 
     use namespace engine;
 
@@ -31,7 +30,7 @@ package starlogo.search
             if (ground != null)
             {
                 var fixture:WorldAgent = WorldAgent(ground);
-                var grid:HeightGrid = fixture.terrain.grid;
+                var grid:HeightGrid = fixture.grid;
                 _grid = grid;
                 _heights = grid.heights;
                 _bounds = grid.bounds;

@@ -4,7 +4,6 @@ package starlogo.search
     import starlogo.broadphase.CellLists;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 
@@ -192,8 +191,8 @@ package starlogo.search
             var revision:int = _groundRevision;
             if (agent != null && row == RowList.GROUND)
             {
-                state = agent.terrain.grid;
-                revision = agent.terrain.grid.revision;
+                state = agent.grid;
+                revision = agent.grid.revision;
             }
             else if (agent != null)
             {

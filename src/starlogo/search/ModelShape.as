@@ -3,7 +3,6 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 

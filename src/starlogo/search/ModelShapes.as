@@ -4,12 +4,10 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
-    import starlogo.terrain.Terrain;
-    import starlogo.terrain.WorldAgent;
 
     use namespace engine;
 
@@ -108,15 +106,14 @@ package starlogo.search
             requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
         }
 
-        // The shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: one cell, or nothing.
+        // The shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a point.
         private static function shapeOfFixture(agent:Agent):ModelShape
         {
             var fixture:WorldAgent = WorldAgent(agent);
-            var ground:Terrain = fixture.terrain;
-            var half:Number = ground == null ? 0 : ground.cellWidth / 2;
+            var isGround:Boolean = fixture.grid != null;
             var shape:ModelShape = new ModelShape(agent.shape, Agent.ANY_KIND, 0);
-            shape.structure = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half);
-            shape.form = ground == null ? ModelShape.EDGES : ModelShape.GROUND;
+            shape.structure = new Sphere(new Vector3D(), isGround ? fixture.grid.cellWidth / 2 : 0);
+            shape.form = isGround ? ModelShape.GROUND : ModelShape.EDGES;
             shape.fixture = fixture;
             shape.isUpright = true;
             return shape;

@@ -23,19 +23,16 @@ package starlogo.search
         /** Tests pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairTests = null;
 
-        /** Tests pairs of a body and the ground. */
-        public var ground:GroundPairTests;
-
         /** Tests pairs of spheres. */
         public var spheres:SpherePairTests = new SpherePairTests();
 
-        private var _edges:EdgePairTests;
+        // Tests of pairs with the ground and with the edges of the world, from the first such pair on.
+        private var _ground:PairTests = null;
+        private var _edges:PairTests = null;
 
         /** @param choice gives the rows their shapes */
         public function NarrowPhase(choice:AgentShapes)
         {
-            ground = new GroundPairTests(this);
-            _edges = new EdgePairTests(this);
             choice.prepare(this);
         }
 
@@ -144,9 +141,13 @@ package starlogo.search
         public function testsOf(a:Body, b:Body):PairTests
         {
             var forms:int = a.form | b.form;
+            if (forms >= ModelShape.EDGES)
+            {
+                return _edges ||= b.shape.fixture.newTests(this);
+            }
             if (forms >= ModelShape.GROUND)
             {
-                return forms >= ModelShape.EDGES ? _edges : ground;
+                return _ground ||= b.shape.fixture.newTests(this);
             }
             if (forms >= ModelShape.TREE)
             {

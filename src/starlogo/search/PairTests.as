@@ -106,6 +106,12 @@ package starlogo.search
             return 0;
         }
 
+        /** Whether a piece of the first body is deeper in the second than this, in patches. Only the ground answers. */
+        public function isDeeper(a:Body, b:Body, depth:Number):Boolean
+        {
+            return false;
+        }
+
         /**
          * Finds the distance between two bodies. NarrowPhase.isSecondFirst is false for the two.
          *

@@ -2,9 +2,9 @@ package starlogo.terrain
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
+    import starlogo.ground.HeightGrid;
 
     use namespace engine;
 
@@ -26,7 +26,7 @@ package starlogo.terrain
         /** @private The heights. */
         engine var grid:HeightGrid;
 
-        private var _agent:WorldAgent;
+        private var _agent:GroundAgent;
 
         /**
          * Flat ground of height 0.
@@ -51,9 +51,7 @@ package starlogo.terrain
             requireInWorld("a terrain's x and y", x, y, 0);
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
-            _agent = new WorldAgent(Breeds.TERRAIN);
-            _agent.number = Agent.takeNumber();
-            _agent.terrain = this;
+            _agent = new GroundAgent(grid);
             _agent.moveTo(x, y, 0);
         }
 

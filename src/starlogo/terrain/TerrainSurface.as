@@ -1,6 +1,8 @@
 package starlogo.terrain
 {
     import starlogo.engine;
+    import starlogo.ground.GroundTriangles;
+    import starlogo.ground.HeightGrid;
 
     use namespace engine;
 

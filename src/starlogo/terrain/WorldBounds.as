@@ -1,7 +1,6 @@
 package starlogo.terrain
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
 
@@ -13,7 +12,7 @@ package starlogo.terrain
      */
     public final class WorldBounds
     {
-        private var _agent:WorldAgent = new WorldAgent(Breeds.EDGE);
+        private var _agent:EdgeAgent = new EdgeAgent();
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.

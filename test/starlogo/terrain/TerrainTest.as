@@ -9,6 +9,7 @@ package starlogo.terrain
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.ground.HeightGrid;
     import support.RandomGround;
     import support.assertThrows;
     import support.assign;

@@ -1,4 +1,4 @@
-package starlogo.terrain
+package starlogo.ground
 {
     /**
      * The heights of a terrain, with bounds for squares of cells. Tests skip the squares that are far above or below. It has plain fields,
@@ -45,15 +45,6 @@ package starlogo.terrain
 
         /** The number of the last level. */
         public var levels:int = 0;
-
-        /** Tests models against the ground. It is here, so that a bundle without a Terrain has none of these tests. */
-        public var pair:TerrainPair = new TerrainPair();
-
-        /** Decides quickly about shapes that are clearly above or in the ground. */
-        public var earlyOut:GroundEarlyOut = new GroundEarlyOut();
-
-        /** Finds where rays meet the ground. */
-        public var rays:GroundRay = new GroundRay();
 
         /** Whether a frame needs <code>heights</code> and <code>bounds</code> as they are. Then the next change makes new lists. */
         public var isHeld:Boolean = false;

@@ -1,4 +1,4 @@
-package starlogo.terrain
+package starlogo.ground
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;

@@ -1,4 +1,4 @@
-package starlogo.terrain
+package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
@@ -19,8 +19,10 @@ package starlogo.terrain
      *
      * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
      * place. The smallest squares, of level 0, are the cells.</p>
+     *
+     * @private
      */
-    internal final class GroundTriangles
+    public final class GroundTriangles
     {
         // The search begins with squares of which the box is at most this many long, because most boxes are small.
         private static const FIRST_SQUARES:int = 3;

@@ -1,4 +1,4 @@
-package starlogo.terrain
+package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.engine;

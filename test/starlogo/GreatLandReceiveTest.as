@@ -3,47 +3,21 @@ package starlogo
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import org.flexunit.asserts.fail;
     import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.AxisAlignedBoxFitter;
     import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.CylinderFitter;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.MinimalSphereFitter;
-    import starlogo.fitting.ZAlignedBoxFitter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.steps.Steps;
     import support.LibraryContents;
     import support.PointSets;
-    import support.SteppedModels;
     import support.assertThrows;
 
     public class GreatLandReceiveTest
     {
-        public static const FIXTURES:Array = SteppedModels.FIXTURES;
-
-        [Test]
-        public function findsWhatAddModelFinds():void
-        {
-            compare(SteppedModels.twelve().concat(SteppedModels.odd()), new GreatLand(), new GreatLand());
-        }
-
-        [Test]
-        public function keepsToTheFlags():void
-        {
-            for (var flags:int = 0; flags < 8; flags++)
-            {
-                compare(SteppedModels.builtIn(), withFlags(flags), withFlags(flags));
-            }
-        }
-
-        [Test]
-        public function keepsToTheLibrariesSettings():void
-        {
-            compare(SteppedModels.builtIn().concat(SteppedModels.odd()), withSettings(), withSettings());
-        }
-
         [Test]
         public function theSettingsAreThoseOfTheBeginning():void
         {
@@ -133,35 +107,6 @@ package starlogo
             assertTrue(greatLand.boundingStructures.tightestFit("turned").volume < 0.9);
         }
 
-        // All intakes of the second at the same time, a step of each in turn.
-        private static function compare(models:Vector.<Model>, atOnce:GreatLand, stepped:GreatLand):void
-        {
-            var intakes:Array = [];
-            for each (var model:Model in models)
-            {
-                intakes.push(stepped.receive(model));
-            }
-            while (intakes.length > 0)
-            {
-                intakes = intakes.filter(hasMore);
-            }
-            for each (model in models)
-            {
-                atOnce.addModel(model);
-                var expected:String = LibraryContents.of(atOnce, model.name);
-                var actual:String = LibraryContents.of(stepped, model.name);
-                if (actual != expected)
-                {
-                    fail(model.name + ": " + actual.substr(0, 1000) + "\ninstead of " + expected.substr(0, 1000));
-                }
-            }
-        }
-
-        private static function hasMore(intake:Steps, index:int, all:Array):Boolean
-        {
-            return intake.step();
-        }
-
         private static function finish(intake:Steps):int
         {
             var count:int = 1;
@@ -178,16 +123,6 @@ package starlogo
             greatLand.loadTightestFit = (flags & 1) != 0;
             greatLand.loadHierarchies = (flags & 2) != 0;
             greatLand.loadAllBoundingStructures = (flags & 4) != 0;
-            return greatLand;
-        }
-
-        private static function withSettings():GreatLand
-        {
-            var greatLand:GreatLand = withFlags(7);
-            greatLand.boundingStructures.fitters.push(new ZAlignedBoxFitter(5), new MinimalSphereFitter());
-            greatLand.orientedBoxDegIncrement = 15;
-            greatLand.hierarchies.splitByMean = true;
-            greatLand.hierarchies.maxDepth = 6;
             return greatLand;
         }
 

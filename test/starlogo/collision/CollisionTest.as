@@ -78,19 +78,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function breedsMayHaveAnyName():void
-        {
-            var names:Array = ["toString", "constructor", "hasOwnProperty", "__proto__", "0", "a b", "Ünïcode"];
-            for each (var name:String in names)
-            {
-                add(name, 0);
-                _collision.onCollision(name, "toString", note(name));
-            }
-            _collision.update(_agents);
-            assertEquals(names.length - 1, _calls.length);
-        }
-
-        [Test]
         public function allPairsAreKnownBeforeTheFirstHandlerRuns():void
         {
             add("bears", 0);

@@ -67,12 +67,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function aHierarchyMissesNothing():void
-        {
-            checkOneHierarchicalMissesNothing(406);
-        }
-
-        [Test]
         public function needsOnlyWhatItUses():void
         {
             _greatLand.loadHierarchies = false;
@@ -138,32 +132,6 @@ package starlogo.collision
                 hits += expected ? 1 : 0;
                 assertEquals("pair " + i, expected, _collider.areColliding(a, b));
                 assertEquals("pair " + i + ", the other way round", expected, _collider.areColliding(b, a));
-            }
-            assertTrue("hits: " + hits, hits > 60 && hits < 240);
-        }
-
-        // What the exact models meet, the looser hierarchies and fits meet too; not so for insides of hollow hierarchies.
-        private function checkOneHierarchicalMissesNothing(seed:uint):void
-        {
-            addModels();
-            var random:SeededRandom = new SeededRandom(seed);
-            var reference:HierarchyReference = new HierarchyReference(_greatLand);
-            var exact:HierarchicalCollider = new HierarchicalCollider(_greatLand);
-            exact.exact = true;
-            var hits:int = 0;
-            for (var i:int = 0; i < 300; i++)
-            {
-                var a:Agent = randomAgent(random, random.pick(SHAPES), false);
-                var b:Agent = randomAgent(random, random.pick(SHAPES), false);
-                a.hierarchical = true;
-                var isHit:Boolean = _collider.areColliding(a, b);
-                hits += isHit ? 1 : 0;
-                assertTrue("pair " + i + " has ends that meet", !isHit || reference.meetsTightestFit(a, 5, b));
-                // an a inside of b is met by b's solid fit; only a b inside of a may be missed
-                if (a.size <= b.size && exact.areColliding(a, b))
-                {
-                    assertTrue("pair " + i + " meets", isHit);
-                }
             }
             assertTrue("hits: " + hits, hits > 60 && hits < 240);
         }

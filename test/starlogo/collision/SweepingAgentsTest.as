@@ -1,6 +1,5 @@
 package starlogo.collision
 {
-    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -29,22 +28,6 @@ package starlogo.collision
             _wall.moveTo(5, 0, 0);
             _agents = new <Agent>[_ball, _wall];
             _calls = [];
-        }
-
-        [Test]
-        public function eachColliderKeepsItsOwnMotions():void
-        {
-            var often:Collider = new TightestFitCollider(_greatLand);
-            var seldom:Collider = new TightestFitCollider(_greatLand);
-            _ball.moveTo(0, 0, 0.4);
-            found(often);
-            found(seldom);
-            _ball.moveTo(10, 0, 0.4);
-            assertEquals(2, found(often));
-            _ball.moveTo(11, 0, 0.4);
-            often.areColliding(_ball, _wall);
-            assertEquals(0, found(often));
-            assertEquals("since it saw it", 2, found(seldom));
         }
 
         [Test]
@@ -188,30 +171,6 @@ package starlogo.collision
             }
             assertThrows(ArgumentError, /two different agents/, collider.contactOf, _ball, _ball);
             assertThrows(ArgumentError, /two agents/, collider.contactOf, null, _ball);
-        }
-
-        [Test]
-        public function handlersMoveNoContact():void
-        {
-            // the first handler moves what the second one is about
-            var collision:Collision = new Collision(new HierarchicalCollider(_greatLand));
-            var points:Array = [];
-            _ball.moveTo(4.45, 0, 0.4);
-            var other:Agent = new Agent("cube", "walls");
-            other.size = 0.2;
-            other.moveTo(5.55, 0, 0.4);
-            _agents.push(other);
-            collision.onCollision("walls", Collision.ANY_BREED, function(collider:Agent, collidee:Agent, contact:Contact):void
-                {
-                    points.push(contact.point.clone());
-                    collider.moveTo(100, 100, 100);
-                });
-            collision.update(_agents);
-            assertEquals(3, points.length);
-            for each (var point:Vector3D in points)
-            {
-                assertTrue(point + "", point.x < 6);
-            }
         }
 
         [Test]

@@ -13,7 +13,6 @@ package starlogo.queries
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
-    import starlogo.collision.CombinationCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.intersection.intersects;
     import starlogo.models.BuiltInModel;
@@ -74,47 +73,6 @@ package starlogo.queries
                 assertFinds("fits " + i, new TightestFitCollider(sGreatLand), structure, function(agent:Agent):Boolean
                     {
                         return intersects(TransformedStructure.of(sGreatLand.boundingStructures.tightestFit(agent.shape), agent), structure);
-                    });
-            }
-            assertMixed();
-        }
-
-        [Test(timeout="600000")]
-        public function structuresMeetTreesAsThoseOfAgentsDo():void
-        {
-            for (var i:int = 0; i < Effort.choose(60, 3000); i++)
-            {
-                makeAgents(i);
-                var system:CombinationCollider = new CombinationCollider(sGreatLand);
-                system.maxDepth = _random.integer(1, 8);
-                var other:Agent = anyAgent(i);
-                for each (var agent:Agent in _agents)
-                {
-                    agent.hierarchical = true;
-                }
-                var structure:BoundingStructure = TransformedStructure.of(sGreatLand.boundingStructures.tightestFit(other.shape), other);
-                assertFinds("trees " + i, system, structure, function(agent:Agent):Boolean
-                    {
-                        return system.areColliding(agent, other);
-                    });
-            }
-            assertMixed();
-        }
-
-        // A box is a cube's model, surfaces, inside and all.
-        [Test(timeout="600000")]
-        public function boxesMeetTrianglesAsCubesDo():void
-        {
-            for (var i:int = 0; i < Effort.choose(60, 3000); i++)
-            {
-                makeAgents(i);
-                var system:Collider = EachCollider.make("triangles", sGreatLand);
-                var cube:Agent = anyAgent(i);
-                cube.shape = "cube";
-                var box:Box = new Box(new Vector3D(0, 0, 0.5), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.5, 0.5, 0.5);
-                assertFinds("cubes " + i, system, TransformedStructure.of(box, cube), function(agent:Agent):Boolean
-                    {
-                        return system.areColliding(agent, cube);
                     });
             }
             assertMixed();

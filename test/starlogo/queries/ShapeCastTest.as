@@ -26,7 +26,6 @@ package starlogo.queries
     import support.RandomWorlds;
     import support.SolidModels;
     import support.SurfaceDistance;
-    import support.TransformedStructure;
     import support.assertThrows;
 
     /** Structures and agents that are cast along a way: against the motions of agents, and against small steps. */
@@ -143,22 +142,6 @@ package starlogo.queries
             assertTrue(stopped + " stopped, " + free + " free", stopped > 50 && free > 60);
         }
 
-        // What a system has for an agent is cast as the agent is.
-        [Test]
-        public function fitsAreCastAsTheirAgents():void
-        {
-            var stopped:int = 0;
-            var queries:AgentQueries = new AgentQueries(EachCollider.make("tightest fits", sGreatLand));
-            for (var i:int = Effort.choose(150, 10000); i > 0; i--)
-            {
-                var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 3, _random);
-                queries.update(agents);
-                var structure:BoundingStructure = TransformedStructure.of(sGreatLand.boundingStructures.tightestFit(agents[0].shape), agents[0]);
-                stopped += assertCastAlike("fit " + i, queries, structure, agents[0]);
-            }
-            assertTrue(String(stopped), stopped > 12);
-        }
-
         [Test]
         public function anAgentAndItsStructureAreCastTheSameToTheBit():void
         {
@@ -201,29 +184,6 @@ package starlogo.queries
             placement.y = agent.y;
             placement.z = agent.z;
             return placement;
-        }
-
-        [Test]
-        public function boxesMeetTrianglesAsCubesDo():void
-        {
-            var stopped:int = 0;
-            for each (var name:String in ["triangles", "combinations, exact"])
-            {
-                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
-                for (var i:int = Effort.choose(100, 10000); i > 0; i--)
-                {
-                    var agents:Vector.<Agent> = RandomWorlds.mixed(5, SHAPES, 4, _random);
-                    agents[0].shape = "cube";
-                    for each (var agent:Agent in agents)
-                    {
-                        agent.hierarchical = true;
-                    }
-                    queries.update(agents);
-                    var box:Box = new Box(new Vector3D(0, 0, 0.5), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.5, 0.5, 0.5);
-                    stopped += assertCastAlike(name + " " + i, queries, TransformedStructure.of(box, agents[0]), agents[0]);
-                }
-            }
-            assertTrue(String(stopped), stopped > 12);
         }
 
         [Test]
@@ -399,27 +359,6 @@ package starlogo.queries
             _wrong.addIf(queries.overlapping(deeper).indexOf(hit.agent) < 0, name + ": no touch", message);
             var apart:BoundingStructure = moved(there, hit.normal, 1e-7);
             _wrong.addIf(queries.overlapping(apart).indexOf(hit.agent) >= 0, name + ": normal does not separate", message);
-        }
-
-        private function assertCastAlike(message:String, queries:AgentQueries, structure:BoundingStructure, agent:Agent):int
-        {
-            var way:Vector3D = anyWay(5);
-            if (queries.touchesAny(agent))
-            {
-                // the way out of an overlap need not be the same
-                return 0;
-            }
-            var filter:AgentFilter = new AgentFilter();
-            filter.except = new <Agent>[agent];
-            var expected:ShapeHit = queries.castAgent(agent, way.x, way.y, way.z);
-            var hit:ShapeHit = queries.castShape(structure, way.x, way.y, way.z, filter);
-            assertEquals(message, expected == null, hit == null);
-            if (hit == null)
-            {
-                return 0;
-            }
-            assertTrue(message + ": " + hit.time + " and " + expected.time, Math.abs(hit.time - expected.time) < 1e-7);
-            return 1;
         }
 
         private static function assertStops(queries:AgentQueries, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, time:Number, x:Number, y:Number,

@@ -16,6 +16,7 @@ package starlogo.collision
     import support.Fixtures;
     import support.TransformedStructure;
     import support.assertThrows;
+    import support.assign;
 
     /** Agents that say which structure stands for them (thesis §7.3). */
     public class CollideAsTest
@@ -110,14 +111,9 @@ package starlogo.collision
             agent.collideAs = Agent.CAPSULE;
             for each (var name:String in ["ball", "", null, "Sphere"])
             {
-                assertThrows(ArgumentError, /collideAs must be "tightest", "sphere", "box" or "capsule", not /, assign, agent, name);
+                assertThrows(ArgumentError, /collideAs must be "tightest", "sphere", "box" or "capsule", not /, assign, agent, "collideAs", name);
             }
             assertEquals(Agent.CAPSULE, agent.collideAs);
-        }
-
-        private static function assign(agent:Agent, value:String):void
-        {
-            agent.collideAs = value;
         }
 
         private static function addModels(greatLand:GreatLand):void

@@ -371,11 +371,11 @@ package starlogo.collision
         [Test]
         public function whatIsRefusedChangesNothing():void
         {
-            assertThrows(RangeError, /NaN/, makeBounds, NaN, 0, 0, 1, 1, 1);
-            assertThrows(RangeError, /least y.*2, 1/, makeBounds, 0, 2, 0, 1, 1, 1);
-            assertThrows(RangeError, /least x.*Infinity, Infinity/, makeBounds, Infinity, 0, 0, Infinity, 1, 1);
-            assertThrows(RangeError, /least z.*-Infinity, -Infinity/, makeBounds, 0, 0, -Infinity, 1, 1, -Infinity);
-            assertThrows(RangeError, /edges of the world must be between -1000000000 and 1000000000, a finite number: 2000000000/, makeBounds, 0, 0, 0, 1, 2e9, 1);
+            assertThrows(RangeError, /NaN/, create, WorldBounds, NaN, 0, 0, 1, 1, 1);
+            assertThrows(RangeError, /least y.*2, 1/, create, WorldBounds, 0, 2, 0, 1, 1, 1);
+            assertThrows(RangeError, /least x.*Infinity, Infinity/, create, WorldBounds, Infinity, 0, 0, Infinity, 1, 1);
+            assertThrows(RangeError, /least z.*-Infinity, -Infinity/, create, WorldBounds, 0, 0, -Infinity, 1, 1, -Infinity);
+            assertThrows(RangeError, /edges of the world must be between -1000000000 and 1000000000, a finite number: 2000000000/, create, WorldBounds, 0, 0, 0, 1, 2e9, 1);
             var bounds:WorldBounds = new WorldBounds(-1, -2, -3, 1, 2, Infinity);
             assertThrows(RangeError, /least z.*NaN/, bounds.setTo, 0, 0, 0, 1, 1, NaN);
             assertEquals("-1,-2,-3,1,2,Infinity", [bounds.minX, bounds.minY, bounds.minZ, bounds.maxX, bounds.maxY, bounds.maxZ].join());
@@ -385,11 +385,6 @@ package starlogo.collision
             collision = new Collision(new OwnVectorSystem(new <Agent>[]));
             collision.bounds = bounds;
             assertThrows(IllegalOperationError, /bounds need one of the engine's collision systems/, collision.update, new <Agent>[]);
-        }
-
-        private function makeBounds(minX:Number, minY:Number, minZ:Number, maxX:Number, maxY:Number, maxZ:Number):void
-        {
-            new WorldBounds(minX, minY, minZ, maxX, maxY, maxZ);
         }
 
         private function note(name:String):Function

@@ -16,6 +16,7 @@ package starlogo.libraries
     import support.Mutations;
     import support.PointSets;
     import support.assertThrows;
+    import support.create;
 
     /** What is kept from one game to the next, and what happens where that does not go well. */
     public class FitStoreTest
@@ -78,8 +79,8 @@ package starlogo.libraries
             assertThrows(ArgumentError, /null/, _store.read, null, settings);
             assertThrows(ArgumentError, /null/, _store.read, BuiltInModel.cube(), null);
             assertThrows(ArgumentError, /null/, _store.write, BuiltInModel.cube(), settings, null);
-            assertThrows(RangeError, /-1/, newStore, -1);
-            assertThrows(RangeError, /NaN/, newStore, NaN);
+            assertThrows(RangeError, /-1/, create, FitStore, -1);
+            assertThrows(RangeError, /NaN/, create, FitStore, NaN);
         }
 
         [Test]
@@ -251,11 +252,6 @@ package starlogo.libraries
             game.boundingStructures.fitters.push(_fitter);
             game.fitStore = store;
             return game;
-        }
-
-        private static function newStore(capacity:Number):FitStore
-        {
-            return new FitStore(capacity);
         }
 
         private static function settingsOf(game:GreatLand):FitSettings

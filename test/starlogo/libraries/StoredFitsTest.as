@@ -257,30 +257,14 @@ package starlogo.libraries
         {
             var model:Model = bear();
             _greatLand.addModel(model);
-            var spoilers:Array = [function(box:Box):void
-                {
-                    box.halfX = NaN;
-                }, function(box:Box):void
-                {
-                    box.halfX = Infinity;
-                }, function(box:Box):void
-                {
-                    box.halfZ = -1;
-                }, function(box:Box):void
-                {
-                    box.center.y = NaN;
-                }, function(box:Box):void
-                {
-                    box.axisX.scaleBy(1.000001);
-                }, function(box:Box):void
-                {
-                    box.axisX = box.axisY;
-                }
-            ];
-            for each (var spoil:Function in spoilers)
+            var fit:Box = Box(_greatLand.boundingStructures.tightestFit("bear"));
+            var longer:Vector3D = fit.axisX.clone();
+            longer.scaleBy(1.000001);
+            for each (var wrong:Array in [["halfX", NaN], ["halfX", Infinity], ["halfZ", -1], ["center", new Vector3D(0, NaN, 0)], ["axisX", longer],
+                        ["axisX", fit.axisY]])
             {
-                var box:Box = Box(_greatLand.boundingStructures.tightestFit("bear").clone());
-                spoil(box);
+                var box:Box = Box(fit.clone());
+                box[wrong[0]] = wrong[1];
                 var fits:ModelFits = fitsOf(model);
                 fits.structures = new Vector.<BoundingStructure>(3);
                 fits.structures[BoundingStructure.BOX] = box;

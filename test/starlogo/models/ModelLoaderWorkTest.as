@@ -14,6 +14,7 @@ package starlogo.models
     import support.RecordingURLLoader;
     import support.assertThrows;
     import support.assign;
+    import support.create;
     import support.encoded;
 
     /** How a ModelLoader lives and works: its frames, its clock, its fetching. It is its receiver itself. */
@@ -106,9 +107,9 @@ package starlogo.models
         [Test]
         public function refusesWhatItCannotWorkWith():void
         {
-            assertThrows(ArgumentError, /receiver/, newLoader, null, 8);
-            assertThrows(RangeError, /-1/, newLoader, this, -1);
-            assertThrows(RangeError, /NaN/, newLoader, this, NaN);
+            assertThrows(ArgumentError, /receiver/, create, ModelLoader, null, 8);
+            assertThrows(RangeError, /-1/, create, ModelLoader, this, -1);
+            assertThrows(RangeError, /NaN/, create, ModelLoader, this, NaN);
             var loader:ModelLoader = new ModelLoader(this);
             loader.budget = Infinity;
             assertThrows(RangeError, /budget.*-0\.5/, assign, loader, "budget", -0.5);
@@ -210,11 +211,6 @@ package starlogo.models
 
         private static function doNothing():void
         {
-        }
-
-        private function newLoader(receiver:ModelReceiver, budget:Number):ModelLoader
-        {
-            return new ModelLoader(receiver, budget);
         }
 
         private function whenComplete(check:Function):void

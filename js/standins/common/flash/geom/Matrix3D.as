@@ -1,4 +1,3 @@
-// This file is long because it has the whole of a class of Flash.
 package flash.geom
 {
     import standin.SinglePrecision;
@@ -7,7 +6,7 @@ package flash.geom
      * A 4 by 4 matrix of columns. It transforms a point (x, y, z, 1) to x * column 0 + y * column 1 + z * column 2 + column 3. To append a
      * transform means that it comes after the matrix's own, to prepend one that it comes before.
      *
-     * <p>Methods that return no object allocate nothing, except recompose, interpolateTo and pointAt.</p>
+     * <p>It has what the engine needs of Flash's class, and what belongs to it. Methods that return no object allocate nothing.</p>
      */
     public class Matrix3D
     {
@@ -21,11 +20,6 @@ package flash.geom
         // below this, an inverse would be too large
         private static const SINGULAR:Number = 1e-11;
 
-        // the names in Flash's Orientation3D
-        private static const EULER_ANGLES:String = "eulerAngles";
-        private static const AXIS_ANGLE:String = "axisAngle";
-        private static const QUATERNION:String = "quaternion";
-
         private static const IDENTITY:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
         private static var sRotation:Matrix3D = new Matrix3D();
@@ -37,19 +31,6 @@ package flash.geom
         public function Matrix3D(v:Vector.<Number> = null)
         {
             rawData = v;
-        }
-
-        /**
-         * A matrix between two others. The translation is interpolated linearly, the rotation about one axis the shorter way round. The
-         * result has no scale, because both matrices are taken as rotations. Flash does this too.
-         *
-         * @param percent 0 is the first matrix, 1 the second
-         */
-        public static function interpolate(thisMat:Matrix3D, toMat:Matrix3D, percent:Number):Matrix3D
-        {
-            var between:Matrix3D = thisMat.clone();
-            between.interpolateTo(toMat, percent);
-            return between;
         }
 
         /** A copy of the 16 elements, column by column. */
@@ -106,11 +87,6 @@ package flash.geom
             setElements(sourceMatrix3D._m);
         }
 
-        public function copyToMatrix3D(dest:Matrix3D):void
-        {
-            dest.copyFrom(this);
-        }
-
         /**
          * Copies 16 elements, column by column; with transpose row by row.
          *
@@ -121,7 +97,7 @@ package flash.geom
         {
             if (vector.length - 16 < Number(index))
             {
-                throw invalidParameter();
+                throw new ArgumentError("Error #2004: One of the parameters is invalid.");
             }
             for (var i:int = 0; i < 16; i++)
             {
@@ -153,30 +129,6 @@ package flash.geom
             {
                 this.transpose();
             }
-        }
-
-        /** @throws ArgumentError if there is no such column */
-        public function copyColumnFrom(column:uint, vector3D:Vector3D):void
-        {
-            copyLineFrom(column, 4 * column, 1, vector3D);
-        }
-
-        /** @throws ArgumentError if there is no such column */
-        public function copyColumnTo(column:uint, vector3D:Vector3D):void
-        {
-            copyLineTo(column, 4 * column, 1, vector3D);
-        }
-
-        /** @throws ArgumentError if there is no such row */
-        public function copyRowFrom(row:uint, vector3D:Vector3D):void
-        {
-            copyLineFrom(row, row, 4, vector3D);
-        }
-
-        /** @throws ArgumentError if there is no such row */
-        public function copyRowTo(row:uint, vector3D:Vector3D):void
-        {
-            copyLineTo(row, row, 4, vector3D);
         }
 
         public function append(lhs:Matrix3D):void
@@ -224,7 +176,12 @@ package flash.geom
         public function prependScale(xScale:Number, yScale:Number, zScale:Number):void
         {
             checkScale(xScale, yScale, zScale);
-            scaleColumns(xScale, yScale, zScale);
+            for (var i:int = 0; i < 4; i++)
+            {
+                _m[i] *= xScale;
+                _m[int(i + 4)] *= yScale;
+                _m[int(i + 8)] *= zScale;
+            }
             roundIfSingle();
         }
 
@@ -362,138 +319,12 @@ package flash.geom
             }
         }
 
-        /**
-         * The translation, rotation and scale. The method recompose makes the same matrix from them, if it has no shear. A matrix that mirrors has a
-         * negative z scale. Angles are in radians.
-         *
-         * <p>Ruffle differs in three points. Here half a turn has an axis, an angle is never NaN if its cosine is rounded to more than 1,
-         * and Euler angles have the right sign if y is a quarter turn down.</p>
-         *
-         * @throws Error if there is no such orientation style
-         */
-        public function decompose(orientationStyle:String = "eulerAngles"):Vector.<Vector3D>
-        {
-            checkOrientation(orientationStyle);
-            var scale:Vector3D = scaleOfColumns();
-            var rotation:Matrix3D = new Matrix3D();
-            rotation.setUnscaled(this, scale);
-            var turn:Vector3D;
-            if (orientationStyle == EULER_ANGLES)
-            {
-                turn = rotation.toEulerAngles();
-            }
-            else
-            {
-                turn = rotation.toQuaternion();
-                if (orientationStyle == AXIS_ANGLE)
-                {
-                    toAxisAngle(turn);
-                }
-            }
-            return new <Vector3D>[position, turn, scale];
-        }
-
-        /**
-         * Sets the matrix from a translation, rotation and scale: see decompose.
-         *
-         * @return whether there are three components and none is null; if not, the matrix is unchanged
-         * @throws TypeError if the components are null
-         * @throws Error if there is no such orientation style
-         */
-        public function recompose(components:Vector.<Vector3D>, orientationStyle:String = "eulerAngles"):Boolean
-        {
-            var count:int = components.length;
-            checkOrientation(orientationStyle);
-            if (count < 3 || components[0] == null || components[1] == null || components[2] == null)
-            {
-                return false;
-            }
-            var turn:Vector3D = components[1].clone();
-            identity();
-            if (orientationStyle == EULER_ANGLES)
-            {
-                setEulerAngles(turn);
-            }
-            else
-            {
-                if (orientationStyle == AXIS_ANGLE)
-                {
-                    turn.scaleBy(Math.sin(turn.w / 2));
-                    turn.w = Math.cos(turn.w / 2);
-                }
-                setQuaternion(turn);
-            }
-            scaleColumns(components[2].x, components[2].y, components[2].z);
-            position = components[0];
-            return true;
-        }
-
-        /**
-         * Moves and turns this matrix a part of the way to another: see interpolate.
-         *
-         * @param percent 0 is this matrix, 1 the other
-         */
-        public function interpolateTo(toMat:Matrix3D, percent:Number):void
-        {
-            var place:Vector3D = position;
-            mix(place, toMat.position, 1 - percent, percent);
-            var turn:Vector3D = toQuaternion();
-            turnTowards(turn, toMat.toQuaternion(), percent);
-            identity();
-            setQuaternion(turn);
-            position = place;
-        }
-
-        /**
-         * Turns the matrix in place to face a point. Its direction <code>at</code> then points there, and its direction <code>up</code> is
-         * as close as possible to the untransformed one. The scale stays. This follows Flash's documentation; Ruffle does nothing.
-         *
-         * @param pos the point to face, in the world; if it is the matrix's own position, nothing changes
-         * @param at the object's own forward direction; null is (0, 0, -1)
-         * @param up the object's own upward direction; null is (0, -1, 0)
-         */
-        public function pointAt(pos:Vector3D, at:Vector3D = null, up:Vector3D = null):void
-        {
-            var towards:Vector3D = pos.subtract(position);
-            var forward:Vector3D = at == null ? new Vector3D(0, 0, -1) : at.clone();
-            var upward:Vector3D = up == null ? new Vector3D(0, -1, 0) : up.clone();
-            if (towards.normalize() == 0 || forward.normalize() == 0)
-            {
-                return;
-            }
-            var components:Vector.<Vector3D> = decompose();
-            var own:Matrix3D = frameOf(forward, upward);
-            var turned:Matrix3D = frameOf(towards, upward);
-            own.transpose();
-            own.append(turned);
-            components[1] = own.decompose()[1];
-            recompose(components);
-        }
-
         private function setElements(elements:Vector.<Number>):void
         {
             for (var i:int = 0; i < 16; i++)
             {
                 _m[i] = elements[i];
             }
-        }
-
-        /** Sets a column or row: four elements, beginning at at, step apart. */
-        private function copyLineFrom(line:uint, at:int, step:int, vector3D:Vector3D):void
-        {
-            checkLine(line);
-            _m[at] = vector3D.x;
-            _m[int(at + step)] = vector3D.y;
-            _m[int(at + 2 * step)] = vector3D.z;
-            _m[int(at + 3 * step)] = vector3D.w;
-            roundIfSingle();
-        }
-
-        private function copyLineTo(line:uint, at:int, step:int, vector3D:Vector3D):void
-        {
-            checkLine(line);
-            vector3D.setTo(_m[at], _m[int(at + step)], _m[int(at + 2 * step)]);
-            vector3D.w = _m[int(at + 3 * step)];
         }
 
         /** this = left * right; either may be this. */
@@ -555,169 +386,6 @@ package flash.geom
             }
         }
 
-        private function scaleColumns(xScale:Number, yScale:Number, zScale:Number):void
-        {
-            for (var i:int = 0; i < 4; i++)
-            {
-                _m[i] *= xScale;
-                _m[int(i + 4)] *= yScale;
-                _m[int(i + 8)] *= zScale;
-            }
-        }
-
-        /** The lengths of the columns. The z length is negative if the matrix mirrors. */
-        private function scaleOfColumns():Vector3D
-        {
-            var m:Vector.<Number> = _m;
-            var scale:Vector3D = new Vector3D(Math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]), Math.sqrt(m[4] * m[4] + m[5] * m[5] + m[6] * m[6]),
-                    Math.sqrt(m[8] * m[8] + m[9] * m[9] + m[10] * m[10]));
-            if (m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]) < 0)
-            {
-                scale.z = -scale.z;
-            }
-            return scale;
-        }
-
-        /** Sets this to a matrix divided by its scale. */
-        private function setUnscaled(matrix:Matrix3D, scale:Vector3D):void
-        {
-            for (var i:int = 0; i < 3; i++)
-            {
-                _m[i] = matrix._m[i] / scale.x;
-                _m[int(i + 4)] = matrix._m[int(i + 4)] / scale.y;
-                _m[int(i + 8)] = matrix._m[int(i + 8)] / scale.z;
-            }
-        }
-
-        private function toEulerAngles():Vector3D
-        {
-            if (_m[2] >= 1 || _m[2] <= -1)
-            {
-                // x and z turn about the same axis, so x gets the whole angle
-                var isDown:Boolean = _m[2] >= 1;
-                return new Vector3D(Math.atan2(isDown ? -_m[4] : _m[4], _m[5]), isDown ? -Math.PI / 2 : Math.PI / 2, 0);
-            }
-            return new Vector3D(Math.atan2(_m[6], _m[10]), Math.asin(-_m[2]), Math.atan2(_m[1], _m[0]));
-        }
-
-        /** The unit quaternion, by Shepperd's method, which divides by the largest of the four. */
-        private function toQuaternion():Vector3D
-        {
-            var q:Vector3D = new Vector3D();
-            if (_m[0] + _m[5] + _m[10] > 0)
-            {
-                q.w = Math.sqrt(1 + _m[0] + _m[5] + _m[10]) / 2;
-                q.setTo((_m[6] - _m[9]) / (4 * q.w), (_m[8] - _m[2]) / (4 * q.w), (_m[1] - _m[4]) / (4 * q.w));
-            }
-            else if (_m[0] > _m[5] && _m[0] > _m[10])
-            {
-                q.x = Math.sqrt(1 + _m[0] - _m[5] - _m[10]) / 2;
-                q.y = (_m[1] + _m[4]) / (4 * q.x);
-                q.z = (_m[8] + _m[2]) / (4 * q.x);
-                q.w = (_m[6] - _m[9]) / (4 * q.x);
-            }
-            else if (_m[5] > _m[10])
-            {
-                q.y = Math.sqrt(1 + _m[5] - _m[0] - _m[10]) / 2;
-                q.x = (_m[1] + _m[4]) / (4 * q.y);
-                q.z = (_m[6] + _m[9]) / (4 * q.y);
-                q.w = (_m[8] - _m[2]) / (4 * q.y);
-            }
-            else
-            {
-                q.z = Math.sqrt(1 + _m[10] - _m[0] - _m[5]) / 2;
-                q.x = (_m[8] + _m[2]) / (4 * q.z);
-                q.y = (_m[6] + _m[9]) / (4 * q.z);
-                q.w = (_m[1] - _m[4]) / (4 * q.z);
-            }
-            mix(q, q, 1 / Math.sqrt(q.lengthSquared + q.w * q.w), 0);
-            return q;
-        }
-
-        private function setEulerAngles(turn:Vector3D):void
-        {
-            var cx:Number = Math.cos(turn.x), sx:Number = Math.sin(turn.x);
-            var cy:Number = Math.cos(turn.y), sy:Number = Math.sin(turn.y);
-            var cz:Number = Math.cos(turn.z), sz:Number = Math.sin(turn.z);
-            _m[0] = cy * cz;
-            _m[1] = cy * sz;
-            _m[2] = -sy;
-            _m[4] = sx * sy * cz - cx * sz;
-            _m[5] = sx * sy * sz + cx * cz;
-            _m[6] = sx * cy;
-            _m[8] = cx * sy * cz + sx * sz;
-            _m[9] = cx * sy * sz - sx * cz;
-            _m[10] = cx * cy;
-        }
-
-        private function setQuaternion(q:Vector3D):void
-        {
-            var x:Number = q.x, y:Number = q.y, z:Number = q.z, w:Number = q.w;
-            _m[0] = 1 - 2 * y * y - 2 * z * z;
-            _m[1] = 2 * x * y + 2 * w * z;
-            _m[2] = 2 * x * z - 2 * w * y;
-            _m[4] = 2 * x * y - 2 * w * z;
-            _m[5] = 1 - 2 * x * x - 2 * z * z;
-            _m[6] = 2 * y * z + 2 * w * x;
-            _m[8] = 2 * x * z + 2 * w * y;
-            _m[9] = 2 * y * z - 2 * w * x;
-            _m[10] = 1 - 2 * x * x - 2 * y * y;
-        }
-
-        /** The quaternion's angle, from 0 to half a turn, and its axis, which is 0 without a rotation. */
-        private static function toAxisAngle(q:Vector3D):void
-        {
-            var isLong:Boolean = q.w < 0;
-            var w:Number = isLong ? -q.w : q.w;
-            if (isLong)
-            {
-                q.negate();
-            }
-            q.w = 2 * Math.atan2(q.normalize(), w);
-        }
-
-        /** Turns a quaternion towards another on the shorter arc (Shoemake's slerp). */
-        private static function turnTowards(from:Vector3D, to:Vector3D, part:Number):void
-        {
-            var cos:Number = from.dotProduct(to) + from.w * to.w;
-            var sign:Number = cos < 0 ? -1 : 1;
-            var angle:Number = Math.acos(Math.min(1, cos * sign));
-            var sin:Number = Math.sin(angle);
-            if (sin < 1e-6)
-            {
-                mix(from, to, 1 - part, part * sign);
-            }
-            else
-            {
-                mix(from, to, Math.sin((1 - part) * angle) / sin, Math.sin(part * angle) * sign / sin);
-            }
-        }
-
-        /** from = from * ofFrom + to * ofTo, for all four numbers. */
-        private static function mix(from:Vector3D, to:Vector3D, ofFrom:Number, ofTo:Number):void
-        {
-            from.setTo(from.x * ofFrom + to.x * ofTo, from.y * ofFrom + to.y * ofTo, from.z * ofFrom + to.z * ofTo);
-            from.w = from.w * ofFrom + to.w * ofTo;
-        }
-
-        /** A rotation whose z is the given direction, and whose y is as close as possible to up. */
-        private static function frameOf(forward:Vector3D, up:Vector3D):Matrix3D
-        {
-            var side:Vector3D = up.crossProduct(forward);
-            if (side.normalize() == 0)
-            {
-                side = (Math.abs(forward.x) < 0.9 ? Vector3D.X_AXIS : Vector3D.Y_AXIS).crossProduct(forward);
-                side.normalize();
-            }
-            var frame:Matrix3D = new Matrix3D();
-            var upright:Vector3D = forward.crossProduct(side);
-            upright.w = side.w = 0;
-            frame.copyColumnFrom(0, side);
-            frame.copyColumnFrom(1, upright);
-            frame.copyColumnFrom(2, new Vector3D(forward.x, forward.y, forward.z));
-            return frame;
-        }
-
         private static function roundPoint(point:Vector3D):void
         {
             if (isSingle)
@@ -738,34 +406,12 @@ package flash.geom
             }
         }
 
-        private static function checkOrientation(style:String):void
-        {
-            if (style != EULER_ANGLES && style != AXIS_ANGLE && style != QUATERNION)
-            {
-                throw new Error("Error #2187: Invalid orientation style " + style + ".  Value must be one of "
-                        + "'Orientation3D.EULER_ANGLES', 'Orientation3D.AXIS_ANGLE', or 'Orientation3D.QUATERNION'.");
-            }
-        }
-
         private static function checkScale(x:Number, y:Number, z:Number):void
         {
             if (x == 0 || y == 0 || z == 0)
             {
                 throw new ArgumentError("Error #2183: Scale values must not be zero.");
             }
-        }
-
-        private static function checkLine(line:uint):void
-        {
-            if (line > 3)
-            {
-                throw invalidParameter();
-            }
-        }
-
-        private static function invalidParameter():Error
-        {
-            return new ArgumentError("Error #2004: One of the parameters is invalid.");
         }
     }
 }

@@ -49,21 +49,21 @@ package starlogo.ground
             _faces.limit = Math.min(ray.to, FARTHEST);
             _faces.begin(grid);
             var isHit:Boolean = false;
-            _triangles.begin(ray, grid.cellWidth);
+            _triangles.begin(ray, _faces.corners, grid.cellWidth);
             while (_faces.next())
             {
-                var before:Number = _triangles.at;
-                _triangles.look(_faces.corners, 0, 1);
-                if (_triangles.at < before || _triangles.triangle == 0 && !isHit)
+                var before:Number = _triangles.least;
+                _triangles.look(0, 1);
+                if (_triangles.least < before || _triangles.triangle == 0 && !isHit)
                 {
                     isHit = true;
-                    _faces.limit = _triangles.at;
+                    _faces.limit = _triangles.least;
                     _outside.setTriangleNormal(_faces.corners, 0);
                 }
             }
             if (isHit)
             {
-                ray.from = _triangles.at;
+                ray.from = _triangles.least;
                 ray.setNormal(_outside.normalX, _outside.normalY, _outside.normalZ);
             }
             return isHit;

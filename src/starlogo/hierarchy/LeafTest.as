@@ -1,19 +1,17 @@
 package starlogo.hierarchy
 {
+    import starlogo.intersection.TriangleTest;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.DistanceResult;
 
     /**
      * Decides about two leaves by their contents: whether they touch, when they touch, or how far they are apart. Abstract: a lower package
-     * defines the contents.
+     * defines the contents. <code>least</code> is the best time or distance so far. It is not used for models that stand still.
      *
      * @private
      */
-    public class LeafTest
+    public class LeafTest extends TriangleTest
     {
-        /** Before the test: the best time or distance so far. After it: the leaves' own, if it is better. Unused for models that stand still. */
-        public var least:Number = 0;
-
         /** For distances: the closest points of the leaves tested, and their distance, in the first model's space. */
         public var points:DistanceResult = null;
 

@@ -34,8 +34,7 @@ package starlogo.intersection
     {
         private static const TRIANGLE:int = 4;
 
-        // A box's twelve triangles as a strip: each corner and the next two are a triangle. A corner's number has a bit for each axis along
-        // which it is on the far side.
+        // A box's twelve triangles as a strip of corners: each corner and the next two are a triangle. See Box.cornerInto().
         private static const STRIP:Vector.<int> = new <int>[6, 7, 2, 3, 1, 7, 5, 6, 4, 2, 0, 1, 4, 5];
 
         /** The margin that is added to the shape on all sides. Input of <code>begin()</code> and <code>beginTriangle()</code>. */
@@ -50,23 +49,27 @@ package starlogo.intersection
         /** A time of the motion: see findTime and findContact. */
         public var time:Number = 0;
 
+        /** The structure at the beginning; null for a triangle. Read only. */
+        public var structure:BoundingStructure = null;
+
+        /** The radius around the shape's corners. Read only. */
+        public var radius:Number = 0;
+
         /** A point of the shape. Read only. */
         public var point:Vector3D = null;
 
         /** The distance of the nearest triangle that was measured. */
         public var distance:Number = 0;
 
-        // The shape's kind; a structure for each kind; the current structure.
+        // The shape's kind, and a structure for each kind.
         private var _kind:int = 0;
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
-        private var _structure:BoundingStructure = null;
         private var _motion:RelativeMotion = new RelativeMotion();
 
         // The shape's corners as a strip of triangles, and the radius around them. A box's corners are computed when they are needed. Rounding
         // is relative to the size.
         private var _corners:Vector.<Number> = new Vector.<Number>(3 * STRIP.length, true);
         private var _end:int = 0;
-        private var _radius:Number = 0;
         private var _size:Number = 0;
 
         // The triangle, an edge of it, and its unit normal. The normal is NaN if the triangle has no area. Comparisons with NaN are false, so
@@ -93,32 +96,33 @@ package starlogo.intersection
         /**
          * Begins with a structure.
          *
-         * @param placement moves the structure into the triangles' space
-         * @param motion the structure's motion from there. Its start is not used
+         * @param shape the structure; not kept
+         * @param placement moves it into the triangles' space
+         * @param motion its motion from there. The motion's start is not used
          */
-        public function begin(structure:BoundingStructure, placement:Placement, motion:RelativeMotion):void
+        public function begin(shape:BoundingStructure, placement:Placement, motion:RelativeMotion):void
         {
-            _kind = structure.kind;
-            _structure = _structures[_kind] = structure.place(placement, _structures[_kind]);
-            _structure.widen(margin);
-            _radius = 0;
+            _kind = shape.kind;
+            structure = _structures[_kind] = shape.place(placement, _structures[_kind]);
+            structure.widen(margin);
+            radius = 0;
             _end = 0;
             if (_kind == BoundingStructure.BOX)
             {
-                _box.box = Box(_structure);
+                _box.box = Box(structure);
                 _size = _box.box.halfX + _box.box.halfY + _box.box.halfZ;
                 point = _box.box.center;
             }
             else if (_kind == BoundingStructure.CAPSULE)
             {
-                var capsule:Capsule = Capsule(_structure);
-                _radius = capsule.radius;
+                var capsule:Capsule = Capsule(structure);
+                radius = capsule.radius;
                 setAxis(capsule.start, capsule.end);
             }
             else
             {
-                var sphere:Sphere = Sphere(_structure);
-                _radius = sphere.radius;
+                var sphere:Sphere = Sphere(structure);
+                radius = sphere.radius;
                 setAxis(sphere.center, sphere.center);
             }
             beginMotion(motion);
@@ -128,19 +132,13 @@ package starlogo.intersection
         public function beginTriangle(corners:Vector.<Number>, at:int, placement:Placement, motion:RelativeMotion):void
         {
             _kind = TRIANGLE;
-            _radius = _sweep.tolerance = _overlap.tolerance = margin;
+            radius = _sweep.tolerance = _overlap.tolerance = margin;
             _size = 0;
             placement.movePoints(corners, at, at + 9, _corners);
             _end = 9;
             point = _corner;
             point.setTo(_corners[0], _corners[1], _corners[2]);
             beginMotion(motion);
-        }
-
-        /** The structure at the beginning. */
-        public function get structure():BoundingStructure
-        {
-            return _structure;
         }
 
         /** Sets the other triangle: nine numbers of a list, from an index on. The list is kept. */
@@ -159,7 +157,7 @@ package starlogo.intersection
                 _box.tolerance = gap;
                 return _box.touches(_triangle, _at);
             }
-            _closest.reach = _radius * Tolerances.TOUCHING + gap;
+            _closest.reach = radius * Tolerances.TOUCHING + gap;
             if (_kind == TRIANGLE)
             {
                 return triangleTriangle(_corners, 0, _triangle, _at, _closest);
@@ -167,11 +165,15 @@ package starlogo.intersection
             return !isApart(false) && _closest.areWithin(_triangle, _at, _corners, 0);
         }
 
-        /** Finds when the two first touch. Reads the latest time from <code>time</code>, and writes the result: RelativeMotion.NEVER for no touch. */
-        public function findTime():void
+        /**
+         * Finds when the two first touch. Reads the latest time from <code>time</code>, and writes the result: RelativeMotion.NEVER for no touch.
+         *
+         * @param startsApart whether it is known that they do not touch at the beginning
+         */
+        public function findTime(startsApart:Boolean = false):void
         {
             var latest:Number = time;
-            if (touches())
+            if (!startsApart && touches())
             {
                 time = 0;
                 return;
@@ -190,13 +192,16 @@ package starlogo.intersection
                 return;
             }
             time = RelativeMotion.NEVER;
-            for (var i:int = 0; i < 9; i += 3)
+            if (!meetFace())
             {
-                setEdge(i);
-                findTimeOfImpact(_structure, _edge, _motion);
-                time = _motion.time < time ? _motion.time : time;
+                for (var i:int = 0; i < 9; i += 3)
+                {
+                    setEdge(i);
+                    _motion.latest = time < latest ? time : latest;
+                    findTimeOfImpact(structure, _edge, _motion);
+                    time = _motion.time < time ? _motion.time : time;
+                }
             }
-            meetFace();
             time = time <= latest ? time : RelativeMotion.NEVER;
         }
 
@@ -247,7 +252,7 @@ package starlogo.intersection
                 _deepest.findOfCorners(_corners, _kind == TRIANGLE ? 9 : 6, out);
             }
             var deepest:Vector3D = _deepest.point;
-            out.push(deepest, -_radius);
+            out.push(deepest, -radius);
             out.depth = out.normalX * _triangle[_at] + out.normalY * _triangle[int(_at + 1)] + out.normalZ * _triangle[int(_at + 2)] - out.along(deepest);
             out.x = deepest.x + out.depth / 2 * out.normalX;
             out.y = deepest.y + out.depth / 2 * out.normalY;
@@ -263,7 +268,7 @@ package starlogo.intersection
             {
                 _closest.add(_corners, i, _triangle, _at);
             }
-            distance = Math.sqrt(_closest.squared) - _radius;
+            distance = Math.sqrt(_closest.squared) - radius;
         }
 
         /** Writes the closest points of the shape and of the nearest triangle that was measured. */
@@ -273,7 +278,7 @@ package starlogo.intersection
             out.gapX = out.aX - out.bX;
             out.gapY = out.aY - out.bY;
             out.gapZ = out.aZ - out.bZ;
-            out.radiusA = _radius;
+            out.radiusA = radius;
             out.radiusB = 0;
             out.separate();
         }
@@ -293,7 +298,7 @@ package starlogo.intersection
             var x:Number = end.x - start.x;
             var y:Number = end.y - start.y;
             var z:Number = end.z - start.z;
-            _size = _radius + Math.sqrt(x * x + y * y + z * z);
+            _size = radius + Math.sqrt(x * x + y * y + z * z);
             point = start;
             addCorner(start);
             addCorner(end);
@@ -308,20 +313,6 @@ package starlogo.intersection
             _end += 3;
         }
 
-        private function addCornersOf(box:Box):void
-        {
-            for (var i:int = 0; i < STRIP.length; i++)
-            {
-                var x:Number = (STRIP[i] & 1) == 0 ? -box.halfX : box.halfX;
-                var y:Number = (STRIP[i] & 2) == 0 ? -box.halfY : box.halfY;
-                var z:Number = (STRIP[i] & 4) == 0 ? -box.halfZ : box.halfZ;
-                _corner.setTo(box.center.x + x * box.axisX.x + y * box.axisY.x + z * box.axisZ.x,
-                        box.center.y + x * box.axisX.y + y * box.axisY.y + z * box.axisZ.y,
-                        box.center.z + x * box.axisX.z + y * box.axisY.z + z * box.axisZ.z);
-                addCorner(_corner);
-            }
-        }
-
         // Computes what most tests need: the normal of the triangle, and the corners of a box.
         private function prepare():void
         {
@@ -330,9 +321,10 @@ package starlogo.intersection
                 return;
             }
             _isPrepared = true;
-            if (_end == 0)
+            for (var i:int = 0; _end < 3 * STRIP.length && _kind == BoundingStructure.BOX; i++)
             {
-                addCornersOf(_box.box);
+                _box.box.cornerInto(STRIP[i], _corner);
+                addCorner(_corner);
             }
             var p:Vector.<Number> = _triangle;
             var at:int = _at;
@@ -370,14 +362,16 @@ package starlogo.intersection
             var low:Number = _face.least;
             var high:Number = _face.greatest;
             _face.measure(_corners, 0, _end);
-            return high - _face.least + _radius - Math.min(way, 0) < least || _face.greatest - low + _radius + Math.max(way, 0) < least;
+            return high - _face.least + radius - Math.min(way, 0) < least || _face.greatest - low + radius + Math.max(way, 0) < least;
         }
 
-        // Finds when a corner of the structure comes to the triangle's face.
-        private function meetFace():void
+        // Finds when a corner of the structure comes to the triangle's face. Returns whether no other part of it comes to the face's plane earlier, so
+        // that none touches an edge earlier.
+        private function meetFace():Boolean
         {
+            var first:Number = Infinity;
             var speed:Number = speedAlong(_face);
-            var back:Number = speed < 0 ? _radius : -_radius;
+            var back:Number = speed < 0 ? radius : -radius;
             var x:Number = _face.normalX;
             var y:Number = _face.normalY;
             var z:Number = _face.normalZ;
@@ -385,6 +379,7 @@ package starlogo.intersection
             for (var i:int = 0; i < _end; i += 3)
             {
                 var impact:Number = (plane - (x * _corners[i] + y * _corners[int(i + 1)] + z * _corners[int(i + 2)])) / speed;
+                first = impact < first ? impact : first;
                 if (impact >= 0 && impact < time)
                 {
                     _point.x = _corners[i] + impact * _motion.x - back * x;
@@ -393,6 +388,7 @@ package starlogo.intersection
                     time = isOverTriangle(_point, _triangle, _at, _face) ? impact : time;
                 }
             }
+            return time < RelativeMotion.NEVER && time == first;
         }
 
         private function findContactOfStructure(out:ContactPoint):void
@@ -414,15 +410,15 @@ package starlogo.intersection
             for (var i:int = 0; i < 9; i += 3)
             {
                 setEdge(i);
-                _finder.find(_structure, _edge, _tried);
+                _finder.find(structure, _edge, _tried);
                 keepLeast(out);
             }
             _point.x = -out.normalX;
             _point.y = -out.normalY;
             _point.z = -out.normalZ;
-            _sum.setTo(_structure, displacement);
+            _sum.setTo(structure, displacement);
             _sum.supportInto(_feature, _point);
-            _feature.setVector(_radius * _point.x, _radius * _point.y, _radius * _point.z);
+            _feature.setVector(radius * _point.x, radius * _point.y, radius * _point.z);
             _feature.move();
             _otherFeature.setFarthest(_triangle, _at, out, 1);
             _feature.findCommonPoint(_otherFeature, out);
@@ -438,7 +434,7 @@ package starlogo.intersection
             _tried.measure(_corners, 0, _end);
             var least:Number = _tried.least;
             _tried.measure(_triangle, _at, _at + 9);
-            var depth:Number = _tried.greatest - least + _radius - time * speedAlong(_tried);
+            var depth:Number = _tried.greatest - least + radius - time * speedAlong(_tried);
             if (depth < out.depth - _edge.radius)
             {
                 out.setNormal(_tried.normalX, _tried.normalY, _tried.normalZ);

@@ -94,6 +94,7 @@ package starlogo.intersection
             motion.findRounding();
             var reach:Number = radiusSum * Tolerances.TOUCHING + motion.rounding;
             reach *= reach;
+            var latest:Number = motion.latest;
             var time:Number = 0;
             for (var step:int = 0; step < 80; step++)
             {
@@ -133,7 +134,7 @@ package starlogo.intersection
                     break;
                 }
                 time = next;
-                if (next > 1)
+                if (next > latest)
                 {
                     time = RelativeMotion.NEVER;
                     break;

@@ -88,6 +88,9 @@ package starlogo.queries
         private var _end:Vector3D = new Vector3D();
         private var _tried:ContactPoint = new ContactPoint();
 
+        // When the row in its whole size meets the row that is tested; NaN if that is not known.
+        private var _whole:Number = NaN;
+
         /** @param narrowPhase decides which rows touch */
         public function CoreSweep(narrowPhase:NarrowPhase)
         {
@@ -256,6 +259,7 @@ package starlogo.queries
                 return false;
             }
             time = met;
+            wholeTime = _whole;
             contact.copyFrom(_tried);
             return true;
         }
@@ -264,12 +268,14 @@ package starlogo.queries
         // the end of the motion needs no test of its own. Such a tree can be a whole building, in which everything happens.
         private function isWholeClear(other:int):Boolean
         {
+            _whole = NaN;
             if (_table.forms[other] != ModelShape.TREE || _table.bodyOf(other).largestHalf < LARGE * _body.largestHalf)
             {
                 return false;
             }
             put(_end, 0);
-            return !isNear(_table.bodyOf(other), _motion, slop) || impactOf(other, null) == RelativeMotion.NEVER;
+            _whole = isNear(_table.bodyOf(other), _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
+            return _whole == RelativeMotion.NEVER;
         }
 
         // When the row, which stands at its end, first meets another on the motion.
@@ -295,7 +301,7 @@ package starlogo.queries
                     + touch.normalY * (_moving.y - (1 - time) * _motion.y - touch.y)
                     + touch.normalZ * (_moving.z - (1 - time) * _motion.z - touch.z));
             var early:Number = Math.max(0, Math.min(1, time + skin / along));
-            wholeTime = impactOf(other, null);
+            wholeTime = isNaN(wholeTime) ? impactOf(other, null) : wholeTime;
             wholeTime = Math.abs(wholeTime - early) <= Math.abs(time - early) ? wholeTime : early;
         }
 

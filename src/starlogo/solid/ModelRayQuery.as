@@ -2,8 +2,11 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RayTraversal;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayTriangleTest;
 
     use namespace engine;
 
@@ -23,7 +26,8 @@ package starlogo.solid
         public var triangle:int = -1;
 
         private var _nodes:RayTraversal = new RayTraversal();
-        private var _triangles:TriangleRayTraversal = new TriangleRayTraversal();
+        private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
+        private var _triangles:RayTriangleTest = new RayTriangleTest();
         private var _start:Vector3D = new Vector3D();
 
         /**
@@ -54,13 +58,18 @@ package starlogo.solid
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
         {
             var solid:Solid = hierarchy.facets;
-            var found:int = _triangles.find(hierarchy.root, solid.corners, ray);
+            _triangles.begin(ray, solid.corners, reachOf(hierarchy.root));
+            _boxes.setPlace(ray.x, ray.y, ray.z, 0);
+            _boxes.setMotion(ray.directionX, ray.directionY, ray.directionZ);
+            _boxes.from = ray.from;
+            _boxes.find(solid.tree, _triangles);
+            var found:int = _triangles.triangle;
             if (found < 0)
             {
                 return false;
             }
             triangle = hierarchy.order[found];
-            ray.from = _triangles.at;
+            ray.from = _triangles.least;
             var plane:int = 5 * found;
             var x:Number = solid.planes[plane];
             var y:Number = solid.planes[int(plane + 1)];
@@ -72,6 +81,13 @@ package starlogo.solid
                 ray.setNormal(x, y, z);
             }
             return true;
+        }
+
+        // The radius of a sphere about the model's origin that encloses all triangles. The rounding error is relative to it.
+        private static function reachOf(root:HierarchyNode):Number
+        {
+            var reach:Number = Math.max(Math.abs(root.x) + root.halfX, Math.abs(root.y) + root.halfY);
+            return Math.sqrt(3) * Math.max(reach, Math.abs(root.z) + root.halfZ);
         }
     }
 }

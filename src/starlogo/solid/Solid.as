@@ -4,17 +4,23 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.MovingBoxTraversal;
+    import starlogo.hierarchy.PackedTree;
+    import starlogo.intersection.TriangleTest;
 
     use namespace engine;
 
     /**
      * A model's triangles, for exact tests: their corners, and the inside of the surface that they make. A SolidBuilder makes it. The
-     * triangles are in the hierarchy's order.
+     * triangles are in the hierarchy's order. As a test, it counts the triangles that a ray along an axis crosses.
      */
-    internal final class Solid
+    internal final class Solid extends TriangleTest
     {
         /** The number of points that partPoints has for each part. */
         public static const POINTS_PER_PART:int = 6;
+
+        /** The boxes around the triangles. */
+        public var tree:PackedTree = null;
 
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
@@ -62,7 +68,7 @@ package starlogo.solid
         public var woundCount:int = 0;
 
         private var _root:HierarchyNode;
-        private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
@@ -87,6 +93,7 @@ package starlogo.solid
             _axisC = (_axis + 2) % 3;
             corners = new Vector.<Number>(9 * count, true);
             places = corners;
+            least = Infinity;
             extents = new Vector.<Number>(6 * count, true);
             planes = new Vector.<Number>(5 * count, true);
             signedPieces = new Vector.<int>(count, true);
@@ -135,52 +142,11 @@ package starlogo.solid
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _axis == 0 ? x < root.x : (_axis == 1 ? y < root.y : z < root.z);
             var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
-            // how far a box may be off, towards the larger and the smaller coordinates
-            var aboveX:Number = _axis == 0 && !_isBackward ? Infinity : margin;
-            var aboveY:Number = _axis == 1 && !_isBackward ? Infinity : margin;
-            var aboveZ:Number = _axis == 2 && !_isBackward ? Infinity : margin;
-            var belowX:Number = _axis == 0 && _isBackward ? Infinity : margin;
-            var belowY:Number = _axis == 1 && _isBackward ? Infinity : margin;
-            var belowZ:Number = _axis == 2 && _isBackward ? Infinity : margin;
-            var stack:Vector.<HierarchyNode> = _stack;
-            stack[0] = root;
-            var top:int = 1;
-            while (top > 0)
-            {
-                top--;
-                var node:HierarchyNode = stack[top];
-                var away:Number = node.x - x;
-                var half:Number = node.halfX;
-                if (away > half + aboveX || -away > half + belowX)
-                {
-                    continue;
-                }
-                away = node.y - y;
-                half = node.halfY;
-                if (away > half + aboveY || -away > half + belowY)
-                {
-                    continue;
-                }
-                away = node.z - z;
-                half = node.halfZ;
-                if (away > half + aboveZ || -away > half + belowZ)
-                {
-                    continue;
-                }
-                if (node.low != null)
-                {
-                    stack[top] = node.high;
-                    stack[top + 1] = node.low;
-                    top += 2;
-                    continue;
-                }
-                var end:int = node.end;
-                for (var i:int = node.first; i < end; i++)
-                {
-                    cross(i);
-                }
-            }
-            for (i = 0; i < woundCount; i++)
+            var side:int = _isBackward ? -1 : 1;
+            _boxes.setPlace(x, y, z, margin);
+            _boxes.setMotion(_axis == 0 ? side : 0, _axis == 1 ? side : 0, _axis == 2 ? side : 0);
+            _boxes.find(tree, this);
+            for (var i:int = 0; i < woundCount; i++)
             {
                 var piece:int = wound[i];
                 if (pieceStates[piece] >= 0 && windings[piece] != 0)
@@ -198,6 +164,15 @@ package starlogo.solid
                 windings[wound[i]] = 0;
             }
             woundCount = 0;
+        }
+
+        /** @inheritDoc */
+        override public function look(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                cross(i);
+            }
         }
 
         // Adds a triangle to its piece's winding number if the ray crosses it.

@@ -68,7 +68,7 @@ package starlogo.solid
                     placeTriangles(); // with the triangles placed, the tree has small boxes
                 }
                 _open ||= new AxisEscapeTest();
-                isOutside = _open.hasOpenSide(middle, root);
+                isOutside = _open.hasOpenSide(middle, root, placed.tree);
             }
             return !isOutside && solid.isInside(middle);
         }

@@ -46,6 +46,9 @@ package starlogo.solid
         private var _placementB:Placement;
         private var _depthB:int;
 
+        // When the two touch, if findFirst has found them.
+        private var _time:Number = 0;
+
         // Whether triangles decide about leaves.
         private var _isExact:Boolean;
 
@@ -85,7 +88,7 @@ package starlogo.solid
         /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
         {
-            return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _sweptBoxes.nodeVisits + _distances.nodeVisits;
+            return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _sweptBoxes.nodeVisits + _distances.nodeVisits + _triangles.boxes.nodeVisits;
         }
 
         /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
@@ -97,7 +100,7 @@ package starlogo.solid
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            _uprightBoxes.nodeVisits = _boxes.nodeVisits = _sweptBoxes.nodeVisits = _distances.nodeVisits = 0;
+            _uprightBoxes.nodeVisits = _boxes.nodeVisits = _sweptBoxes.nodeVisits = _distances.nodeVisits = _triangles.boxes.nodeVisits = 0;
             _trianglePairs.triangleTests = _sweptPairs.triangleTests = _nearest.triangleTests = _triangles.triangleTests = 0;
         }
 
@@ -151,9 +154,14 @@ package starlogo.solid
             pose.relate(placementA, placementB);
             var decider:LeafTest = null;
             var traversal:NodePairTraversal = pose.isUpright ? _uprightBoxes : _boxes;
-            if (exact && a.hasTriangles && (b == null || b.hasTriangles))
+            if (exact && a.hasTriangles && b == null)
             {
-                decider = prepareTriangles(a, b, structureB, RelativeMotion.NONE);
+                _triangles.begin(a, structureB, pose, RelativeMotion.NONE);
+                return _triangles.find() || isOneInside(a, null, structureB);
+            }
+            if (exact && a.hasTriangles && b.hasTriangles)
+            {
+                decider = preparePairs(a, b, _trianglePairs);
                 depthA = depthB = int.MAX_VALUE;
             }
             var second:HierarchyNode;
@@ -163,7 +171,7 @@ package starlogo.solid
             }
             else
             {
-                decider = prepareLeaf(structureB, RelativeMotion.NONE, decider);
+                decider = prepareLeaf(structureB, RelativeMotion.NONE);
                 traversal = _boxes;
                 pose = _leaf.pose;
                 second = _leaf.node;
@@ -192,7 +200,7 @@ package starlogo.solid
             }
             if (findFirst())
             {
-                motion.time = _sweptBoxes.least;
+                motion.time = _time;
                 return;
             }
             _start.x += motion.x;
@@ -211,7 +219,7 @@ package starlogo.solid
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             begin(motion);
-            if (findFirst() && _sweptBoxes.least <= motion.time + Tolerances.SAME_TIME)
+            if (findFirst() && _time <= motion.time + Tolerances.SAME_TIME)
             {
                 findContactOfFirst(motion, out);
             }
@@ -230,7 +238,7 @@ package starlogo.solid
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             begin(motion);
-            motion.time = findFirst() ? _sweptBoxes.least : RelativeMotion.NEVER;
+            motion.time = findFirst() ? _time : RelativeMotion.NEVER;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 findContactOfFirst(motion, out);
@@ -269,7 +277,8 @@ package starlogo.solid
             else if (needsPoint && _isExact && _b == null)
             {
                 // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
-                search(_boxes, prepareTriangles(_a, null, _structureB, RelativeMotion.NONE));
+                _triangles.begin(_a, _structureB, _pose, RelativeMotion.NONE);
+                _triangles.find();
                 _triangles.takeCorner(_leaf.moved, out);
             }
             out.settle(areTouching);
@@ -309,13 +318,13 @@ package starlogo.solid
             _pose.relateMotion(_placementA, motion);
         }
 
-        // Returns the test of a structure and the leaves of the first model: the given one, or the structure's own.
-        private function prepareLeaf(structureB:BoundingStructure, motion:RelativeMotion, decider:LeafTest):LeafTest
+        // Returns the test of a structure and the leaves of the first model, or null if the structure's box decides.
+        private function prepareLeaf(structureB:BoundingStructure, motion:RelativeMotion):LeafTest
         {
             _leaf.begin(structureB, _pose);
-            if (decider != null || structureB.kind == BoundingStructure.BOX)
+            if (structureB.kind == BoundingStructure.BOX)
             {
-                return decider;
+                return null;
             }
             if (_leaf.motion !== motion)
             {
@@ -324,14 +333,8 @@ package starlogo.solid
             return _leaf;
         }
 
-        private function prepareTriangles(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure, motion:RelativeMotion):LeafTest
+        private function preparePairs(a:SolidHierarchy, b:SolidHierarchy, pairs:LeafPairTest):LeafTest
         {
-            if (b == null)
-            {
-                _triangles.begin(a, structureB, _pose, motion);
-                return _triangles;
-            }
-            var pairs:LeafPairTest = motion === RelativeMotion.NONE ? _trianglePairs : _sweptPairs;
             pairs.begin(a, b);
             return pairs;
         }
@@ -358,15 +361,22 @@ package starlogo.solid
             return b == null ? _containment.isStructureInside(a, moveToFirst(structureB)) : _containment.isOneInside(a, b);
         }
 
-        // Finds the first two triangles or nodes that touch while the first model moves.
+        // Finds the first two triangles or nodes that touch while the first model moves, and the time.
         private function findFirst():Boolean
         {
-            _decider = _isExact ? prepareTriangles(_a, _b, _structureB, _pose.motion) : null;
-            if (_b == null)
+            var isFound:Boolean;
+            if (_isExact && _b == null)
             {
-                _decider = prepareLeaf(_structureB, _pose.motion, _decider);
+                _decider = _triangles;
+                _triangles.begin(_a, _structureB, _pose, _pose.motion);
+                isFound = _triangles.find();
+                _time = _triangles.least;
+                return isFound;
             }
-            return search(_sweptBoxes, _decider);
+            _decider = _isExact ? preparePairs(_a, _b, _sweptPairs) : (_b == null ? prepareLeaf(_structureB, _pose.motion) : null);
+            isFound = search(_sweptBoxes, _decider);
+            _time = _sweptBoxes.least;
+            return isFound;
         }
 
         // The contact of the two that findFirst has found, at the motion's time.

@@ -2,13 +2,15 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyRefiner;
+    import starlogo.hierarchy.PackedTree;
     import starlogo.hierarchy.TreeItems;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
-    /** Prepares a hierarchy's triangles, in steps: nodes down to a few triangles, and their corners, extents and planes in the hierarchy's order. */
+    /** Prepares a hierarchy's triangles, in steps: nodes down to a few triangles, packed, and the triangles' corners, extents and planes in their order. */
     internal final class TrianglesBuilder extends StepSequence
     {
         /** The number of triangles in a step. */
@@ -27,7 +29,13 @@ package starlogo.solid
         {
             _hierarchy = hierarchy;
             _solid = new Solid(hierarchy.root, hierarchy.order.length);
-            add(new HierarchyRefiner(hierarchy)).slices(hierarchy.order.length, TRIANGLES_PER_STEP, place).call(conclude);
+            add(new HierarchyRefiner(hierarchy)).begin(newTree).slices(hierarchy.order.length, TRIANGLES_PER_STEP, place).call(conclude);
+        }
+
+        private function newTree():Steps
+        {
+            _solid.tree = new PackedTree(_hierarchy.root);
+            return _solid.tree;
         }
 
         private function place(first:int, end:int):void

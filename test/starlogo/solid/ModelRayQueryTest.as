@@ -8,7 +8,9 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayTriangleTest;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
@@ -90,7 +92,8 @@ package starlogo.solid
         {
             var hierarchy:SolidHierarchy = hierarchyOf(model);
             var solid:Solid = hierarchy.solid;
-            var triangles:TriangleRayTraversal = new TriangleRayTraversal();
+            var triangles:RayTriangleTest = new RayTriangleTest();
+            var boxes:MovingBoxTraversal = new MovingBoxTraversal();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
             var inside:Vector3D = pointInside(hierarchy);
@@ -124,9 +127,13 @@ package starlogo.solid
                 isFromInside &&= i % 5 != 1 && i % 5 != 3;
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
-                if (!(triangles.find(hierarchy.root, solid.corners, ray) >= 0 && triangles.at <= direction.length + 1e-12))
+                triangles.begin(ray, solid.corners, 1);
+                boxes.setPlace(ray.x, ray.y, ray.z, 0);
+                boxes.setMotion(ray.directionX, ray.directionY, ray.directionZ);
+                boxes.find(solid.tree, triangles);
+                if (!(triangles.triangle >= 0 && triangles.least <= direction.length + 1e-12))
                 {
-                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.at, false);
+                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.least, false);
                 }
             }
         }

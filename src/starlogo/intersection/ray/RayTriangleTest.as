@@ -1,6 +1,7 @@
 package starlogo.intersection.ray
 {
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.TriangleTest;
 
     /**
      * Finds the first triangle that a ray meets, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal
@@ -16,15 +17,13 @@ package starlogo.intersection.ray
      *
      * @private
      */
-    public final class RayTriangleTest
+    public final class RayTriangleTest extends TriangleTest
     {
-        /** The place on the ray where it meets the nearest triangle so far. Before the first triangle, the end of the ray. */
-        public var at:Number = Infinity;
-
         /** The index of the nearest triangle so far, or -1. */
         public var triangle:int = -1;
 
         private var _ray:Ray = null;
+        private var _corners:Vector.<Number>;
 
         // The ray's point and its direction.
         private var _place:Vector.<Number> = new Vector.<Number>(3, true);
@@ -52,12 +51,14 @@ package starlogo.intersection.ray
          * Begins with a ray.
          *
          * @param ray in the space of the triangles; the object is kept
+         * @param corners nine numbers for each triangle; kept
          * @param radius of a sphere around all triangles
          */
-        public function begin(ray:Ray, radius:Number):void
+        public function begin(ray:Ray, corners:Vector.<Number>, radius:Number):void
         {
             _ray = ray;
-            at = ray.to;
+            _corners = corners;
+            least = ray.to;
             triangle = -1;
             _place[0] = ray.x;
             _place[1] = ray.y;
@@ -84,15 +85,14 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Looks for a nearer triangle in a range. For each triangle, it shears the corners as seen from the line, finds the sides on which
-         * the ray passes the edges, and finds where the ray crosses the plane.
+         * @inheritDoc
          *
-         * @param corners nine numbers for each triangle
-         * @param first the first triangle's index
-         * @param end the index after the last triangle
+         * <p>For each triangle, it shears the corners as seen from the line, finds the sides on which the ray passes the edges, and finds where
+         * the ray crosses the plane.</p>
          */
-        public function look(corners:Vector.<Number>, first:int, end:int):void
+        override public function look(first:int, end:int):void
         {
+            var corners:Vector.<Number> = _corners;
             var u:int = _u;
             var v:int = _v;
             var w:int = _w;
@@ -129,7 +129,7 @@ package starlogo.intersection.ray
                 var sum:Number = sideA + sideB + sideC;
                 var crossing:Number = _stretch * (sideA * aZ + sideB * bZ + sideC * cZ) / sum;
                 // NaN is skipped too. A triangle seen edge on gives NaN, and the triangles next to it have its edges.
-                if (!(crossing >= _ray.from && crossing <= at) || (crossing == at && triangle >= 0))
+                if (!(crossing >= _ray.from && crossing <= least) || (crossing == least && triangle >= 0))
                 {
                     continue;
                 }
@@ -141,7 +141,7 @@ package starlogo.intersection.ray
                         continue;
                     }
                 }
-                at = crossing;
+                least = crossing;
                 triangle = i;
             }
         }

@@ -35,6 +35,9 @@ package starlogo.intersection.sweep
          */
         public var time:Number;
 
+        /** The latest time of impact that counts, from 0 to 1. A test may still find a later one. */
+        public var latest:Number = 1;
+
         /** The extra gap across which moving structures still touch, because of rounding. Set by <code>findRounding()</code>. */
         public var rounding:Number = 0;
 
@@ -73,6 +76,7 @@ package starlogo.intersection.sweep
             startY = -motion.startY;
             startZ = -motion.startZ;
             time = motion.time;
+            latest = motion.latest;
         }
 
         /** Returns the motion of the other structure while the first one stands still. The next call overwrites it. */

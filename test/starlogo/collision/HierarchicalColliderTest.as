@@ -112,6 +112,14 @@ package starlogo.collision
             _collider.findCollisions(agents);
             assertTrue("down to the leaves", statistics.nodeVisits > 5);
             assertTrue(statistics.triangleTests > 0);
+            // leaning, in a corner that no blade reaches
+            _collider.exact = false;
+            agents[0].shape = "blades";
+            agents[1].shape = "cube";
+            agents[1].size = 0.05;
+            agents[1].moveTo(0.45, 0.45, 0.5);
+            _collider.findCollisions(agents);
+            assertTrue("boxes that touch where their blades do not", statistics.nodeVisits > 1 && statistics.collisions == 0);
         }
 
         [Test]

@@ -23,13 +23,12 @@ package starlogo.agents
         private static const NAMES:Array = ["hasOwnProperty", "toString", "constructor", "__proto__", "valueOf", "isPrototypeOf", "propertyIsEnumerable",
                 "_x", " _x", "x", ":x", "::x", "length", "0", "-1", "null", "undefined", "__count__", "tr\u00e9s", "\u2603", " ", "cats"];
 
-        private var _agents:Vector.<Agent>;
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         // Two of each breed, one upon the other; the breeds are far apart.
         [Before]
         public function setUp():void
         {
-            _agents = new Vector.<Agent>();
             for (var i:int = 0; i < 2 * NAMES.length; i++)
             {
                 var agent:Agent = new Agent("sphere", NAMES[i >> 1]);

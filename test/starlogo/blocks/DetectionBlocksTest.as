@@ -15,7 +15,7 @@ package starlogo.blocks
 
     public class DetectionBlocksTest
     {
-        private var _agents:Vector.<Agent>;
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
         private var _collisions:CollisionBlocks;
         private var _blocks:DetectionBlocks;
         private var _turtle:Agent;
@@ -24,7 +24,6 @@ package starlogo.blocks
         public function begin():void
         {
             var greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            _agents = new Vector.<Agent>();
             _collisions = new CollisionBlocks(greatLand, _agents);
             _blocks = new DetectionBlocks(_collisions);
             _turtle = add("turtles", 0);

@@ -14,11 +14,11 @@ package starlogo.blocks
 
     public class TerrainBlocksTest
     {
-        private var _terrain:Terrain;
+        private var _terrain:Terrain = new Terrain(11, 11, 1, -5, -5);
         private var _collisions:CollisionBlocks;
         private var _detection:DetectionBlocks;
         private var _blocks:TerrainBlocks;
-        private var _turtle:Agent;
+        private var _turtle:Agent = new Agent("cube");
 
         [Before]
         public function begin():void
@@ -27,9 +27,7 @@ package starlogo.blocks
             _collisions = new CollisionBlocks(greatLand, new <Agent>[]);
             _detection = new DetectionBlocks(_collisions);
             _blocks = new TerrainBlocks(_collisions, _detection);
-            _terrain = new Terrain(11, 11, 1, -5, -5);
             _collisions.collision.terrain = _terrain;
-            _turtle = new Agent("cube");
         }
 
         [Test]

@@ -6,14 +6,12 @@ package starlogo.broadphase
     /** There are few levels of bins, whatever fits them. */
     public class BinLevelsTest
     {
-        private var _levels:BinLevels;
-        private var _extents:Extents;
+        private var _levels:BinLevels = new BinLevels();
+        private var _extents:Extents = new Extents();
 
         [Before]
         public function makeLevels():void
         {
-            _levels = new BinLevels();
-            _extents = new Extents();
             _extents.grow(1);
         }
 

@@ -32,14 +32,12 @@ package starlogo.collision
         private static const TURN:int = 12;
 
         private var _frames:int = Garbage.isCounted ? 1000 : 4 * TURN;
-        private var _greatLand:GreatLand;
-        private var _agents:Vector.<Agent>;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]
         public function makeGame():void
         {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-            _agents = new Vector.<Agent>();
             var random:SeededRandom = new SeededRandom(41);
             for (var i:int = 0; i < AGENTS; i++)
             {

@@ -13,8 +13,8 @@ package starlogo.collision
     {
         private var _collision:Collision;
         private var _collider:BinCollider;
-        private var _agents:Vector.<Agent>;
-        private var _calls:Array;
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
+        private var _calls:Array = [];
 
         [Before]
         public function makeGame():void
@@ -22,8 +22,6 @@ package starlogo.collision
             var greatLand:GreatLand = landOf(BuiltInModel.sphere());
             _collider = new BinCollider(greatLand);
             _collision = new Collision(_collider);
-            _agents = new Vector.<Agent>();
-            _calls = [];
         }
 
         [Test]

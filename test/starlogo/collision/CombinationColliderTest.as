@@ -21,15 +21,13 @@ package starlogo.collision
     {
         private static const SHAPES:Array = ["ball", "post", "crate"];
 
-        private var _greatLand:GreatLand;
-        private var _collider:CombinationCollider;
+        private var _greatLand:GreatLand = new GreatLand();
+        private var _collider:CombinationCollider = new CombinationCollider(_greatLand);
 
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
             addModels();
-            _collider = new CombinationCollider(_greatLand);
         }
 
         [Test]

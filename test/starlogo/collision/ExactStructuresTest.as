@@ -42,13 +42,13 @@ package starlogo.collision
         private static var sModels:Object;
         private static var sShapes:Array;
 
-        private var _random:SeededRandom;
-        private var _collider:CombinationCollider;
-        private var _queries:AgentQueries;
-        private var _wrong:Complaints;
+        private var _random:SeededRandom = new SeededRandom(5101);
+        private var _collider:CombinationCollider = new CombinationCollider(sGreatLand);
+        private var _queries:AgentQueries = new AgentQueries(_collider);
+        private var _wrong:Complaints = new Complaints();
         private var _tree:Agent;
         private var _other:Agent;
-        private var _corners:Vector.<Number>;
+        private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _own:Vector.<Number>;
 
         [BeforeClass]
@@ -69,12 +69,7 @@ package starlogo.collision
         [Before]
         public function begin():void
         {
-            _random = new SeededRandom(5101);
-            _collider = new CombinationCollider(sGreatLand);
             _collider.exact = true;
-            _queries = new AgentQueries(_collider);
-            _wrong = new Complaints();
-            _corners = new Vector.<Number>();
         }
 
         [Test]

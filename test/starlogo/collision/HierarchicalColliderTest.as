@@ -17,16 +17,14 @@ package starlogo.collision
     {
         private static const SHAPES:Array = ["sphere", "cube", "cylinder", "blades"];
 
-        private var _greatLand:GreatLand;
-        private var _collider:HierarchicalCollider;
+        private var _greatLand:GreatLand = new GreatLand();
+        private var _collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
 
         [Before]
         public function makeGame():void
         {
-            _greatLand = new GreatLand();
             _greatLand.loadTightestFit = false;
             addModels();
-            _collider = new HierarchicalCollider(_greatLand);
         }
 
         [Test]

@@ -13,14 +13,12 @@ package starlogo.collision
     /** Any number of colliders, Collisions and recorders share agents. */
     public class SharedAgentsTest
     {
-        private var _greatLand:GreatLand;
-        private var _agents:Vector.<Agent>;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]
         public function makeGame():void
         {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            _agents = new Vector.<Agent>();
             for (var i:int = 0; i < 12; i++)
             {
                 var agent:Agent = new Agent(i % 2 == 0 ? "sphere" : "cube", i % 3 == 0 ? "bears" : "balls");

@@ -11,23 +11,18 @@ package starlogo.collision
     /** An agent that sweeps hits everything on its path, and nothing else. */
     public class SweepingAgentsTest
     {
-        private var _greatLand:GreatLand;
-        private var _ball:Agent;
-        private var _wall:Agent;
-        private var _agents:Vector.<Agent>;
-        private var _calls:Array;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+        private var _ball:Agent = new Agent("sphere", "balls");
+        private var _wall:Agent = new Agent("cube", "walls");
+        private var _agents:Vector.<Agent> = new <Agent>[_ball, _wall];
+        private var _calls:Array = [];
 
         [Before]
         public function makeGame():void
         {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            _ball = new Agent("sphere", "balls");
             _ball.size = 0.2;
             _ball.sweeps = true;
-            _wall = new Agent("cube", "walls");
             _wall.moveTo(5, 0, 0);
-            _agents = new <Agent>[_ball, _wall];
-            _calls = [];
         }
 
         [Test]

@@ -26,30 +26,22 @@ package starlogo.collision
         private static const SWEPT:Array = ["moving along, both sweep", "moving along, one sweeps", "moving along, the other sweeps",
                 "one passes", "the other passes", "both pass", "one comes", "the other comes", "one leaves", "both leave", "both come"];
 
-        private var _greatLand:GreatLand;
-        private var _colliders:Array;
-        private var _random:SeededRandom;
-        private var _a:Agent;
-        private var _b:Agent;
-        private var _agents:Vector.<Agent>;
-        private var _wrong:Complaints;
-        private var _questions:int;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+        private var _colliders:Array = [];
+        private var _random:SeededRandom = new SeededRandom(1999);
+        private var _a:Agent = new Agent("sphere");
+        private var _b:Agent = new Agent("sphere");
+        private var _agents:Vector.<Agent> = new <Agent>[_a, _b];
+        private var _wrong:Complaints = new Complaints();
+        private var _questions:int = 0;
 
         [Before]
         public function makeGame():void
         {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            _colliders = [];
             for each (var system:Array in SYSTEMS)
             {
                 _colliders.push(EachCollider.make(system[0], _greatLand));
             }
-            _random = new SeededRandom(1999);
-            _a = new Agent("sphere");
-            _b = new Agent("sphere");
-            _agents = new <Agent>[_a, _b];
-            _wrong = new Complaints();
-            _questions = 0;
         }
 
         [Test]

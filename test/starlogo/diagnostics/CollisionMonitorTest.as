@@ -24,15 +24,13 @@ package starlogo.diagnostics
     {
         private static const REFRESH_FRAMES:int = 12;
 
-        private var _collision:Collision;
-        private var _monitor:CollisionMonitor;
+        private var _collision:Collision = new Collision(new EveryPairSystem());
+        private var _monitor:CollisionMonitor = new CollisionMonitor(_collision);
 
         [Before]
         public function make():void
         {
-            _collision = new Collision(new EveryPairSystem());
             _collision.onCollision("turtles", "turtles", ignore);
-            _monitor = new CollisionMonitor(_collision);
         }
 
         [After]

@@ -21,17 +21,14 @@ package starlogo.libraries
 
     public class BoundingStructuresLibraryTest
     {
-        private var _library:BoundingStructuresLibrary;
-        private var _cube:Vector.<Number>;
-        private var _ball:Vector.<Number>;
+        private var _library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
+        private var _cube:Vector.<Number> = PointSets.box(0.5, 0.5, 0.5);
+        private var _ball:Vector.<Number> = PointSets.sphere(0.5, 16, 9);
         private var _stick:Vector.<Number>;
 
         [Before]
         public function setUp():void
         {
-            _library = new BoundingStructuresLibrary();
-            _cube = PointSets.box(0.5, 0.5, 0.5);
-            _ball = PointSets.sphere(0.5, 16, 9);
             // a capsule of radius 0.2 and length 2
             _stick = PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, -1).concat(
                     PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, 1));

@@ -19,14 +19,12 @@ package starlogo.models
         private static const STL:String = "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\nendsolid\n";
         private static const DOCUMENT:String = Collada.document(Collada.geometry("a", "0 0 0 1 0 0 1 1 0", Collada.triangles("0 1 2")));
 
-        private var _loader:TestedLoader;
-        private var _log:Array;
+        private var _loader:TestedLoader = new TestedLoader(new SlowReceiver(0), 200);
+        private var _log:Array = [];
 
         [Before]
         public function setUp():void
         {
-            _loader = new TestedLoader(new SlowReceiver(0), 200);
-            _log = [];
             _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
                 {
                     _log.push(event.model.name + " " + event.model.triangles.length / 3);

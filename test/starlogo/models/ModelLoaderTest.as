@@ -26,16 +26,13 @@ package starlogo.models
         private static const DOCUMENT:String = Collada.document(Collada.geometry("a", "0 0 0 1 0 0 1 1 0",
                     Collada.triangles("0 1 2")));
 
-        private var _receiver:SlowReceiver;
-        private var _loader:ModelLoader;
-        private var _log:Array;
+        private var _receiver:SlowReceiver = new SlowReceiver(0);
+        private var _loader:ModelLoader = new ModelLoader(_receiver);
+        private var _log:Array = [];
 
         [Before]
         public function setUp():void
         {
-            _receiver = new SlowReceiver(0);
-            _loader = new ModelLoader(_receiver);
-            _log = [];
             _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
                 {
                     _log.push(event.model.name);

@@ -16,14 +16,12 @@ package starlogo.models
     {
         private static const OBJ:String = "v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 8\nf 1 2 3\nf 1 2 4\n";
 
-        private var _loader:TestedLoader;
-        private var _log:Array;
+        private var _loader:TestedLoader = new TestedLoader(new SlowReceiver(0), 8);
+        private var _log:Array = [];
 
         [Before]
         public function setUp():void
         {
-            _loader = new TestedLoader(new SlowReceiver(0), 8);
-            _log = [];
             _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
                 {
                     _log.push(event.model.name + " " + event.model.vertices.join());

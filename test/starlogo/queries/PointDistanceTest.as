@@ -25,18 +25,14 @@ package starlogo.queries
         // matrices of players have single precision
         private static const NEAR_BY_MATRIX:Number = 1e-5;
 
-        private var _greatLand:GreatLand;
-        private var _models:Object;
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
+        private var _greatLand:GreatLand = new GreatLand();
+        private var _models:Object = {};
+        private var _random:SeededRandom = new SeededRandom(3807);
+        private var _wrong:Complaints = new Complaints();
 
         [Before]
         public function begin():void
         {
-            _random = new SeededRandom(3807);
-            _wrong = new Complaints();
-            _models = {};
-            _greatLand = new GreatLand();
             for each (var model:Model in SolidModels.all())
             {
                 _models[model.name] = model;

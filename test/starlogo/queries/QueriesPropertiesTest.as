@@ -28,15 +28,13 @@ package starlogo.queries
         private static const FOUND:int = 28901;
         private static const HASH:String = "4476285c";
 
-        private var _greatLand:GreatLand;
-        private var _agents:Vector.<Agent>;
-        private var _queries:AgentQueries;
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
+        private var _queries:AgentQueries = new AgentQueries(new TightestFitCollider(_greatLand));
 
         [Before]
         public function begin():void
         {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder());
-            _agents = new Vector.<Agent>();
             var random:SeededRandom = new SeededRandom(2220);
             for (var i:int = 0; i < 300; i++)
             {
@@ -47,7 +45,6 @@ package starlogo.queries
                 agent.hierarchical = random.chance(0.3);
                 _agents.push(agent);
             }
-            _queries = new AgentQueries(new TightestFitCollider(_greatLand));
             _queries.update(_agents);
         }
 

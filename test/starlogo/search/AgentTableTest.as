@@ -15,16 +15,13 @@ package starlogo.search
     /** A table has the agents that are listed, and no others: neither those that have left, nor those of a list that was refused. */
     public class AgentTableTest
     {
-        private var _land:GreatLand;
-        private var _table:AgentTable;
-        private var _agents:Vector.<Agent>;
+        private var _land:GreatLand = landOf(BuiltInModel.cube());
+        private var _table:AgentTable = new AgentTable(new ModelShapes(new TightestFits(_land)), new Bins());
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]
         public function makeTable():void
         {
-            _land = landOf(BuiltInModel.cube());
-            _table = new AgentTable(new ModelShapes(new TightestFits(_land)), new Bins());
-            _agents = new Vector.<Agent>();
             for (var i:int = 0; i < 20; i++)
             {
                 _agents.push(new Agent("cube"));

@@ -11,14 +11,12 @@ package starlogo.search
     /** Pairs of breeds, compared with a list of them. */
     public class BreedInterestsTest
     {
-        private var _random:SeededRandom;
-        private var _names:Array;
+        private var _random:SeededRandom = new SeededRandom(4810);
+        private var _names:Array = [Breeds.TERRAIN, Breeds.EDGE];
 
         [Before]
         public function makeNames():void
         {
-            _random = new SeededRandom(4810);
-            _names = [Breeds.TERRAIN, Breeds.EDGE];
             for (var i:int = 0; i < 40; i++)
             {
                 _names.push("interest " + i);

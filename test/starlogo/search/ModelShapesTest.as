@@ -20,18 +20,14 @@ package starlogo.search
     /** What stands for a model stays, the same for all that have it, until that model is another. */
     public class ModelShapesTest
     {
-        private var _land:GreatLand;
-        private var _shapes:ModelShapes;
-        private var _ball:Agent;
-        private var _cube:Agent;
+        private var _land:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+        private var _shapes:ModelShapes = new ModelShapes(new TightestFits(_land));
+        private var _ball:Agent = new Agent("sphere");
+        private var _cube:Agent = new Agent("cube");
 
         [Before]
         public function makeShapes():void
         {
-            _land = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            _shapes = new ModelShapes(new TightestFits(_land));
-            _ball = new Agent("sphere");
-            _cube = new Agent("cube");
             _shapes.forgetReplaced();
         }
 

@@ -23,17 +23,14 @@ package starlogo.terrain
         private static const HAIR:Number = 1e-9;
         private static const SHAPES:Array = ["sphere", "cylinder", "cube", "ell"];
 
-        private var _land:GreatLand;
-        private var _random:SeededRandom;
-        private var _wrong:Complaints;
+        private var _land:GreatLand = new GreatLand();
+        private var _random:SeededRandom = new SeededRandom(48);
+        private var _wrong:Complaints = new Complaints();
         private var _directions:Vector.<Vector3D> = new Vector.<Vector3D>();
 
         [Before]
         public function makeLand():void
         {
-            _random = new SeededRandom(48);
-            _wrong = new Complaints();
-            _land = new GreatLand();
             _land.prepareExact = true;
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cylinder(), BuiltInModel.cube(), modelOf("ell", [[0, 0, 0, 1, 0.3, 0.3],
                                 [0, 0, 0, 0.3, 1, 0.3], [0, 0, 0, 0.3, 0.3, 1]]), modelOf("corner", [[0, 0, 0, 10, 1, 5], [0, 0, 0, 1, 10, 5]])])

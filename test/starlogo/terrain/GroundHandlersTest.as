@@ -26,19 +26,15 @@ package starlogo.terrain
     /** Handlers for the ground: which are called, with what, in which order. */
     public class GroundHandlersTest
     {
-        private var _land:GreatLand;
-        private var _terrain:Terrain;
-        private var _collision:Collision;
-        private var _calls:Array;
+        private var _land:GreatLand = landOf(BuiltInModel.cube());
+        private var _terrain:Terrain = new Terrain(11, 11, 1, -5, -5);
+        private var _collision:Collision = new Collision(new TightestFitCollider(_land));
+        private var _calls:Array = [];
 
         [Before]
         public function makeGame():void
         {
-            _land = landOf(BuiltInModel.cube());
-            _terrain = new Terrain(11, 11, 1, -5, -5);
-            _collision = new Collision(new TightestFitCollider(_land));
             _collision.terrain = _terrain;
-            _calls = [];
         }
 
         [Test]

@@ -20,13 +20,12 @@ package starlogo.terrain
     /** Heights, both surfaces, mounds and walls, and what is refused. */
     public class TerrainTest
     {
-        private var _terrain:Terrain;
+        private var _terrain:Terrain = new Terrain(3, 3, 2, -2, -2);
 
         [Before]
         public function makeTerrain():void
         {
             // 0 1 2 along x, 10 more each row
-            _terrain = new Terrain(3, 3, 2, -2, -2);
             _terrain.setHeights(0, 0, 3, 3, new <Number>[0, 1, 2, 10, 11, 12, 20, 21, 22]);
         }
 

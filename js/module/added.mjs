@@ -9,16 +9,16 @@ export const ADDED = {
 		text: `loadAsync(name, url, options = {}) {
   return $loadAsync(this, name, url, options);
 }`,
-		declaration: `    /**
-     * Loads a model from a file as load() does, and promises it: \`const bear = await loader.loadAsync("bear", url, { signal })\`. What goes wrong
-     * rejects the promise; listeners for "error" hear it too.
-     *
-     * @param name what agents call the shape
-     * @param url where the file is: OBJ, glTF, STL, COLLADA or cooked
-     * @param options upAxis and scaling as in load(); signal: an AbortSignal that cancels this load alone
-     * @returns the model, which the receiver has by then
-     * @throws ModelError, in the promise, if it can't be loaded; the signal's reason if that is aborted; an AbortError if cancel() is called
-     */
-    loadAsync(name: string, url: string, options?: { upAxis?: UpAxis; scaling?: Scaling; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
+		declaration: `\t/**
+	 * Loads a model from a file as load() does, and promises it: \`const bear = await loader.loadAsync("bear", url, { signal })\`. What goes wrong
+	 * rejects the promise; listeners for "error" hear it too.
+	 *
+	 * @param name what agents call the shape
+	 * @param url where the file is: OBJ, glTF, STL, COLLADA or cooked
+	 * @param options upAxis and scaling as in load(); signal: an AbortSignal that cancels this load alone
+	 * @returns the model, which the receiver has by then
+	 * @throws ModelError, in the promise, if it can't be loaded; the signal's reason if that is aborted; an AbortError if cancel() is called
+	 */
+	loadAsync(name: string, url: string, options?: { upAxis?: UpAxis; scaling?: Scaling; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
 	},
 };

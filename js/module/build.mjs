@@ -28,7 +28,7 @@ const text = cleaned(`/*! ${NAME} ${version}, MIT */
 ${standinsText()}
 ${classes}
 export {
-    ${[...values, "ArgumentError", "ByteArray"].sort().join(",\n    ")}
+	${[...values, "ArgumentError", "ByteArray"].sort().join(",\n\t")}
 };
 `);
 

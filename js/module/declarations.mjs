@@ -26,16 +26,16 @@ export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
 
 /** What is taken for a point or a direction: a Vector3D, three.js's Vector3, a literal. It is read at the call. */
 export interface Point {
-    readonly x: number;
-    readonly y: number;
-    readonly z: number;
+	readonly x: number;
+	readonly y: number;
+	readonly z: number;
 }
 
 /** What takes a point that a question finds: its x, y and z are written. */
 export interface PointTaker {
-    x: number;
-    y: number;
-    z: number;
+	x: number;
+	y: number;
+	z: number;
 }
 
 /** Which axis of a file points up, or what turns it otherwise. */
@@ -49,31 +49,31 @@ export type Listener = { listen(event: Event): void }["listen"];
 
 /** How to listen: as to the platform's own events. */
 export interface ListenerOptions {
-    /** Whether the listener is called but once. */
-    once?: boolean;
-    /** Taken, and of no effect: events have no phases here. */
-    capture?: boolean;
-    /** Listening ends when it is aborted. */
-    signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void };
+	/** Whether the listener is called but once. */
+	once?: boolean;
+	/** Taken, and of no effect: events have no phases here. */
+	capture?: boolean;
+	/** Listening ends when it is aborted. */
+	signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void };
 }
 `;
 const BY_HAND = `/** An argument is not what it has to be. */
 export class ArgumentError extends Error {
-    constructor(message?: string);
+	constructor(message?: string);
 }
 
 /** Bytes with a place to read and write at, as far as loading models needs them. */
 export class ByteArray {
-    /** @param source bytes to begin with, which are copied */
-    constructor(source?: ArrayBuffer | ArrayBufferView | null);
-    /** The order of a number's bytes: "bigEndian" or "littleEndian". */
-    endian: "bigEndian" | "littleEndian";
-    /** Where the next byte is read or written. */
-    position: number;
-    /** How many bytes there are. */
-    length: number;
-    /** The bytes, copied. */
-    toUint8Array(): Uint8Array;
+	/** @param source bytes to begin with, which are copied */
+	constructor(source?: ArrayBuffer | ArrayBufferView | null);
+	/** The order of a number's bytes: "bigEndian" or "littleEndian". */
+	endian: "bigEndian" | "littleEndian";
+	/** Where the next byte is read or written. */
+	position: number;
+	/** How many bytes there are. */
+	length: number;
+	/** The bytes, copied. */
+	toUint8Array(): Uint8Array;
 }
 `;
 
@@ -119,15 +119,15 @@ class Writer {
 
 	#eventsText(type) {
 		if (type.events.length === 0) return "";
-		const lines = type.events.map(({ event, eventType }) => `    ${event}: ${this.#type(eventType)};`);
+		const lines = type.events.map(({ event, eventType }) => `\t${event}: ${this.#type(eventType)};`);
 		return `/** The events of a ${type.name}, by their types. */\nexport interface ${type.name}Events {\n${lines.join("\n")}\n}\n\n`;
 	}
 
 	#listening(type) {
 		const known = `<K extends keyof ${type.name}Events>(type: K, listener: (event: ${type.name}Events[K]) => void, `;
 		return [
-			`    addEventListener${known}options?: boolean | ListenerOptions, priority?: number): void;`,
-			`    removeEventListener${known}options?: boolean | ListenerOptions): void;`,
+			`\taddEventListener${known}options?: boolean | ListenerOptions, priority?: number): void;`,
+			`\tremoveEventListener${known}options?: boolean | ListenerOptions): void;`,
 		];
 	}
 
@@ -144,10 +144,10 @@ class Writer {
 		const visible = member.isProtected ? "protected " : "";
 		this.#agent = isGeneric(type) && !member.isStatic ? "A" : "Agent";
 		const said = this.#docOf(type, member);
-		const text = doc(said, "    ");
+		const text = doc(said, "\t");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
-			return `${text}    ${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
+			return `${text}\t${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
 		}
 		// agents from a list of a client's agents have the client's class
 		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
@@ -157,23 +157,23 @@ class Writer {
 		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
 		switch (member.kind) {
 			case "constructor":
-				return `${text}    constructor(${this.#parameters(member, type)});`;
+				return `${text}\tconstructor(${this.#parameters(member, type)});`;
 			case "method":
-				return `${text}    ${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type)}): ${result};`;
+				return `${text}\t${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type)}): ${result};`;
 			case "get": {
 				const isReadOnly = !type.members.some((other) => other.kind === "set" && other.name === member.name);
-				if (type.kind === "interface") return `${text}    ${isReadOnly ? "readonly " : ""}${member.name}: ${result};`;
-				return `${text}    ${visible}${isStatic}get ${member.name}(): ${result};`;
+				if (type.kind === "interface") return `${text}\t${isReadOnly ? "readonly " : ""}${member.name}: ${result};`;
+				return `${text}\t${visible}${isStatic}get ${member.name}(): ${result};`;
 			}
 			case "set":
 			{
 				const getter = type.members.find((other) => other.kind === "get" && other.name === member.name);
 				const orNull = getter && this.#mayBeNull({ ...getter, doc: this.#docOf(type, getter) }) ? " | null" : "";
 				const union = getter && this.#unionOf(type, getter.result, this.#docOf(type, getter));
-				return `${visible}    ${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
+				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
-				return `${text}    ${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
+				return `${text}\t${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
 		}
 	}
 

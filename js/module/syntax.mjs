@@ -95,7 +95,7 @@ export function forEach(first, second) {
 export function docOf(comment) {
 	const lines = comment.replace(/^\/\*+/, "").replace(/\*\/$/, "").split("\n")
 		.map((line) => line.replace(/^\s*\*? ?/, "").trimEnd())
-		.filter((line) => !/^@(param|return|type|constructor|extends|implements|private|package|protected|nocollapse|const|export|interface|override|final|see starlogo\.engine)\b/.test(line))
+		.filter((line) => !/^@(inheritDoc|param|return|type|constructor|extends|implements|private|package|protected|nocollapse|const|export|interface|override|final|see starlogo\.engine)\b/.test(line))
 		.map((line) => line.replace(/^@as(param|return)/, "@$1"));
 	while (lines.length > 0 && lines[0] === "") lines.shift();
 	while (lines.length > 0 && lines.at(-1) === "") lines.pop();
@@ -104,9 +104,7 @@ export function docOf(comment) {
 	return `/**\n${lines.map((line) => ` * ${line}`.trimEnd()).join("\n")}\n */\n`;
 }
 
-export function indent(text) {
-	return text.split("\n").map((line) => (line === "" ? "" : `    ${line.replace(/^( +)(?! ?\*)/, (spaces) => spaces + spaces)}`)).join("\n");
-}
+export const indent = (text) => text.replaceAll(/^(?=.)/gm, "\t");
 
 /** Whether a path of names begins with another. */
 export function isWithin(path, qname) {

@@ -39,7 +39,7 @@ export function setFetch(fetchFile) {
 
 ${text}
 export const CLASSES = [
-    ${classes.join(",\n    ")}
+	${classes.join(",\n\t")}
 ];
 export { ${program.names.map((qname) => program.shortName(qname)).join(", ")} };
 `);

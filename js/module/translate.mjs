@@ -140,13 +140,18 @@ export class Program {
 	#textOf(unit) {
 		this.#unit = unit;
 		try {
-			const doc = docOf(unit.doc);
+			const doc = this.#docOf(unit, unit.doc);
 			if (unit.kind === "interface") return this.#interfaceText(unit);
 			if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#functionText(unit.main, unit.doc)}${this.#wrapperText(unit, doc)}`;
 			return this.#isShown(unit) ? `${doc}const ${this.shortName(unit.qname)} = /* @__PURE__ */ ${this.#helper("shown")}(${this.#classText(unit)});` : `${doc}${this.#classText(unit)}`;
 		} catch (error) {
 			throw new Error(`${unit.file}: ${error.message}`, { cause: error });
 		}
+	}
+
+	// index.d.ts has the documentation of what is exported.
+	#docOf(unit, doc) {
+		return this.signatures.has(unit.qname) ? "" : docOf(doc);
 	}
 
 	// The export for a package function that the engine calls in its loops.
@@ -156,7 +161,7 @@ export class Program {
 		this.#scopes.pop();
 		const passed = unit.main.params.map((parameter) => parameter.name).join(", ");
 		const lines = [...this.#checks.of(unit.qname, unit.name, "function"), `return ${this.shortName(unit.qname)}(${passed});`];
-		return `\n\n${doc}function ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map((line) => `  ${line}`).join("\n")}\n}`;
+		return `\n\n${doc}function ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map(indent).join("\n")}\n}`;
 	}
 
 	// Tools show only the public state of public classes.
@@ -167,10 +172,10 @@ export class Program {
 
 	#interfaceText(unit) {
 		const names = this.#interfaceMembers(unit).map((name) => JSON.stringify(name));
-		return `${docOf(unit.doc)}class ${this.shortName(unit.qname)} {
-    static [Symbol.hasInstance](value) {
-        return ${this.#helper("hasMembers")}(value, [${names.join(", ")}]);
-    }
+		return `${this.#docOf(unit, unit.doc)}class ${this.shortName(unit.qname)} {
+	static [Symbol.hasInstance](value) {
+		return ${this.#helper("hasMembers")}(value, [${names.join(", ")}]);
+	}
 }`;
 	}
 
@@ -185,29 +190,29 @@ export class Program {
 		for (const field of unit.staticValues) {
 			const name = this.#member(field.name);
 			if (!this.#isSeen(unit, field.name)) continue;
-			lines.push(`${docOf(field.doc ?? "")}static get ${name}() {\n  return ${this.#staticName(unit, field.name)};\n}`);
-			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n  ${this.#staticName(unit, field.name)} = value;\n}`);
+			lines.push(`${this.#docOf(unit, field.doc ?? "")}static get ${name}() {\n\treturn ${this.#staticName(unit, field.name)};\n}`);
+			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n\t${this.#staticName(unit, field.name)} = value;\n}`);
 		}
 		// errors name classes, also if a bundler shortens the names
 		if (this.signatures.has(unit.qname)) lines.push(`static name = ${JSON.stringify(unit.name)};`);
 		lines.push(this.#constructorText(unit));
 		// $shown does this for public classes. Users never see the text of others.
-		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
-		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n  return $copy;\n}`);
+		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n\treturn this.constructor.name;\n}`);
+		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n\treturn $copy;\n}`);
 		for (const setting of this.#checks.settings(unit.qname)) {
-			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `  ${line}\n`).join("");
-			lines.push(`get ${setting.name}() {\n  return this._${setting.name};\n}`, `set ${setting.name}(value) {\n${check}  this._${setting.name} = value;\n}`);
+			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `${indent(line)}\n`).join("");
+			lines.push(`get ${setting.name}() {\n\treturn this._${setting.name};\n}`, `set ${setting.name}(value) {\n${check}\tthis._${setting.name} = value;\n}`);
 		}
 		for (const member of unit.members) {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
 			const name = this.#member(member.name);
 			if (member.node === null) {
-				lines.push(member.kind === "get" ? `get ${name}() {\n  return super.${name};\n}` : `set ${name}(value) {\n  super.${name} = value;\n}`);
+				lines.push(member.kind === "get" ? `get ${name}() {\n\treturn super.${name};\n}` : `set ${name}(value) {\n\tsuper.${name} = value;\n}`);
 			} else {
 				const taken = this.#checks.of(unit.qname, member.name, member.kind);
 				// hasAllStatics is for tests, which are ActionScript and expect ByteArrays
 				const text = this.#functionText(member.node, member.doc, taken);
-				lines.push(`${docOf(member.doc)}${prefix}${name}${!this.hasAllStatics && PLAIN_BYTES.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
+				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${!this.hasAllStatics && PLAIN_BYTES.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
 			}
 		}
 		if (ADDED[unit.qname]) lines.push(ADDED[unit.qname].text);
@@ -236,7 +241,7 @@ export class Program {
 		}
 		this.#scopes.pop();
 		if (statements.length === 0 && parameters === "") return "";
-		return `constructor(${parameters}) {\n${statements.map((line) => `  ${line.replaceAll("\n", "\n  ")}`).join("\n")}\n}`;
+		return `constructor(${parameters}) {\n${statements.map(indent).join("\n")}\n}`;
 	}
 
 	// Whether the constructor sets a field at its beginning. Then the field needs no value before.
@@ -249,7 +254,7 @@ export class Program {
 		const { parameters, body } = this.#opened(node, doc);
 		const statements = [...taken, ...this.#statements(body)];
 		this.#scopes.pop();
-		const lines = statements.map((line) => `  ${line.replaceAll("\n", "\n  ")}`);
+		const lines = statements.map(indent);
 		return lines.length === 0 ? `(${parameters}) {\n}` : `(${parameters}) {\n${lines.join("\n")}\n}`;
 	}
 
@@ -340,7 +345,7 @@ export class Program {
 			case "FunctionDeclaration":
 				return `function ${node.id.name}${this.#functionText(node, "")}`;
 			case "SwitchCase":
-				return `${node.test ? `case ${this.#text(node.test)}` : "default"}:\n${this.#statements(node.consequent).map((line) => `  ${line.replaceAll("\n", "\n  ")}`).join("\n")}`;
+				return `${node.test ? `case ${this.#text(node.test)}` : "default"}:\n${this.#statements(node.consequent).map(indent).join("\n")}`;
 			case "CatchClause":
 				return this.#catchText(node);
 			case "Identifier":
@@ -365,14 +370,14 @@ export class Program {
 	#blockText(node) {
 		// the compiler puts the body of a "for each" into a block of its own
 		const body = node.body.length === 1 && node.body[0].type === "BlockStatement" ? node.body[0].body : node.body;
-		const lines = this.#statements(body).map((line) => `  ${line.replaceAll("\n", "\n  ")}`);
+		const lines = this.#statements(body).map(indent);
 		return lines.length === 0 ? "{\n}" : `{\n${lines.join("\n")}\n}`;
 	}
 
 	// Errors of other classes are thrown again.
 	#catchText(node) {
 		const { name, type } = this.#unit.caught[this.#unit.source.slice(0, node.start).split(/\bcatch \(\w/).length - 1];
-		return type && `catch (${name}) {\n  if (!(${name} instanceof ${this.#reference(type)})) throw ${name};${this.#text(node.body).slice(1)}`;
+		return type && `catch (${name}) {\n\tif (!(${name} instanceof ${this.#reference(type)})) throw ${name};${this.#text(node.body).slice(1)}`;
 	}
 
 	#identifierText(node) {
@@ -689,5 +694,5 @@ function rank(unit) {
 /** Wraps a method that returns a ByteArray, so that it returns a Uint8Array. */
 function asPlainBytes(text) {
 	const [, parameters, body] = /^(\([^)]*\)) \{\n([\s\S]*)\}$/.exec(text);
-	return `${parameters} {\n  return (() => {\n${body.replaceAll(/^/gm, "  ").trimEnd()}\n  })().toUint8Array();\n}`;
+	return `${parameters} {\n\treturn (() => {\n${indent(body).trimEnd()}\n\t})().toUint8Array();\n}`;
 }

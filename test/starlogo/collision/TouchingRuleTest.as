@@ -23,8 +23,20 @@ package starlogo.collision
         private static const SYSTEMS:Array = [["bins", 0], ["tightest fits", 0], ["combinations", 0], ["hierarchies", 0], ["triangles", 0],
                 ["combinations", 1], ["combinations", 2]];
         private static const STANDING:Array = ["found", "found the other way round", "asked", "asked the other way round"];
-        private static const SWEPT:Array = ["moving along, both sweep", "moving along, one sweeps", "moving along, the other sweeps",
-                "one passes", "the other passes", "both pass", "one comes", "the other comes", "one leaves", "both leave", "both come"];
+
+        // Who sweeps; from where and to where the two go: along, aside and behind, as TouchingPair.place() has it.
+        private static const SWEPT:Array = [
+                ["moving along, both sweep", true, true, [0, 0, 1], [0, 0, 1], [0, 0, 0], [0, 0, 0]],
+                ["moving along, one sweeps", true, false, [0, 0, 1], [0, 0, 1], [0, 0, 0], [0, 0, 0]],
+                ["moving along, the other sweeps", false, true, [0, 0, -1], [0, 0, -1], [0, 0, 0], [0, 0, 0]],
+                ["one passes", true, false, [0, -1, 0], [0, 0, 0], [0, 1, 0], [0, 0, 0]],
+                ["the other passes", true, false, [0, 0, 0], [0, 1, 0], [0, 0, 0], [0, -1, 0]],
+                ["both pass", true, true, [0, -1, 1], [0, 1, 1], [0, 1, 0], [0, -1, 0]],
+                ["one comes", true, false, [3, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]],
+                ["the other comes", false, true, [0, 0, 0], [3, 0, 0], [0, 0, 0], [0, 0, 0]],
+                ["one leaves", true, false, [0, 0, 0], [0, 0, 0], [3, 0, 0], [0, 0, 0]],
+                ["both leave", false, true, [0, 0, 1], [0, 0, 1], [3, 0, 0], [5, 0, 0]],
+                ["both come", true, false, [3, 0, 1], [5, 0, 1], [0, 0, 0], [0, 0, 0]]];
 
         private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
         private var _colliders:Array = [];
@@ -121,12 +133,12 @@ package starlogo.collision
                 }
                 setSystem(i);
                 pair.resize(_a, _b);
-                for each (var manner:String in manners)
+                for each (var manner:Object in manners)
                 {
                     var isHit:Boolean = isColliding(manner, pair, _colliders[i]);
                     asked++;
                     hits += isHit ? 1 : 0;
-                    _wrong.addIf(isHit != expected, nameOf(i) + ", " + pair.shape + ", " + (manners === STANDING ? "standing" : "moving"), manner + ", " + pair);
+                    _wrong.addIf(isHit != expected, nameOf(i) + ", " + pair.shape + ", " + (manners === STANDING ? "standing" : "moving"), (manner is Array ? manner[0] : manner) + ", " + pair);
                 }
             }
             _questions += asked;
@@ -152,52 +164,17 @@ package starlogo.collision
             _b.hierarchical = SYSTEMS[system][1] > 1;
         }
 
-        private function isColliding(manner:String, pair:TouchingPair, collider:Collider):Boolean
+        private function isColliding(manner:Object, pair:TouchingPair, collider:Collider):Boolean
         {
-            _a.sweeps = _b.sweeps = false;
-            if (STANDING.indexOf(manner) >= 0)
+            _a.sweeps = manner is Array && manner[1];
+            _b.sweeps = manner is Array && manner[2];
+            if (manner is Array)
             {
-                pair.place(_a, false, 0, 0, 0, true);
-                pair.place(_b, true, 0, 0, 0, true);
-                return isCollidingNow(manner, collider);
+                return isMet(collider, pair, manner[3], manner[4], manner[5], manner[6]);
             }
-            switch (manner)
-            {
-                case "moving along, both sweep":
-                    _a.sweeps = _b.sweeps = true;
-                    return isMet(collider, pair, [0, 0, 1], [0, 0, 1], [0, 0, 0], [0, 0, 0]);
-                case "moving along, one sweeps":
-                    _a.sweeps = true;
-                    return isMet(collider, pair, [0, 0, 1], [0, 0, 1], [0, 0, 0], [0, 0, 0]);
-                case "moving along, the other sweeps":
-                    _b.sweeps = true;
-                    return isMet(collider, pair, [0, 0, -1], [0, 0, -1], [0, 0, 0], [0, 0, 0]);
-                case "one passes":
-                    _a.sweeps = true;
-                    return isMet(collider, pair, [0, -1, 0], [0, 0, 0], [0, 1, 0], [0, 0, 0]);
-                case "the other passes":
-                    _a.sweeps = true;
-                    return isMet(collider, pair, [0, 0, 0], [0, 1, 0], [0, 0, 0], [0, -1, 0]);
-                case "both pass":
-                    _a.sweeps = _b.sweeps = true;
-                    return isMet(collider, pair, [0, -1, 1], [0, 1, 1], [0, 1, 0], [0, -1, 0]);
-                case "one comes":
-                    _a.sweeps = true;
-                    return isMet(collider, pair, [3, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]);
-                case "the other comes":
-                    _b.sweeps = true;
-                    return isMet(collider, pair, [0, 0, 0], [3, 0, 0], [0, 0, 0], [0, 0, 0]);
-                case "one leaves":
-                    _a.sweeps = true;
-                    return isMet(collider, pair, [0, 0, 0], [0, 0, 0], [3, 0, 0], [0, 0, 0]);
-                case "both leave":
-                    _b.sweeps = true;
-                    return isMet(collider, pair, [0, 0, 1], [0, 0, 1], [3, 0, 0], [5, 0, 0]);
-                default:
-                    // both come
-                    _a.sweeps = true;
-                    return isMet(collider, pair, [3, 0, 1], [5, 0, 1], [0, 0, 0], [0, 0, 0]);
-            }
+            pair.place(_a, false, 0, 0, 0, true);
+            pair.place(_b, true, 0, 0, 0, true);
+            return isCollidingNow(String(manner), collider);
         }
 
         private function isCollidingNow(manner:String, collider:Collider):Boolean
@@ -216,7 +193,6 @@ package starlogo.collision
             }
         }
 
-        // Of each where it comes from and where it goes: along, aside and behind, as TouchingPair.place() has it.
         private function isMet(collider:Collider, pair:TouchingPair, fromA:Array, fromB:Array, toA:Array, toB:Array):Boolean
         {
             pair.place(_a, false, fromA[0], fromA[1], fromA[2], true);

@@ -31,15 +31,9 @@ package starlogo.solid
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
-        private static var sHierarchies:Object;
+        private static var sHierarchies:Object = {};
 
         private var _pair:TreePairQuery = new TreePairQuery();
-
-        [BeforeClass]
-        public static function begin():void
-        {
-            sHierarchies = {};
-        }
 
         [Test]
         public function specksBesideGiants():void

@@ -96,29 +96,10 @@ package starlogo.collision
                 {
                     agent[_random.pick(["x", "y", "z"])] += _random.normal();
                 });
-            check("agents were boxes and are what fits tightest", STRUCTURES, function():void
-                {
-                    for each (var agent:Agent in _agents)
-                    {
-                        agent.collideAs = Agent.TIGHTEST;
-                    }
-                }, null, function():void
-                {
-                    for each (var agent:Agent in _agents)
-                    {
-                        // a capsule
-                        agent.shape = "egg";
-                        agent.hierarchical = false;
-                        agent.collideAs = Agent.BOX;
-                    }
-                });
-            check("agents changed their traversal depth", HIERARCHIES, function():void
-                {
-                    for each (var agent:Agent in _agents)
-                    {
-                        agent.traversalDepth = 1;
-                    }
-                }, null, function():void
+            // a capsule
+            check("agents were boxes and are what fits tightest", STRUCTURES, allAre({collideAs: Agent.TIGHTEST}), null,
+                    allAre({shape: "egg", hierarchical: false, collideAs: Agent.BOX}));
+            check("agents changed their traversal depth", HIERARCHIES, allAre({traversalDepth: 1}), null, function():void
                 {
                     for each (var agent:Agent in _agents)
                     {
@@ -178,14 +159,8 @@ package starlogo.collision
                 {
                     _interests.add("walls", _random.pick(["walls", BreedInterests.ANY_BREED]));
                 }, bearsAndBalls);
-            check("interests came and went", ALL, function():void
-                {
-                    _interests = _interests == null ? bearsAndBalls() : null;
-                }, null);
-            check("interests came and went", ALL, function():void
-                {
-                    _interests = _interests == null ? bearsAndBalls() : null;
-                }, bearsAndBalls);
+            check("interests came", ALL, comeOrGo);
+            check("interests went", ALL, comeOrGo, bearsAndBalls);
         }
 
         [Test]
@@ -577,6 +552,26 @@ package starlogo.collision
                 {
                     AgentChanges.change(trait, agent, SHAPES, _random);
                 });
+        }
+
+        private function comeOrGo():void
+        {
+            _interests = _interests == null ? bearsAndBalls() : null;
+        }
+
+        // Gives all agents these traits.
+        private function allAre(traits:Object):Function
+        {
+            return function():void
+            {
+                for each (var agent:Agent in _agents)
+                {
+                    for (var trait:String in traits)
+                    {
+                        agent[trait] = traits[trait];
+                    }
+                }
+            };
         }
 
         private function each(cause:String, changed:Array, change:Function, interests:Function = null):void

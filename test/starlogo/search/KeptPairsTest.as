@@ -1,10 +1,15 @@
-package starlogo.collision
+package starlogo.search
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -18,15 +23,8 @@ package starlogo.collision
     {
         private static const BREEDS:Array = ["walls", "coins", "movers"];
 
-        private var _greatLand:GreatLand;
-        private var _random:SeededRandom;
-
-        [Before]
-        public function addModels():void
-        {
-            _greatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            _random = new SeededRandom(52);
-        }
+        private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+        private var _random:SeededRandom = new SeededRandom(52);
 
         [Test]
         public function aFrameWithoutChangesTestsNothing():void

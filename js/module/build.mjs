@@ -17,7 +17,7 @@ const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
 
 const types = publicSignatures();
-const program = translate(transpiled, types, { roots: moduleRoots() });
+const program = translate(transpiled, types, { roots: moduleRoots(types) });
 const classes = program.text();
 const lost = /\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);

@@ -52,6 +52,12 @@ package evaluation
             return samples.median;
         }
 
+        /** The median, in milliseconds, as text. */
+        public function get ms():String
+        {
+            return (nanoseconds / 1e6).toFixed(2);
+        }
+
         /** How many times as long this takes as the base in the same round: the median of all rounds. */
         public function timesAsLongAs(base:Measurement):Number
         {

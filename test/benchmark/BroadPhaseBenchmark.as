@@ -72,7 +72,7 @@ package benchmark
 
         private function addRow(table:Table, name:String, engine:Measurement, floor:Measurement):void
         {
-            table.add(name, ms(engine), ms(floor), engine.timesAsLongAs(floor).toFixed(2), samePairs());
+            table.add(name, engine.ms, floor.ms, engine.timesAsLongAs(floor).toFixed(2), samePairs());
         }
 
         private function scatter(count:int, halfWidth:Number):void
@@ -172,11 +172,6 @@ package benchmark
                 sum += (a * 31 + b * 31 + a * b) % 1000003;
             }
             return sum;
-        }
-
-        private static function ms(measurement:Measurement):String
-        {
-            return (measurement.nanoseconds / 1e6).toFixed(2);
         }
     }
 }

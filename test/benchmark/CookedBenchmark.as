@@ -49,8 +49,8 @@ package benchmark
             {
                 var isAll:Boolean = i == models.length;
                 table.add(isAll ? "all twelve" : models[i].name, isAll ? "" : models[i].triangles.length / 3, isAll ? bytes : cooked[i].length,
-                        ms(all[4 * i]), ms(all[4 * i + 1]), all[4 * i + 1].timesAsLongAs(all[4 * i]).toFixed(1), ms(all[4 * i + 2]),
-                        ms(all[4 * i + 3]), all[4 * i + 3].timesAsLongAs(all[4 * i + 2]).toFixed(1));
+                        all[4 * i].ms, all[4 * i + 1].ms, all[4 * i + 1].timesAsLongAs(all[4 * i]).toFixed(1), all[4 * i + 2].ms,
+                        all[4 * i + 3].ms, all[4 * i + 3].timesAsLongAs(all[4 * i + 2]).toFixed(1));
             }
             return table.toString();
         }
@@ -81,11 +81,6 @@ package benchmark
                 return new Model(model.name, model.vertices, model.triangles);
             }
             return FIXTURES[i - 3].slice(-4) == ".dae" ? new ColladaModel(model.name, _texts[i]) : new ObjModel(model.name, _texts[i]);
-        }
-
-        private static function ms(measurement:Measurement):String
-        {
-            return (measurement.nanoseconds / 1e6).toFixed(2);
         }
     }
 }

@@ -51,7 +51,7 @@ package benchmark
             }
             var maze:Measurement = mazeFrame();
             Measurement.runAll(new <Measurement>[maze], ROUNDS);
-            table.add("a maze of " + WALLS + " cubes", "", "", ms(maze), "");
+            table.add("a maze of " + WALLS + " cubes", "", "", maze.ms, "");
             return String(table);
         }
 
@@ -63,7 +63,7 @@ package benchmark
                 all.push(frame(shape, count, share, handlers));
             }
             Measurement.runAll(all, ROUNDS);
-            table.add(name, ms(all[0]), ms(all[1]), ms(all[2]), ms(all[3]));
+            table.add(name, all[0].ms, all[1].ms, all[2].ms, all[3].ms);
         }
 
         private function frame(shape:String, count:int, share:Number, handlers:String):Measurement
@@ -148,11 +148,6 @@ package benchmark
         private function call(collider:Agent, collidee:Agent):void
         {
             _calls++;
-        }
-
-        private static function ms(measurement:Measurement):String
-        {
-            return (measurement.nanoseconds / 1e6).toFixed(2);
         }
     }
 }

@@ -66,7 +66,7 @@ package benchmark
             Measurement.runAll(all, ROUNDS);
             touches = 0;
             onGround.update(agents);
-            table.add(width + " patches wide, " + (step == 0 ? "none moved" : "all moved"), ms(all[0]), ms(all[1]), all[1].timesAsLongAs(all[0]).toFixed(2), touches);
+            table.add(width + " patches wide, " + (step == 0 ? "none moved" : "all moved"), all[0].ms, all[1].ms, all[1].timesAsLongAs(all[0]).toFixed(2), touches);
         }
 
         private function collisionFor(terrain:Terrain, handler:Function):Collision
@@ -139,11 +139,6 @@ package benchmark
                         queries.cast(origins[j], directions[j], 2 * CELLS);
                     }
                 }, RAYS);
-        }
-
-        private static function ms(measurement:Measurement):String
-        {
-            return (measurement.nanoseconds / 1e6).toFixed(2);
         }
     }
 }

@@ -6,12 +6,15 @@
  *   node test/node-tests.mjs bin/test-reports/summary-node.txt [pages]
  *
  * With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
+ *
+ * Each file has a process of its own, but those that open pages: a few processes have a share of them each, with one browser, whose pages they use one after
+ * the other.
  */
 import { spawnSync } from 'node:child_process';
-import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { missing } from './headless/browsers.mjs';
 
 const folder = path.dirname(fileURLToPath(import.meta.url));
@@ -28,19 +31,36 @@ function count(output, name) {
 	return Number(new RegExp(`^\\S ${name} (\\d+)$`, 'm').exec(output)?.[1] ?? 0);
 }
 
-const opensPages = (file) => /\/browsers?\.mjs['"]/.test(readFileSync(file, 'utf8'));
+const opensPages = (file) => /\bimport \{[^}]*\b(begin|launch)\b[^}]*\} from '[./\w-]*\/browsers?\.mjs'/.test(readFileSync(file, 'utf8').replaceAll('"', "'"));
+
+/** So many processes open pages at once: one more than there are processors, as pages wait now and then. One process more runs the other tests meanwhile. */
+const AT_ONCE = availableParallelism() + 1;
+
+/** Files that import a share of the tests each, so that all shares are of the same size. */
+function sharesOf(tests) {
+	const out = path.join(folder, '../bin/generated/pages');
+	mkdirSync(out, { recursive: true });
+	const shares = Array.from({ length: AT_ONCE }, (_, i) => ({ file: path.join(out, `share-${i + 1}.test.mjs`), size: 0, lines: [] }));
+	for (const test of tests) {
+		const share = shares.reduce((least, each) => (each.size < least.size ? each : least));
+		share.size += statSync(test).size;
+		share.lines.push(`import ${JSON.stringify(pathToFileURL(test).href)};\n`);
+	}
+	for (const { file, lines } of shares) writeFileSync(file, lines.join(''));
+	return shares.filter(({ lines }) => lines.length > 0).map(({ file }) => file);
+}
 
 const [summary, which] = process.argv.slice(2);
-// what opens pages takes longest, the longer files before the others: then no long one is left alone at the end
-const weight = (file) => statSync(file).size + (opensPages(file) ? 1e9 : 0);
-const files = testsBelow(folder).sort((a, b) => weight(b) - weight(a)).filter((file) => which !== 'pages' || opensPages(file));
+const tests = testsBelow(folder).sort((a, b) => statSync(b).size - statSync(a).size);
+const pages = tests.filter(opensPages);
+// what opens pages takes longest, and begins first
+const files = [...sharesOf(pages), ...which === 'pages' ? [] : tests.filter((file) => !pages.includes(file))];
 if (which === 'pages' && missing) {
 	console.log(`tests of pages: ${missing}`);
-	writeFileSync(summary, `0 passed, 0 failed, ${files.length} skipped\n`);
+	writeFileSync(summary, `0 passed, 0 failed, ${pages.length} skipped\n`);
 	process.exit();
 }
-// one file more at once than there are processors: pages wait now and then
-const run = spawnSync(process.execPath, ['--test', `--test-concurrency=${availableParallelism() + 1}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
+const run = spawnSync(process.execPath, ['--test', `--test-concurrency=${AT_ONCE + 1}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
 const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);
 if (failed > 0) {

@@ -43,15 +43,21 @@ export const isChromium = name === 'chromium';
 /** Why there is none; false if it is there. */
 export const missing = existsSync(BROWSERS[name].path) ? false : `${name} is not installed: there is no ${BROWSERS[name].path}`;
 
+/** What Playwright disables. */
+const PLAYWRIGHTS = 'AvoidUnnecessaryBeforeUnloadCheckSync,BoundaryEventDispatchTracksNodeRemoval,DestroyProfileOnBrowserClose,DialMediaRouteProvider,GlobalMediaControls,HttpsUpgrades,LensOverlay,MediaRouter,'
+	+ 'OptimizationHints,PaintHolding,RenderDocument,ThirdPartyStoragePartitioning,Translate';
+
 // The processor draws: what is 3D by software GL, and the pages directly, which takes half as long as by software GL.
 const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-rasterization', '--disable-gpu-compositing',
-	'--disable-dev-shm-usage', '--disable-background-networking', '--no-first-run'];
+	'--disable-dev-shm-usage', '--disable-background-networking', '--no-first-run',
+	// one renderer a context, and none in advance; no pages for the address bar that nobody sees. A second such switch replaces Playwright's, so the first is repeated.
+	'--disable-site-isolation-trials', `--disable-features=${PLAYWRIGHTS},SpareRendererForSitePerProcess,WebUIOmniboxPopup,WebUIOmniboxAimPopup`];
 
 /** How long anything may take, in milliseconds. It ends what hangs. A machine that has other things to do is slow, and not broken. */
 export const PATIENCE = 300000;
 
-/** Starts it. Its pages wait as long as PATIENCE says. @param {string[]} args further ones, for Chromium */
-export async function launch(args = []) {
+/** Starts one. Its pages wait as long as PATIENCE says. */
+async function start(args) {
 	const browser = await BROWSERS[name].launch({ executablePath: BROWSERS[name].path, args: [...ARGUMENTS, ...args], timeout: PATIENCE });
 	// its pages are pages of contexts
 	const newContext = browser.newContext.bind(browser);
@@ -62,6 +68,35 @@ export async function launch(args = []) {
 	};
 	return browser;
 }
+
+/** The browser that the test files of this process share, and how many of them use it. */
+let [shared, users] = [null, 0];
+
+/** A share of one browser: contexts of one's own, which end when it is closed. The last share that is closed ends the browser. */
+async function share() {
+	users++;
+	shared ??= start([]);
+	const browser = await shared;
+	const contexts = [];
+	const newContext = async (options) => {
+		const context = await browser.newContext(options);
+		contexts.push(context);
+		return context;
+	};
+	return {
+		newContext,
+		newPage: async (options) => (await newContext(options)).newPage(),
+		async close() {
+			await Promise.all(contexts.map((context) => context.close()));
+			if (--users > 0) return;
+			shared = null;
+			await browser.close();
+		},
+	};
+}
+
+/** Gives a share of this process's browser; with further arguments, which are Chromium's, a browser of one's own. */
+export const launch = (args = []) => (args.length > 0 ? start(args) : share());
 
 /** Whether a line of the console says that a picture was waited for. The browser waits for it: it puts the page together on the processor. */
 export const saysItWaits = (text) => /GPU stall due to ReadPixels/.test(text);

@@ -33,8 +33,23 @@ export const drawNothing = (context) => context.addInitScript(() => {
 	for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) WebGL2RenderingContext.prototype[name] = () => {};
 });
 
-/** Begins: a server below a path of its own, and a browser. */
-export async function begin() {
+/** Has a page's clock go on by a second at each look, so that Inspect takes each time as seldom as it may. For what is no matter of times. */
+export const hurry = (page) => page.evaluate(() => {
+	let now = performance.now();
+	performance.now = () => (now += 1000);
+});
+
+/** The site that the test files of this process share, and how many of them use it. */
+let [site, users] = [null, 0];
+
+/** Begins: a server below a path of its own, and a browser. All test files of a process have the same ones, and use the same pages one after the other. */
+export function begin() {
+	users++;
+	site ??= start();
+	return site;
+}
+
+async function start() {
 	if (!existsSync(path.join(folder, 'index.html'))) {
 		throw new Error(`${folder} is not built: ./antw test builds it`);
 	}
@@ -44,6 +59,8 @@ export async function begin() {
 		browser,
 		url: `${server.url}any/where/`,
 		async close() {
+			if (--users > 0) return;
+			site = null;
 			await browser.close();
 			server.close();
 		},
@@ -67,7 +84,7 @@ async function newPage({ browser, url }, { isDrawn, ...options }) {
 }
 
 /** Makes a page as good as new. A new one takes twice as long as one that is used again. */
-async function forget({ page, said }, { viewport }) {
+async function forget({ page, said }) {
 	for (const other of page.context().pages()) if (other !== page) await other.close();
 	await page.unrouteAll();
 	await page.evaluate(async () => {
@@ -75,7 +92,6 @@ async function forget({ page, said }, { viewport }) {
 		for (const { name } of await indexedDB.databases()) indexedDB.deleteDatabase(name);
 	});
 	await page.emulateMedia({ colorScheme: 'light' });
-	await page.setViewportSize(viewport);
 	await page.goto('about:blank');
 	said.length = 0;
 }
@@ -94,16 +110,18 @@ const left = new Map();
 export async function open(site, hash, { isDrawn = false, ...options } = SIZES.desktop) {
 	if (!left.has(site.browser)) left.set(site.browser, new Map());
 	const pages = left.get(site.browser);
-	const key = JSON.stringify({ isDrawn, ...options });
+	const { viewport, ...others } = options;
+	const key = JSON.stringify({ isDrawn, ...others });
 	const opened = pages.get(key)?.pop() ?? await newPage(site, { isDrawn, ...options });
 	const { page, said } = opened;
+	await page.setViewportSize(viewport);
 	await page.goto(`${site.url}#${hash}`);
 	await ready(page, hash.split('/')[0]);
 	return {
 		page,
 		said,
 		async leave() {
-			await forget(opened, options);
+			await forget(opened);
 			pages.set(key, [...pages.get(key) ?? [], opened]);
 		},
 	};

@@ -28,6 +28,9 @@ class Bullet extends Agent {
 	}
 }
 
+/** What the player does until a key is pressed: it goes round, jumps and shoots. */
+export const wander = (frame) => ({ turn: Math.sin(frame / 50), walk: 1, jumps: frame % 200 === 0, shoots: frame % 30 === 0 });
+
 export class Game {
 	shots = 0;
 	hits = 0;

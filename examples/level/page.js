@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { BuiltInModel, GreatLand } from "starlogo-collision";
 import { bindInstance, levelFromObject, modelFromObject, toScene } from "starlogo-collision/three";
-import { Game } from "./game.js";
+import { Game, wander } from "./game.js";
 
 const renderer = new THREE.WebGLRenderer({ antialias: true });
 document.body.prepend(renderer.domElement);
@@ -58,9 +58,9 @@ let saved = null;
 let [frame, engineMs] = [0, 0];
 /** Until a key is pressed the player goes round by itself. */
 let isLed = false;
-const wish = () => (!isLed
-	? { turn: Math.sin(frame / 50), walk: 1, jumps: frame % 200 === 0, shoots: frame % 30 === 0 }
-	: { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: keys.has("Space"), shoots: tapped("KeyF") });
+const wish = () => (isLed
+	? { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: keys.has("Space"), shoots: tapped("KeyF") }
+	: wander(frame));
 
 renderer.setAnimationLoop(() => {
 	frame++;

@@ -7,9 +7,9 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
-import { SIZES, begin, dragBall, drop, open, press, ready, root, saved } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, hold, hurry, open, press, ready, root, saved } from './browser.mjs';
 
-const LAPTOP = { viewport: { width: 1366, height: 768 } };
+const LAPTOP = { ...SIZES.desktop, viewport: { width: 1366, height: 768 } };
 
 let site;
 before(async () => {
@@ -20,7 +20,10 @@ after(() => site.close());
 const pages = {};
 /** The page that tests of a view share. */
 async function shared(view) {
-	pages[view] ??= await open(site, view, LAPTOP);
+	if (!pages[view]) {
+		pages[view] = await open(site, view, LAPTOP);
+		if (view === 'inspect') await hurry(pages[view].page);
+	}
 	return pages[view];
 }
 
@@ -330,6 +333,23 @@ test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbus
 	await page.getByRole('button', { name: 'Stop', exact: true }).click();
 	assert.equal(await page.locator('.live .world').isVisible(), false);
 	assert.equal(await page.textContent('.live .part-kdbush dd'), '–');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('Measure: Rapier that comes late makes no world of a view that is closed', async () => {
+	const { page, said, leave } = await open(site, 'measure', LAPTOP);
+	await page.evaluate(() => {
+		globalThis.live = globalThis.playground.live;
+	});
+	const release = await hold(page, '**/rapier*.js');
+	await page.getByLabel('Rapier beside it').check();
+	await page.waitForFunction(() => globalThis.live.said.textContent !== '');
+	await page.getByRole('link', { name: 'Compare' }).click();
+	await ready(page, 'compare');
+	release();
+	await page.waitForFunction(() => globalThis.live.said.textContent === '');
+	assert.equal(await page.evaluate(() => globalThis.live.rapier), null);
 	assert.deepEqual(said, []);
 	await leave();
 });

@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, begin, dragBall, drop, hold, open, press, ready, rest, root } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, hold, hurry, open, press, ready, rest, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'level', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
@@ -30,7 +30,10 @@ const pages = {};
 
 /** The page that tests of a view share, at the size of a small laptop. */
 async function shared(view) {
-	pages[view] ??= await open(site, ADDRESSES[view] ?? view, { ...SIZES.desktop, viewport: { width: 1366, height: 768 } });
+	if (!pages[view]) {
+		pages[view] = await open(site, ADDRESSES[view] ?? view, { ...SIZES.desktop, viewport: { width: 1366, height: 768 } });
+		if (view === 'inspect') await hurry(pages[view].page);
+	}
 	return pages[view];
 }
 
@@ -48,7 +51,7 @@ for (const view of VIEWS) {
 		});
 		await t.test('axe-core finds no fault, in light and dark', async () => {
 			await faultless(page, 'light');
-			await faultless(page, 'dark');
+			await faultless(page, 'dark', true);
 		});
 		await t.test('every control is reached by the tab key, and shows it', () => reachesAll(page));
 		if (view === 'inspect') {
@@ -107,14 +110,14 @@ for (const view of VIEWS) {
 			return left >= nav.left - 1 && right <= nav.right + 1;
 		}), 'the name of the view is in sight');
 		if (isChromium) assert.equal(new Set(await page.locator('#views a').evaluateAll((all) => all.map((each) => each.getBoundingClientRect().top))).size, 1, 'the views are in one line');
-		for (const scheme of schemesOf(view)) await faultless(page, scheme);
+		for (const [i, scheme] of schemesOf(view).entries()) await faultless(page, scheme, i > 0);
 		for (const [name, address] of Object.entries(MORE[view] ?? {})) {
 			await page.evaluate((hash) => {
 				location.hash = hash;
 			}, address);
 			await page.waitForSelector(name);
 			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, address);
-			for (const scheme of schemesOf(view)) await faultless(page, scheme);
+			for (const [i, scheme] of schemesOf(view).entries()) await faultless(page, scheme, i > 0);
 		}
 		if (view === 'play') {
 			await page.getByRole('button', { name: 'Blöcke', exact: true }).click();
@@ -159,16 +162,19 @@ async function staysInPlace(page) {
 	assert.ok(jumps < 0.05, `what was there moved: ${jumps}`);
 }
 
-/** Fails for what axe-core has to say, of whatever weight; of Blockly's workspace, which is Blockly's, for what is serious. */
-async function faultless(page, colorScheme) {
+/**
+ * Fails for what axe-core has to say, of whatever weight; of Blockly's workspace, which is Blockly's, for what is serious. If all was looked at in the
+ * other colours, the colours alone are looked at.
+ */
+async function faultless(page, colorScheme, isAgain = false) {
 	await page.emulateMedia({ colorScheme });
 	await rest(page, 300);
 	// page.evaluate is not bound by the page's policy
 	if (!await page.evaluate(() => 'axe' in globalThis)) {
 		await page.evaluate(axe);
 	}
-	const { violations, passes } = await page.evaluate(() => globalThis.axe.run());
-	assert.ok(passes.length > 15, 'axe-core has looked');
+	const { violations, passes } = await page.evaluate((options) => globalThis.axe.run(options), isAgain ? { runOnly: ['cat.color'] } : {});
+	assert.ok(passes.length > (isAgain ? 0 : 15), 'axe-core has looked');
 	const faults = violations.flatMap(({ id, impact, nodes }) => nodes.filter(({ target }) => /serious|critical/.test(impact) || !/blockly/i.test(target.join(' ')))
 		.map(({ html }) => `${id}: ${html.slice(0, 120)}`));
 	assert.deepEqual(faults, [], colorScheme);
@@ -464,6 +470,7 @@ test('Inspect: files by their content, with their names, standing up, points as 
 	await page.waitForSelector('.results[aria-busy]');
 	await measured(page, /^Bear/);
 	assert.match(await page.textContent('.results .card .note'), /convex hull first: \d+\.\d+ ms/);
+	await hurry(page);
 	await drop(page, ['post.txt', Buffer.from(`${post}\n${faces}\n`)]);
 	await measured(page, /^post\.txt: 8/);
 	await model.selectOption({ label: 'post.txt' });
@@ -546,7 +553,7 @@ test('a near miss that stands still is coloured as the chosen system sees it, an
 	await page.getByRole('button', { name: 'Step', exact: true }).click();
 	const seen = () => page.evaluate(() => {
 		const { world, panel: { figures } } = globalThis.playground;
-		return { isRed: world.agents.find(({ breed }) => breed === 'dragons').color === 0xe5484d, tests: Number(figures.tests.textContent) };
+		return { isRed: world.agents.find(({ breed }) => breed === 'dragons').color === 0xe5484d, tests: Number(figures.cells.tests.textContent) };
 	});
 	for (const [system, isRed] of [['hierarchies', false], ['tightest fits', true], ['exact', false], ['unit spheres', true]]) {
 		await page.getByLabel('Collision system').selectOption(system);

@@ -2,11 +2,14 @@
 import { CapsuleGeometry, ConeGeometry, Mesh, MeshLambertMaterial } from "three";
 import { BuiltInModel, GreatLand } from "starlogo-collision";
 import { levelFromObject, modelFromObject } from "starlogo-collision/three";
-import { Game } from "../../../examples/level/game.js";
+import { Game, wander } from "../../../examples/level/game.js";
 import source from "../../../examples/level/game.js" with { type: "text" };
 import { listing } from "../shared/copying.js";
 import { button, h, short } from "../shared/dom.js";
+import { Figures, median } from "../shared/figures.js";
 import { texts } from "../shared/language.js";
+import { Loop } from "../shared/loop.js";
+import { padKey } from "../shared/pad.js";
 import { DOCS, readLevel } from "../shared/served.js";
 import { Stage } from "../shared/stage.js";
 import { sceneIn } from "./glb.js";
@@ -33,9 +36,7 @@ export async function createView(main) {
 }
 
 class LevelView {
-	#request = 0;
-	#last = 0;
-	#owed = 0;
+	#loop = new Loop((now) => this.#frames(now));
 	#shown = 0;
 	#held = new Set();
 	/** Keys that were pressed since the last frame. */
@@ -45,18 +46,17 @@ class LevelView {
 	constructor(main, greatLand, land, models, triangles) {
 		Object.assign(this, { greatLand, land, models });
 		this.host = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
-		this.runButton = button(words.run, () => (this.#request ? this.stop() : this.#play()), { class: "primary" });
-		this.figures = Object.fromEntries(Object.keys(words.figures).map((name) => [name, h("dd", {}, "–")]));
+		this.runButton = button(words.run, () => (this.#loop.isRunning ? this.stop() : this.#play()), { class: "primary" });
+		this.figures = new Figures(words.figures);
 		const code = listing(words.code, h("code", {}, source), DOCS ? h("a", { href: `${DOCS}examples.html#a-game-in-a-level`, target: "_blank", hreflang: "en" }, words.whole) : null);
 		// a narrow window has no room beside the world
 		code.open = matchMedia("(min-width: 60.01rem)").matches;
 		main.replaceChildren(
 			h("section.seen", { "aria-label": words.title },
 				h("div.tools", {}, this.runButton, button(words.again, () => this.begin()), button(words.save, () => this.save()), button(words.load, () => this.load())),
-				h("div.screen", {}, this.host), h("div.pad", {}, ...Object.entries(KEYS).map(([code, name]) => this.#padKey(code, name)))),
+				h("div.screen", {}, this.host), h("div.pad", {}, ...Object.entries(KEYS).map(([code, name]) => padKey(name, words.keys[name], () => this.#press(code), () => this.#held.delete(code))))),
 			h("div.side", {}, h("h2", {}, words.title), h("p.note", {}, words.how(triangles)),
-				h("dl.figures", {}, ...Object.entries(words.figures).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text)))),
-				h("p.note", {}, words.timed),
+				this.figures.element, h("p.note", {}, words.timed),
 				code));
 		this.stage = new Stage(this.host, { label: words.picture, eye: [-5, 0, 3], fov: 60 });
 		if (this.stage.renderer) this.#furnish();
@@ -96,22 +96,17 @@ class LevelView {
 
 	run() {
 		this.runButton.textContent = words.stop;
-		this.#last = performance.now();
-		this.#owed = 0;
-		const next = (now) => {
-			this.#owed = Math.min(MOST_AT_ONCE, this.#owed + ((now - this.#last) * FRAMES_A_SECOND) / 1000);
-			this.#last = now;
-			for (; this.#owed >= 1; this.#owed--) this.step();
-			this.draw();
-			if (++this.#shown % SHOWN_AFTER === 0) this.#show();
-			this.#request = requestAnimationFrame(next);
-		};
-		this.#request = requestAnimationFrame(next);
+		this.#loop.run();
+	}
+
+	#frames(now) {
+		for (let due = this.#loop.due(now, FRAMES_A_SECOND, MOST_AT_ONCE); due > 0; due--) this.step();
+		this.draw();
+		if (++this.#shown % SHOWN_AFTER === 0) this.#show();
 	}
 
 	stop() {
-		cancelAnimationFrame(this.#request);
-		this.#request = 0;
+		this.#loop.stop();
 		this.runButton.textContent = words.run;
 		this.#held.clear();
 		this.#show();
@@ -135,7 +130,7 @@ class LevelView {
 
 	#wish() {
 		const held = this.#held;
-		if (!this.isLed) return { turn: Math.sin(this.frame / 50), walk: 1, jumps: this.frame % 200 === 0, shoots: this.frame % 30 === 0 };
+		if (!this.isLed) return wander(this.frame);
 		const between = (less, more) => (held.has(more) ? 1 : 0) - (held.has(less) ? 1 : 0);
 		return { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: held.has("Space"), shoots: this.#taps.delete("KeyF") };
 	}
@@ -164,9 +159,7 @@ class LevelView {
 
 	#show() {
 		const { bullets, enemies, hits, shots } = this.game;
-		const times = [...this.#times].sort((a, b) => a - b);
-		const values = { ms: short(times[times.length >> 1]), walkers: 1 + enemies.length, bullets: bullets.length, shots, hits };
-		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
+		this.figures.show({ ms: short(median(this.#times)), walkers: 1 + enemies.length, bullets: bullets.length, shots, hits });
 	}
 
 	#press(code) {
@@ -174,7 +167,7 @@ class LevelView {
 		this.isLed ||= code !== "KeyR";
 		this.#held.add(code);
 		this.#taps.add(code);
-		if (!this.#request) this.run();
+		if (!this.#loop.isRunning) this.run();
 	}
 
 	#listen() {
@@ -186,25 +179,8 @@ class LevelView {
 		});
 		host.addEventListener("keyup", ({ code }) => this.#held.delete(code));
 		host.addEventListener("blur", () => this.#held.clear());
-		host.addEventListener("pointerdown", () => this.#request && this.#press("KeyF"));
+		host.addEventListener("pointerdown", () => this.#loop.isRunning && this.#press("KeyF"));
 		host.addEventListener("pointerup", () => this.#held.delete("KeyF"));
-	}
-
-	#padKey(code, name) {
-		const pad = button(h("kbd", {}, texts.play.keysOf[name]), () => {}, { class: `key ${name}`, "aria-label": texts.play.keyName(words.keys[name]) });
-		pad.append(h("span", {}, words.keys[name]));
-		const release = () => this.#held.delete(code);
-		// the game keeps the keyboard
-		pad.addEventListener("mousedown", (event) => event.preventDefault());
-		pad.addEventListener("pointerdown", (event) => {
-			pad.setPointerCapture(event.pointerId);
-			this.#press(code);
-		});
-		pad.addEventListener("keydown", (event) => {
-			if (event.key === "Enter" || event.key === " ") this.#press(code);
-		});
-		for (const type of ["pointerup", "pointercancel", "keyup", "blur"]) pad.addEventListener(type, release);
-		return pad;
 	}
 
 	close() {

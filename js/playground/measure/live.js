@@ -4,7 +4,9 @@ import { Collision, CollisionBlocks } from "starlogo-collision";
 import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
 import { VERDICTS } from "../shared/colours.js";
 import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
+import { Figures } from "../shared/figures.js";
 import { texts } from "../shared/language.js";
+import { Loop } from "../shared/loop.js";
 import { loadRapier } from "../shared/served.js";
 import { Crowd, DRAWN } from "./crowd.js";
 import { Parts } from "./parts.js";
@@ -25,7 +27,10 @@ const parts = (colour) => [(colour >> 16) / 255, ((colour >> 8) & 255) / 255, (c
 const COLOURS = [parts(VERDICTS.hit), parts(VERDICTS.none)];
 
 export class Live {
-	#request = 0;
+	#loop = new Loop(() => {
+		this.#step();
+		if (this.#frame % SHOWN_AFTER === 0) this.#show();
+	});
 	#frame = 0;
 	#system = CollisionBlocks.TIGHTEST_FITS;
 	#count = FIRST;
@@ -43,12 +48,12 @@ export class Live {
 
 	constructor(greatLand) {
 		this.greatLand = greatLand;
-		this.runButton = button(words.run, () => (this.#request ? this.stop() : this.run()), { class: "primary" });
+		this.runButton = button(words.run, () => (this.#loop.isRunning ? this.stop() : this.run()), { class: "primary" });
 		this.host = h("div.world");
 		this.said = h("small.hint", { role: "status" });
 		this.canvas = h("canvas.parts", { role: "img", "aria-label": words.graph });
 		this.parts = new Parts(this.canvas, PARTS, OTHERS);
-		this.figures = Object.fromEntries(Object.keys(words.figures).map((name) => [name, h("dd", {}, "–")]));
+		this.figures = new Figures(words.figures, (name) => ({ class: `part-${name}`, hidden: !loadRapier && /rapier/i.test(name) }));
 		const count = slider(words.count, { min: 0, max: COUNTS.length - 1, step: 1, value: COUNTS.indexOf(FIRST), format: (i) => COUNTS[i].toLocaleString(texts.code) }, (i) => {
 			this.#count = COUNTS[i];
 			this.#begin();
@@ -69,7 +74,7 @@ export class Live {
 					this.parts.clear();
 				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
 			h("div.scene", {}, h("div.screen", {}, this.host),
-				h("div.times", {}, h("dl.figures", {}, ...Object.entries(words.figures).map(([name, text]) => h("div", { class: `part-${name}`, hidden: !loadRapier && /rapier/i.test(name) }, this.figures[name], h("dt", {}, text)))),
+				h("div.times", {}, this.figures.element,
 					this.canvas, h("p.note", {}, words.note))));
 	}
 
@@ -100,7 +105,7 @@ export class Live {
 		this.#step();
 		// the browser has not compiled anything yet
 		this.parts.clear();
-		if (!this.#request) this.#show();
+		if (!this.#loop.isRunning) this.#show();
 	}
 
 	/** Puts Rapier beside the engine, or takes it away. It loads with the first time. */
@@ -119,7 +124,7 @@ export class Live {
 		}
 		this.parts.clear();
 		this.#furnishRapier();
-		if (!this.#request) this.#show();
+		if (!this.#loop.isRunning) this.#show();
 	}
 
 	#furnishRapier() {
@@ -131,17 +136,11 @@ export class Live {
 	run() {
 		this.parts.clear();
 		this.runButton.textContent = words.stop;
-		const next = () => {
-			this.#step();
-			if (this.#frame % SHOWN_AFTER === 0) this.#show();
-			this.#request = requestAnimationFrame(next);
-		};
-		this.#request = requestAnimationFrame(next);
+		this.#loop.run();
 	}
 
 	stop() {
-		cancelAnimationFrame(this.#request);
-		this.#request = 0;
+		this.#loop.stop();
 		this.runButton.textContent = words.run;
 		this.#show();
 	}
@@ -176,13 +175,13 @@ export class Live {
 		this.parts.draw((ms) => short(ms));
 		const { near, inRapier } = this.#found;
 		const counts = Object.entries({ pairs: this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
-		const values = Object.fromEntries([...Object.entries(middles).map(([name, ms]) => [name, short(ms)]), ...counts]);
-		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
+		this.figures.show(Object.fromEntries([...Object.entries(middles).map(([name, ms]) => [name, short(ms)]), ...counts]));
 	}
 
 	close() {
-		cancelAnimationFrame(this.#request);
-		this.#request = 0;
+		this.#loop.stop();
+		// it may still load
+		this.isRapierWanted = false;
 		this.rapier?.close();
 		this.crowd?.close();
 	}

@@ -1,5 +1,7 @@
 /** The graph of the parts of the last frames: moving, the engine and drawing one above the other, and other libraries as lines. */
 
+import { median } from "../shared/figures.js";
+
 /** The frames in the graph. */
 const FRAMES = 180;
 /** The least height of the graph, in milliseconds: two frames of 60 a second. */
@@ -35,10 +37,7 @@ export class Parts {
 
 	/** The middle value of each name in the last frames. */
 	get middles() {
-		return Object.fromEntries([...this.names, ...this.lines].map((name) => {
-			const values = this.#frames.map((frame) => frame[name]).filter(Number.isFinite).sort((a, b) => a - b);
-			return [name, values.length > 0 ? values[values.length >> 1] : NaN];
-		}));
+		return Object.fromEntries([...this.names, ...this.lines].map((name) => [name, median(this.#frames.map((frame) => frame[name]).filter(Number.isFinite))]));
 	}
 
 	/** Draws the graph in the colours of the page. */

@@ -1,6 +1,7 @@
 /** Measures how long the frames of a game take, for each collision system and number of agents. Nothing here draws. */
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
+import { median } from "../shared/figures.js";
 
 /** The numbers of agents that are measured, in turn. */
 export const COUNTS = [25, 50, 100, 200, 400, 800, 1600];
@@ -72,7 +73,7 @@ async function timeOf(greatLand, system, count, isWanted) {
 		if (!isWanted()) return NaN;
 		slice = performance.now();
 	}
-	return times.length > 0 ? times.sort((a, b) => a - b)[times.length >> 1] : taken / frames;
+	return times.length > 0 ? median(times) : taken / frames;
 }
 
 /** Whether a value read from a file is a measurement of this page. */

@@ -33,6 +33,9 @@ function workOf({ shelf, lessons, view }, pupil) {
 	return { pupil, ...lessons.results, programs, solutions, models: view.own.in([programs, solutions]) };
 }
 
+/** The numbers of lessons that were done and of programs. */
+const countsOf = ({ shelf, lessons }) => [lessons.results.done.length, shelf.all.length];
+
 function openDialog(title, ...content) {
 	const dialog = h("dialog.ask.handing", { "aria-label": title, onclose: () => dialog.remove() }, h("h2", {}, title), ...content);
 	document.body.append(dialog);
@@ -76,9 +79,8 @@ export function handIn(programs) {
 			said.textContent = words.notCopied;
 		}
 	};
-	const { done, programs: listed } = workOf(programs, "");
 	const dialog = openDialog(words.title,
-		h("p", {}, words.what(done.length, listed.length)), field(words.name, name),
+		h("p", {}, words.what(...countsOf(programs))), field(words.name, name),
 		h("div.tools", {}, button(words.save, save, { class: "primary" }), button(words.copy, copy), button(texts.play.ask.leave, () => dialog.close())),
 		said, place, h("p.note", {}, words.how));
 	if (name.value === "") name.focus();
@@ -96,8 +98,7 @@ async function forgetAll({ shelf, lessons, view }) {
 
 /** Opens a dialog that makes the browser forget this pupil. */
 export function nextPupil(programs) {
-	const { done, programs: listed } = workOf(programs, "");
-	const dialog = openDialog(texts.gallery.nextPupil, h("p", {}, words.nextNote(done.length, listed.length)),
+	const dialog = openDialog(texts.gallery.nextPupil, h("p", {}, words.nextNote(...countsOf(programs))),
 		h("div.tools", {}, button(words.handFirst, () => {
 			dialog.close();
 			handIn(programs);

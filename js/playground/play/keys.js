@@ -1,9 +1,8 @@
 /** The controls of a game: keys, the key pad below the world with labels, and the pointer. */
-import { button, h } from "../shared/dom.js";
-import { texts } from "../shared/language.js";
+import { h } from "../shared/dom.js";
+import { padKey } from "../shared/pad.js";
 import { keysOf } from "./program.js";
 
-const words = texts.play;
 const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
 /** The farthest that a pointer may move during a click. */
 const STILL = 6;
@@ -19,27 +18,7 @@ export class Keys {
 	show(program) {
 		const keys = [...keysOf(program)];
 		this.pad.hidden = keys.length === 0;
-		this.pad.replaceChildren(...keys.map(([key, does]) => this.#padKey(key, does)));
-	}
-
-	#padKey(key, does) {
-		const pad = button(h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), () => {}, { class: `key ${key}`, "aria-label": words.keyName(does) });
-		pad.append(h("span", {}, does));
-		const release = () => this.world.release(key);
-		// the game keeps the keyboard; without it, all keys would be released
-		pad.addEventListener("mousedown", (event) => event.preventDefault());
-		pad.addEventListener("pointerdown", (event) => {
-			pad.setPointerCapture(event.pointerId);
-			this.world.press(key);
-		});
-		pad.addEventListener("pointerup", release);
-		pad.addEventListener("pointercancel", release);
-		pad.addEventListener("keydown", (event) => {
-			if (event.key === "Enter" || event.key === " ") this.world.press(key);
-		});
-		pad.addEventListener("keyup", release);
-		pad.addEventListener("blur", release);
-		return pad;
+		this.pad.replaceChildren(...keys.map(([key, does]) => padKey(key, does, () => this.world.press(key), () => this.world.release(key))));
 	}
 
 	/**

@@ -101,7 +101,7 @@ export class LessonCard {
 			this.#lessons = LESSONS;
 		});
 		const at = LESSON_NAMES.indexOf(name);
-		const { title, text, challenge, hint, why } = words.list[name];
+		const { title, text, challenge, hint } = words.list[name];
 		const go = (to) => () => this.onOpen(LESSON_NAMES[to]);
 		this.sign = h("p.why", { role: "status" });
 		this.isLast = at === LESSON_NAMES.length - 1;
@@ -113,8 +113,7 @@ export class LessonCard {
 		this.isOwn = isOwn;
 		// all of what it may say takes its place from the beginning, so that nothing below it moves
 		const kept = (...each) => h("p.kept-free", { "aria-hidden": "true" }, ...each);
-		const isLeft = LESSON_NAMES.every((each) => each === name || this.isDone(each));
-		const said = h("div.said", {}, h("p.text", {}, text), h("p.hint", {}, hint), this.sign, kept(`${words.done} ${why}${isLeft ? ` ${words.all}` : ""}`, this.#onwards()), ...Object.values(texts.mistakes[name]).map((each) => kept(`${words.notYet} ${each}`)));
+		const said = h("div.said", {}, h("p.text", {}, text), h("p.hint", {}, hint), this.sign, kept(`${words.done} ${this.#why(name)}`, this.#onwards()), ...Object.values(texts.mistakes[name]).map((each) => kept(`${words.notYet} ${each}`)));
 		this.card = h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
 			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, this.againButton, this.foldButton,
 				button("✕", () => this.onOpen(null), { class: "leave", "aria-label": words.leave, title: words.leave })),
@@ -161,9 +160,14 @@ export class LessonCard {
 		this.#turnTo("why");
 	}
 
+	/** Why a lesson is done, and, if it is the last one, that all are. */
+	#why(name) {
+		const isLast = LESSON_NAMES.every((each) => each === name || this.isDone(each));
+		return `${words.list[name].why}${isLast ? ` ${words.all}` : ""}`;
+	}
+
 	#sayDone() {
-		const isAll = LESSON_NAMES.every((name) => this.isDone(name));
-		this.#say(h("strong.done", {}, words.done), `${words.list[this.#name].why}${isAll ? ` ${words.all}` : ""}`);
+		this.#say(h("strong.done", {}, words.done), this.#why(this.#name));
 		this.sign.append(this.#onwards());
 		this.next.classList.add("primary");
 	}

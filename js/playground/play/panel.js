@@ -1,5 +1,6 @@
 /** The panel beside the world: figures, meetings of agents, totals. */
 import { button, h, short } from "../shared/dom.js";
+import { Figures } from "../shared/figures.js";
 import { fixed, texts } from "../shared/language.js";
 import { FRAMES_A_SECOND } from "./world.js";
 
@@ -30,14 +31,14 @@ export class Panel {
 	constructor(world, onChoose) {
 		this.world = world;
 		this.onChoose = onChoose;
-		this.figures = Object.fromEntries(Object.keys(words.panel).map((name) => [name, h("dd", {}, "–")]));
+		this.figures = new Figures(words.panel);
 		this.list = h("ol.met", { "aria-label": words.events, tabindex: "0" });
 		this.cast = h("ul.cast");
 		this.totals = h("ul.totals", { "aria-label": words.totals });
 		this.element = h("div.panel", {},
 			h("h2.visually-hidden", {}, words.cast), this.cast,
 			h("details.numbers", {}, h("summary", {}, words.figures),
-				h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text)))),
+				this.figures.element,
 				h("div.meetings", {}, h("h2", {}, words.events), this.totals, this.list)));
 	}
 
@@ -58,9 +59,8 @@ export class Panel {
 		const { agents, state } = this.world;
 		// while the game stands still, the last figures stay
 		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), scripts: short(this.#scriptMs / this.#ticks), ...this.#most } : {};
-		const values = { ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }) };
-		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
-		this.figures.fps.textContent = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
+		const fps = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
+		this.figures.show({ ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }), fps });
 		this.forget(now);
 		this.#list();
 		this.#listCast();

@@ -9,6 +9,7 @@ import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { fixed, texts } from "../shared/language.js";
+import { Loop } from "../shared/loop.js";
 import { Keys } from "./keys.js";
 import { dragAgents } from "./dragging.js";
 import { Models } from "./kept.js";
@@ -48,11 +49,8 @@ export async function createView(main, link) {
 }
 
 class PlayView {
-	isRunning = false;
 	#beginEditing;
-	#request = 0;
-	#last = 0;
-	#owed = 0;
+	#loop = new Loop((now) => this.#frames(now));
 	#speed = 1;
 	isBroken = false;
 	/** Whether the user has dragged anything. */
@@ -323,15 +321,16 @@ class PlayView {
 		// changes count from the beginning
 		if (this.isBroken || this.world.ended || this.isStale) this.reset();
 		if (this.isBroken) return;
-		this.isRunning = true;
+		this.#loop.run();
 		this.#turnTo("game");
 		this.showRun();
 		this.say(words.running);
 		this.worldHost.focus({ preventScroll: true });
-		this.#last = performance.now();
-		this.#owed = 0;
-		this.panel.forget(this.#last);
-		this.#request = requestAnimationFrame((now) => this.#frame(now));
+		this.panel.forget(performance.now());
+	}
+
+	get isRunning() {
+		return this.#loop.isRunning;
 	}
 
 	/** This game, and the one beside it if there is one, each with its world, stage and scene. */
@@ -358,8 +357,7 @@ class PlayView {
 	}
 
 	#halt() {
-		this.isRunning = false;
-		cancelAnimationFrame(this.#request);
+		this.#loop.stop();
 		this.showRun();
 		this.world.releaseAll();
 	}
@@ -423,15 +421,9 @@ class PlayView {
 		this.draw();
 	}
 
-	#frame(now) {
-		this.#owed = Math.min(MOST_AT_ONCE, this.#owed + ((now - this.#last) * FRAMES_A_SECOND * this.#speed) / 1000);
-		this.#last = now;
-		while (this.#owed >= 1 && this.isRunning) {
-			this.#owed--;
-			this.#tick();
-		}
+	#frames(now) {
+		for (let due = this.#loop.due(now, FRAMES_A_SECOND * this.#speed, MOST_AT_ONCE); due > 0 && this.isRunning; due--) this.#tick();
 		this.draw(now);
-		if (this.isRunning) this.#request = requestAnimationFrame((next) => this.#frame(next));
 	}
 
 	/** Does something in which a program may fail. Shows the error. */

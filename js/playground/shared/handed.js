@@ -33,13 +33,21 @@ export const toFile = (work) => JSON.stringify({ ...work, kind: KIND }, null, 1)
 /** A pupil's work as a code, a text to send. */
 export const toCode = async (work) => `SL1.${await packed({ ...work, kind: KIND })}`;
 
-const textOf = ({ id, ...work }) => JSON.stringify(work);
+/** The content of each work as text, by which equal ones are known. */
+const contents = new WeakMap();
+
+function contentOf(work) {
+	if (!contents.has(work)) contents.set(work, JSON.stringify({ ...work, id: undefined }));
+	return contents.get(work);
+}
+
 const sort = () => works.sort((a, b) => a.pupil.localeCompare(b.pupil));
+let opening = null;
 
 /** Puts a work beside the others, unless it is there already. Returns whether it is new. */
 async function add(value) {
 	const work = workOf(value);
-	if (works.some((each) => textOf(each) === textOf(work))) return false;
+	if (works.some((each) => contentOf(each) === contentOf(work))) return false;
 	work.id = crypto.getRandomValues(new Uint32Array(2)).join("-");
 	works.push(work);
 	sort();
@@ -58,9 +66,12 @@ async function change(action) {
 
 export const handed = {
 	/** Waits for what the browser keeps. Comes before everything else. */
-	async open() {
-		works ??= (await cabinet.all()).map((kept) => ({ ...workOf(kept), id: kept.id }));
-		sort();
+	open() {
+		opening ??= cabinet.all().then((all) => {
+			works = all.map((kept) => ({ ...workOf(kept), id: kept.id }));
+			sort();
+		});
+		return opening;
 	},
 
 	get all() {

@@ -23,8 +23,10 @@ function* candidates({ programs, solutions }, name) {
  * @returns {Promise<Set<string>>}
  */
 export async function solvedBy(work, isWanted) {
-	const { greatLand } = await landFor(work.models);
 	const solved = new Set();
+	// with models that cannot be read no program is played
+	const { greatLand } = await landFor(work.models).catch(() => ({}));
+	if (!greatLand) return solved;
 	let begun = performance.now();
 	for (const name of Object.keys(LESSONS)) {
 		for (const program of candidates(work, name)) {

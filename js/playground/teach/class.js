@@ -6,9 +6,10 @@ import { texts } from "../shared/language.js";
 const words = texts.handing;
 const LESSONS = texts.lessons.list;
 
+/** The lessons that each work was seen to do, for as long as the work is there; a work whose programs were not played yet has none. */
+const solved = new WeakMap();
+
 export class ClassPage {
-	/** The lessons that each work was seen to do; a work whose programs were not played yet has none. */
-	#solved = new Map();
 	#turn = 0;
 
 	/** @param {HTMLElement} main shows the page */
@@ -92,7 +93,7 @@ export class ClassPage {
 	#mark() {
 		const sign = (text, title) => h("span", { role: "img", "aria-label": title, title }, text);
 		for (const { work, name, cell } of this.marks.flat()) {
-			const isSeen = this.#solved.get(work)?.has(name);
+			const isSeen = solved.get(work)?.has(name);
 			const isBegun = work.programs.some(({ lesson }) => lesson === name);
 			cell.className = isSeen ? "done" : "";
 			cell.replaceChildren(isSeen ? sign("✓", texts.lessons.done) : work.done.includes(name) ? sign("✓?", words.said) : isBegun ? sign("…", words.tried) : "");
@@ -108,12 +109,11 @@ export class ClassPage {
 		const isWanted = () => this.#turn === turn && this.list.isConnected;
 		const { solvedBy } = await import("./check.js");
 		for (const work of handed.all) {
-			if (!this.#solved.has(work)) {
-				const solved = await solvedBy(work, isWanted);
-				if (!isWanted()) return;
-				this.#solved.set(work, solved);
-				this.#mark();
-			}
+			if (solved.has(work)) continue;
+			const found = await solvedBy(work, isWanted);
+			if (!isWanted()) return;
+			solved.set(work, found);
+			this.#mark();
 		}
 		if (isWanted()) this.main.dataset.checked = "class";
 	}

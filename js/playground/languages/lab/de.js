@@ -14,7 +14,6 @@ export const texts = {
 		upHint: "Liegt es auf der Seite oder steht es auf der Nase? Viele Dateien sagen nicht, welche ihrer Achsen nach oben zeigt. Wähle sie hier.",
 		turn: "Um 90° drehen",
 		choose: "Datei öffnen …",
-		dropHere: "Lege die Datei ab, um sie anzusehen",
 		working: (name) => `${name} wird vermessen …`,
 		vertices: (name, vertices, triangles) => `${name}: ${count(vertices, "Ecke", "Ecken")}, ${count(triangles, "Dreieck", "Dreiecke")}`,
 		structures: "Hüllkörper",

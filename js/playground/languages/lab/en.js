@@ -15,7 +15,6 @@ export const texts = {
 		upHint: "Does it lie on its side, or stand on its nose? Many files do not say which of their axes points up. Choose it here.",
 		turn: "Turn by 90°",
 		choose: "Open a file…",
-		dropHere: "Drop the file to look at it",
 		working: (name) => `Measuring ${name}…`,
 		vertices: (name, vertices, triangles) => `${name}: ${count(vertices, "vertex", "vertices")}, ${count(triangles, "triangle", "triangles")}`,
 		structures: "Bounding structures",

@@ -57,10 +57,12 @@ package benchmark
             add("boxes, leaning, near", boxes, boxes, 1.3, 1, false, false);
             add("exact, near", boxes, boxes, 1.3, 1, false, true);
             add("small balls inside", boxes, _ball, 0.3, 0.02, false, false);
-            addStructures("boxes and structures, near", boxes);
+            addStructures("boxes and structures, near", boxes, false);
+            addStructures("exact and structures, near", boxes, true);
             addSwept("swept boxes", boxes, boxes, false);
             addSwept("swept exact", boxes, boxes, true);
-            addSweptStructures("swept boxes and structures", boxes);
+            addSweptStructures("swept boxes and structures", boxes, false);
+            addSweptStructures("swept exact and structures", boxes, true);
             addTraversal("boxes, leaning, near, the traversal alone", boxes);
             Measurement.runAll(_all, ROUNDS);
             var table:Table = new Table("a pair", "ns", "hits %", "visits", "hash");
@@ -102,14 +104,14 @@ package benchmark
                 });
         }
 
-        private function addStructures(name:String, a:SolidHierarchy):void
+        private function addStructures(name:String, a:SolidHierarchy, exact:Boolean):void
         {
             var first:Vector.<Placement> = places(1.3, 1, true);
             var second:Vector.<Placement> = places(1.3, 1, true);
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _pair.areOverlapping(a, first[i], DEPTH, null, structures[i], second[i], 1, false);
+                    var answer:Boolean = _pair.areOverlapping(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -140,7 +142,7 @@ package benchmark
                 });
         }
 
-        private function addSweptStructures(name:String, a:SolidHierarchy):void
+        private function addSweptStructures(name:String, a:SolidHierarchy, exact:Boolean):void
         {
             var first:Vector.<Placement> = places(1.6, 1, false);
             var second:Vector.<Placement> = places(1.6, 1, false);
@@ -149,7 +151,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, false);
+                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
                     _pair.findTime(motions[i]);
                     var time:Number = motions[i].time;
                     if (answers != null)

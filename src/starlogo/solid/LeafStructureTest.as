@@ -18,14 +18,23 @@ package starlogo.solid
 
     /**
      * Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, when it does so, or how far the two are apart. The ground
-     * tests its triangles by the same ConvexTriangle. Before that, separating axes rule out most triangles.
+     * tests its triangles by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
      */
     internal final class LeafStructureTest extends LeafTest
     {
+        // The extents of a compact structure have at most this many times its volume. Those of a sphere have 1.91 times.
+        private static const COMPACT:Number = 2;
+
         /** The number of triangles tested. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
-        /** Finds the leaves near the structure. */
+        /**
+         * Whether the structure moves and fills much of its extents, because it is not long and slanted. Then <code>find()</code> finds the leaves
+         * faster than a traversal that knows its axes.
+         */
+        public var isCompact:Boolean = false;
+
+        /** Finds the leaves near the structure's extents. */
         public var boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
         private var _solid:Solid;
@@ -33,18 +42,15 @@ package starlogo.solid
         private var _motion:RelativeMotion;
         private var _test:ConvexTriangle = new ConvexTriangle();
 
-        // The extents of the structure: least x, greatest x, least y, ...
+        // The extents of the structure and of its motion: least x, greatest x, least y, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The structure's core, and the radius around it, with a margin for rounding.
         private var _core:Zonotope = new Zonotope();
         private var _radius:Number = 0;
 
-        // The normal of a triangle; the motion, or that normal; an axis perpendicular to it. Whether an axis separates the two at the beginning.
-        private var _normal:Vector3D = new Vector3D();
-        private var _way:Vector3D = new Vector3D();
-        private var _along:Vector3D = null;
-        private var _across:Vector3D = new Vector3D();
+        // An axis, and whether one that was tried for a triangle separates the two at the beginning.
+        private var _axis:Vector3D = new Vector3D();
         private var _startsApart:Boolean = false;
 
         // Whether a triangle is touched, and the index of the first number of the one that is touched first.
@@ -70,6 +76,19 @@ package starlogo.solid
             _isMeasuring = _isFound = false;
             _test.margin = pose.gap + Tolerances.SURFACES * model.root.radius;
             place(model, structure, pose, motion);
+            _startsApart = isCompact = false;
+            least = 0;
+            if (motion !== RelativeMotion.NONE)
+            {
+                least = 1;
+                prepareMotion();
+            }
+        }
+
+        // Prepares what only a moving structure needs.
+        private function prepareMotion():void
+        {
+            var motion:RelativeMotion = _motion;
             _core.setTo(_test.structure, RelativeMotion.NONE);
             var extents:Vector.<Number> = _extents;
             var halfX:Number = (extents[1] - extents[0]) / 2;
@@ -78,19 +97,23 @@ package starlogo.solid
             var margin:Number = Tolerances.EXTENTS * (halfX + halfY + halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _radius = _test.radius + margin;
+            extents[0] += Math.min(motion.x, 0);
+            extents[1] += Math.max(motion.x, 0);
+            extents[2] += Math.min(motion.y, 0);
+            extents[3] += Math.max(motion.y, 0);
+            extents[4] += Math.min(motion.z, 0);
+            extents[5] += Math.max(motion.z, 0);
+            isCompact = 8 * halfX * halfY * halfZ <= COMPACT * _test.structure.volume;
             boxes.setPlace(_core.x, _core.y, _core.z, 0);
             boxes.halfX = halfX + margin;
             boxes.halfY = halfY + margin;
             boxes.halfZ = halfZ + margin;
             boxes.setMotion(motion.x, motion.y, motion.z);
-            _way.setTo(motion.x, motion.y, motion.z);
-            _along = motion === RelativeMotion.NONE ? _normal : _way;
         }
 
         /** Searches the model. Returns whether a triangle is touched. If the structure moves, <code>least</code> becomes the time. */
         public function find():Boolean
         {
-            least = _motion === RelativeMotion.NONE ? 0 : 1;
             boxes.find(_solid.tree, this);
             least = Math.max(0, least);
             return _isFound;
@@ -107,7 +130,15 @@ package starlogo.solid
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            return isNearer(a);
+            if (_isMeasuring)
+            {
+                return isNearer(a);
+            }
+            var wasFound:Boolean = _isFound;
+            var before:Number = least;
+            look(a.first, a.end);
+            least = Math.max(0, least);
+            return least < before || _isFound != wasFound;
         }
 
         /** @inheritDoc */
@@ -115,7 +146,7 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                if (isApart(i))
+                if (!isNear(i) || _motion !== RelativeMotion.NONE && isApart(i))
                 {
                     continue;
                 }
@@ -205,19 +236,28 @@ package starlogo.solid
             return squared;
         }
 
-        // Whether a separating axis shows that a triangle is apart from the structure until <code>least</code>: an axis of the extents, the normal of
-        // the triangle, or an axis across an edge.
+        // Whether the extents of a triangle overlap the extents of the structure and of its motion.
+        private function isNear(triangle:int):Boolean
+        {
+            var of:Vector.<Number> = _solid.extents;
+            var at:int = 6 * triangle;
+            return of[at] <= _extents[1] && of[int(at + 3)] >= _extents[0] && of[int(at + 1)] <= _extents[3] && of[int(at + 4)] >= _extents[2]
+                && of[int(at + 2)] <= _extents[5] && of[int(at + 5)] >= _extents[4];
+        }
+
+        // Whether an axis separates a triangle from the moving structure until <code>least</code>: the normal of the triangle, or an axis across the
+        // motion and an edge.
         private function isApart(triangle:int):Boolean
         {
             var planes:Vector.<Number> = _solid.planes;
             var at:int = 5 * triangle;
-            _normal.x = planes[at];
-            _normal.y = planes[int(at + 1)];
-            _normal.z = planes[int(at + 2)];
-            _core.measure(_normal);
+            _axis.x = planes[at];
+            _axis.y = planes[int(at + 1)];
+            _axis.z = planes[int(at + 2)];
+            _core.measure(_axis);
             var reach:Number = _core.reach + _radius + planes[int(at + 4)];
-            var from:Number = _normal.x * _core.x + _normal.y * _core.y + _normal.z * _core.z - planes[int(at + 3)];
-            var to:Number = from + least * (_normal.x * _motion.x + _normal.y * _motion.y + _normal.z * _motion.z);
+            var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
+            var to:Number = from + least * (_axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z);
             _startsApart = from > reach || from < -reach;
             if (_startsApart && (from > reach ? to > reach : to < -reach))
             {
@@ -228,8 +268,8 @@ package starlogo.solid
             return isBeside(corners, at, at + 3, at + 6) || isBeside(corners, at + 3, at + 6, at) || isBeside(corners, at + 6, at, at + 3);
         }
 
-        // Whether the axis perpendicular to the edge from p to q and to the motion separates the two; for a standing structure, to the edge and the
-        // normal. It is tested like any other axis, so its rounding does not count.
+        // Whether the axis perpendicular to the motion and to the edge from p to q separates the two. It is tested like any other axis, so its rounding
+        // does not count.
         private function isBeside(corners:Vector.<Number>, p:int, q:int, r:int):Boolean
         {
             var px:Number = corners[p];
@@ -238,13 +278,13 @@ package starlogo.solid
             var ux:Number = corners[q] - px;
             var uy:Number = corners[int(q + 1)] - py;
             var uz:Number = corners[int(q + 2)] - pz;
-            var x:Number = _along.y * uz - _along.z * uy;
-            var y:Number = _along.z * ux - _along.x * uz;
-            var z:Number = _along.x * uy - _along.y * ux;
-            _across.x = x;
-            _across.y = y;
-            _across.z = z;
-            _core.measure(_across);
+            var x:Number = _motion.y * uz - _motion.z * uy;
+            var y:Number = _motion.z * ux - _motion.x * uz;
+            var z:Number = _motion.x * uy - _motion.y * ux;
+            _axis.x = x;
+            _axis.y = y;
+            _axis.z = z;
+            _core.measure(_axis);
             var reach:Number = _core.reach + _radius * Math.sqrt(x * x + y * y + z * z);
             var edge:Number = x * ux + y * uy + z * uz;
             var apex:Number = x * (corners[r] - px) + y * (corners[int(r + 1)] - py) + z * (corners[int(r + 2)] - pz);

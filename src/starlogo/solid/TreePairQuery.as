@@ -156,8 +156,7 @@ package starlogo.solid
             var traversal:NodePairTraversal = pose.isUpright ? _uprightBoxes : _boxes;
             if (exact && a.hasTriangles && b == null)
             {
-                _triangles.begin(a, structureB, pose, RelativeMotion.NONE);
-                return _triangles.find() || isOneInside(a, null, structureB);
+                return findTriangle(a, structureB, RelativeMotion.NONE, _boxes) || isOneInside(a, null, structureB);
             }
             if (exact && a.hasTriangles && b.hasTriangles)
             {
@@ -277,8 +276,7 @@ package starlogo.solid
             else if (needsPoint && _isExact && _b == null)
             {
                 // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
-                _triangles.begin(_a, _structureB, _pose, RelativeMotion.NONE);
-                _triangles.find();
+                findTriangle(_a, _structureB, RelativeMotion.NONE, _boxes);
                 _triangles.takeCorner(_leaf.moved, out);
             }
             out.settle(areTouching);
@@ -361,6 +359,18 @@ package starlogo.solid
             return b == null ? _containment.isStructureInside(a, moveToFirst(structureB)) : _containment.isOneInside(a, b);
         }
 
+        // Finds the first triangle of a model that touches a structure in the place of the second model.
+        private function findTriangle(a:SolidHierarchy, structureB:BoundingStructure, motion:RelativeMotion, byAxes:NodePairTraversal):Boolean
+        {
+            _triangles.begin(a, structureB, _pose, motion);
+            if (_triangles.isCompact)
+            {
+                return _triangles.find();
+            }
+            _leaf.begin(structureB, _pose);
+            return byAxes.find(_leaf.pose, a.root, int.MAX_VALUE, _leaf.node, 1, _triangles);
+        }
+
         // Finds the first two triangles or nodes that touch while the first model moves, and the time.
         private function findFirst():Boolean
         {
@@ -368,8 +378,7 @@ package starlogo.solid
             if (_isExact && _b == null)
             {
                 _decider = _triangles;
-                _triangles.begin(_a, _structureB, _pose, _pose.motion);
-                isFound = _triangles.find();
+                isFound = findTriangle(_a, _structureB, _pose.motion, _sweptBoxes);
                 _time = _triangles.least;
                 return isFound;
             }

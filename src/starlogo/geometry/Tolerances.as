@@ -23,8 +23,8 @@ package starlogo.geometry
         public static const MATRIX:Number = 1e-5;
 
         /**
-         * The rounding error of a computed position or distance, as a fraction of the coordinates. Smaller: two structures that touch to the last bit
-         * may get extents that do not overlap. Larger: extents are wider, and more pairs are tested.
+         * The rounding error of a computed position or distance, as a fraction of the coordinates. Smaller: two structures that touch to
+         * the last bit may get extents that do not overlap. Larger: extents are wider, and more pairs are tested.
          */
         public static const ROUNDING:Number = 1e-14;
 
@@ -62,8 +62,8 @@ package starlogo.geometry
         public static const NEARLY_PARALLEL:Number = 1e-6;
 
         /**
-         * The squared sine of the angle below which two directions are parallel. Smaller: rounding gives parallel directions a cross product. Larger
-         * than 1e-20: boxes collide across a gap of the angle times their length.
+         * The squared sine of the angle below which two directions are parallel. Smaller: rounding gives parallel directions a cross
+         * product. Larger than 1e-20: boxes collide across a gap of the angle times their length.
          */
         public static const PARALLEL:Number = 1e-28;
 
@@ -81,8 +81,8 @@ package starlogo.geometry
         public static const HULL_COPLANAR:Number = 2;
 
         /**
-         * The distance from a plane beyond which its computed sign is right, in steps of the hull's grid. Smaller than 1e-7: hulls may be wrong.
-         * Larger: the slower, exact computation decides more often.
+         * The distance from a plane beyond which its computed sign is right, in steps of the hull's grid. Smaller than 1e-7: hulls may be
+         * wrong. Larger: the slower, exact computation decides more often.
          */
         public static const HULL_CERTAIN:Number = 1e-6;
 
@@ -106,14 +106,14 @@ package starlogo.geometry
         public static const HULL_THIN:Number = 0.02;
 
         /**
-         * The fraction by which a box must be smaller than the one before to replace it. Smaller: rounding chooses between rotations that are equally
-         * good. Larger: fits are looser by that fraction.
+         * The fraction by which a box must be smaller than the one before to replace it. Smaller: rounding chooses between rotations that
+         * are equally good. Larger: fits are looser by that fraction.
          */
         public static const FIT_TIE:Number = 1e-9;
 
         /**
-         * How far a point may be outside of the smallest sphere through others, as a fraction of the squared radius. Smaller than 1e-14: rounding may
-         * leave no sphere that holds all points. Larger: smallest spheres are larger by that fraction.
+         * How far a point may be outside of the smallest sphere through others, as a fraction of the squared radius. Smaller than 1e-14:
+         * rounding may leave no sphere that holds all points. Larger: smallest spheres are larger by that fraction.
          */
         public static const BALL_SLACK:Number = 1e-12;
 
@@ -205,8 +205,8 @@ package starlogo.geometry
         public static const SEPARATION:Number = 1e-9;
 
         /**
-         * The sine of the angle by which a position may be outside of a cone's border and still be in the cone. Smaller than 1e-15: rounding decides
-         * at the border. Larger: cones are wider by that angle.
+         * The sine of the angle by which a position may be outside of a cone's border and still be in the cone. Smaller than 1e-15:
+         * rounding decides at the border. Larger: cones are wider by that angle.
          */
         public static const CONE:Number = 2e-14;
 
@@ -223,8 +223,8 @@ package starlogo.geometry
         public static const OUTER:Number = 1 + 1e-12;
 
         /**
-         * Questions find an agent, and a structure's node meets others, by a box that is larger by this fraction of the size. Smaller than 1e-14: agents
-         * that touch because of rounding may not be found. Larger: more agents are tested.
+         * Questions find an agent, and a structure's node meets others, by a box that is larger by this fraction of the size. Smaller than
+         * 1e-14: agents that touch because of rounding may not be found. Larger: more agents are tested.
          */
         public static const EXTENTS:Number = 1e-13;
 

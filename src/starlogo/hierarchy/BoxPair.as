@@ -1,8 +1,8 @@
 package starlogo.hierarchy
 {
     /**
-     * The boxes of a node's two children, in steps of a PackedTree's grid: their middles and half of their extents. JavaScript engines keep integers in
-     * the object itself, but each Number elsewhere in memory.
+     * The boxes of a node's two children, in steps of a PackedTree's grid: their middles and half of their extents. JavaScript engines keep
+     * integers in the object itself, but each Number elsewhere in memory.
      *
      * <p>If a child has children, it has a pair. If it is a leaf, its triangles are packed into one number: see PackedTree.</p>
      */

@@ -3,8 +3,8 @@ package starlogo.hierarchy
     import starlogo.intersection.TriangleTest;
 
     /**
-     * Finds the leaves of a hierarchy of triangles that an axis-aligned box may meet on its way, the nearer of two children first. A ray is a box
-     * without extents, and a standing box has no motion.
+     * Finds the leaves of a hierarchy of triangles that an axis-aligned box may meet on its way, the nearer of two children first. A ray is
+     * a box without extents, and a standing box has no motion.
      *
      * <p>A place on the way is a multiple of the motion. The box meets a node between two places on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986). In the loop, all numbers are in steps of the tree's grid.</p>

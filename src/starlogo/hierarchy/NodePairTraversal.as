@@ -5,9 +5,9 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Finds the best pair of nodes of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast proximity queries
-     * with swept sphere volumes", 1999). A node's box encloses its children's boxes. So a pair is skipped if nothing below it can be better
-     * than the best pair so far. The nodes that decide are leaves or at their depth limit.
+     * Finds the best pair of nodes of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast
+     * proximity queries with swept sphere volumes", 1999). A node's box encloses its children's boxes. So a pair is skipped if nothing
+     * below it can be better than the best pair so far. The nodes that decide are leaves or at their depth limit.
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: whether two standing trees overlap, when two moving
      * trees first touch, how far two trees are apart. A sphere, capsule or box is a tree of one node: see StructureLeaf.</p>
@@ -141,7 +141,10 @@ package starlogo.hierarchy
         {
         }
 
-        /** Sets <code>bound</code> to the time or distance of a pair that decides. If it is not less than <code>least</code>, it need not be exact. */
+        /**
+         * Sets <code>bound</code> to the time or distance of a pair that decides. If it is not less than <code>least</code>, it need not be
+         * exact.
+         */
         protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
         {
         }

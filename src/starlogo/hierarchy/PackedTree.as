@@ -6,8 +6,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The boxes of a hierarchy of triangles, packed for visits of one ray or box. Such a visit sees a small part of a large tree, so it mostly waits
-     * for memory. The boxes are a little larger than the nodes', because they are rounded to a grid.
+     * The boxes of a hierarchy of triangles, packed for visits of one ray or box. Such a visit sees a small part of a large tree, so it
+     * mostly waits for memory. The boxes are a little larger than the nodes', because they are rounded to a grid.
      *
      * <p>It is packed in steps. Only a hierarchy whose leaves have few triangles can be packed: see HierarchyRefiner.</p>
      *
@@ -20,7 +20,8 @@ package starlogo.hierarchy
         // The number of bits that have the number of a leaf's triangles. The bits above have its first triangle.
         private static const COUNT_BITS:int = 4;
 
-        // Half of the grid's largest extent, in steps. It is less than the 2 ^ 30 up to which all JavaScript engines keep integers in an object itself.
+        // Half of the grid's largest extent, in steps. It is less than the 2 ^ 30 up to which all JavaScript engines keep integers in an
+        // object itself.
         private static const GRID_STEPS:Number = 1 << 28;
 
         // How many steps a box is larger on each side, because its numbers are rounded.

@@ -58,8 +58,8 @@ package starlogo.hierarchy
             bound = leaves.touch(a, b) ? leaves.least : RelativeMotion.NEVER;
         }
 
-        // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either. If that
-        // time is not before the least time, sets the bound to RelativeMotion.NEVER.
+        // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
+        // If that time is not before the least time, sets the bound to RelativeMotion.NEVER.
         private function sweep(a:HierarchyNode, b:HierarchyNode, withEdges:Boolean):void
         {
             var boxes:BoxSweep = _sweep;

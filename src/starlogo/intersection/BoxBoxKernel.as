@@ -26,8 +26,8 @@ package starlogo.intersection
 
         private var _a:Zonotope = new Zonotope();
         private var _b:Zonotope = new Zonotope();
-        private var _polygonA:ContactFeature = new ContactFeature();
-        private var _polygonB:ContactFeature = new ContactFeature();
+        private var _featureA:ContactFeature = new ContactFeature();
+        private var _featureB:ContactFeature = new ContactFeature();
 
         // Created when they are first needed, because their class extends CapsuleBoxKernel, which has a BoxBoxKernel.
         private var _edgesA:BoxEdgeDistance = null;
@@ -83,14 +83,14 @@ package starlogo.intersection
         {
             findNormal(a, b, displacement, out);
             var normal:Vector3D = _best;
-            _b.supportInto(_polygonB, normal);
+            _b.supportInto(_featureB, normal);
             normal.negate();
-            _a.supportInto(_polygonA, normal);
-            _polygonA.findCommonPoint(_polygonB, out);
+            _a.supportInto(_featureA, normal);
+            _featureA.findCommonPoint(_featureB, out);
             // halfway between the two surfaces
-            out.x = _polygonA.x - radius / 2 * out.normalX;
-            out.y = _polygonA.y - radius / 2 * out.normalY;
-            out.z = _polygonA.z - radius / 2 * out.normalZ;
+            out.x = _featureA.x - radius / 2 * out.normalX;
+            out.y = _featureA.y - radius / 2 * out.normalY;
+            out.z = _featureA.z - radius / 2 * out.normalZ;
             var depth:Number = _depth + radius;
             out.depth = depth > 0 ? depth : 0;
         }

@@ -166,7 +166,8 @@ package starlogo.intersection
         }
 
         /**
-         * Finds when the two first touch. Reads the latest time from <code>time</code>, and writes the result: RelativeMotion.NEVER for no touch.
+         * Finds when the two first touch. Reads the latest time from <code>time</code>, and writes the result: RelativeMotion.NEVER for no
+         * touch.
          *
          * @param startsApart whether it is known that they do not touch at the beginning
          */
@@ -365,8 +366,8 @@ package starlogo.intersection
             return high - _face.least + radius - Math.min(way, 0) < least || _face.greatest - low + radius + Math.max(way, 0) < least;
         }
 
-        // Finds when a corner of the structure comes to the triangle's face. Returns whether no other part of it comes to the face's plane earlier, so
-        // that none touches an edge earlier.
+        // Finds when a corner of the structure comes to the triangle's face. Returns whether no other part of it comes to the face's plane
+        // earlier, so that none touches an edge earlier.
         private function meetFace():Boolean
         {
             var first:Number = Infinity;

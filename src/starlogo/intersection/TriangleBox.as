@@ -39,7 +39,8 @@ package starlogo.intersection
             project(corners, at, box.axisX, 0);
             project(corners, at, box.axisY, 1);
             project(corners, at, box.axisZ, 2);
-            return !isSeparatedByFace(0) && !isSeparatedByFace(1) && !isSeparatedByFace(2) && !isSeparatedByNormal() && !isSeparatedAcrossEdges();
+            return !isSeparatedByFace(0) && !isSeparatedByFace(1) && !isSeparatedByFace(2) && !isSeparatedByNormal()
+                && !isSeparatedAcrossEdges();
         }
 
         // Computes one coordinate of the corners and of the edges in the box's space.

@@ -8,8 +8,8 @@ package starlogo.intersection
     public class TriangleTest
     {
         /**
-         * How far along the way triangles are tested: where the nearest triangle so far is met. Before the first one, the end of the way. A test that
-         * needs no more triangles sets it to -Infinity.
+         * How far along the way triangles are tested: where the nearest triangle so far is met. Before the first one, the end of the way. A
+         * test that needs no more triangles sets it to -Infinity.
          */
         public var least:Number = 0;
 

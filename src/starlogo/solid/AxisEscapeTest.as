@@ -11,8 +11,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Whether a point has an open side: from there, a ray along an axis meets no leaf of a tree. Then no surface is around the point. This needs
-     * nothing but the tree. It is asked before the inside of a model is known, because a level is mostly open to the sky.
+     * Whether a point has an open side: from there, a ray along an axis meets no leaf of a tree. Then no surface is around the point. This
+     * needs nothing but the tree. It is asked before the inside of a model is known, because a level is mostly open to the sky.
      */
     internal final class AxisEscapeTest extends TriangleTest
     {

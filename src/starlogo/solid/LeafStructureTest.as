@@ -17,8 +17,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, when it does so, or how far the two are apart. The ground
-     * tests its triangles by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
+     * Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, when it does so, or how far the two are apart.
+     * The ground tests its triangles by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
      */
     internal final class LeafStructureTest extends LeafTest
     {
@@ -29,8 +29,8 @@ package starlogo.solid
         public var triangleTests:int = 0;
 
         /**
-         * Whether the structure moves and fills much of its extents, because it is not long and slanted. Then <code>find()</code> finds the leaves
-         * faster than a traversal that knows its axes.
+         * Whether the structure moves and fills much of its extents, because it is not long and slanted. Then <code>find()</code> finds the
+         * leaves faster than a traversal that knows its axes.
          */
         public var isCompact:Boolean = false;
 
@@ -245,8 +245,8 @@ package starlogo.solid
                 && of[int(at + 2)] <= _extents[5] && of[int(at + 5)] >= _extents[4];
         }
 
-        // Whether an axis separates a triangle from the moving structure until <code>least</code>: the normal of the triangle, or an axis across the
-        // motion and an edge.
+        // Whether an axis separates a triangle from the moving structure until <code>least</code>: the normal of the triangle, or an axis
+        // across the motion and an edge.
         private function isApart(triangle:int):Boolean
         {
             var planes:Vector.<Number> = _solid.planes;
@@ -268,8 +268,8 @@ package starlogo.solid
             return isBeside(corners, at, at + 3, at + 6) || isBeside(corners, at + 3, at + 6, at) || isBeside(corners, at + 6, at, at + 3);
         }
 
-        // Whether the axis perpendicular to the motion and to the edge from p to q separates the two. It is tested like any other axis, so its rounding
-        // does not count.
+        // Whether the axis perpendicular to the motion and to the edge from p to q separates the two. It is tested like any other axis, so
+        // its rounding does not count.
         private function isBeside(corners:Vector.<Number>, p:int, q:int, r:int):Boolean
         {
             var px:Number = corners[p];

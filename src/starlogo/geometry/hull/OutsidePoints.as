@@ -11,7 +11,8 @@ package starlogo.geometry.hull
         private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
         private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
-        // Level 0 holds faces whose farthest point is at most 1 step away, level n those with 2^(n-1) to 2^n steps. Every distance is below 2^26.
+        // Level 0 holds faces whose farthest point is at most 1 step away, level n those with 2^(n-1) to 2^n steps. Every distance is below
+        // 2^26.
         private static const LEVELS:int = 27;
 
         private var _points:Vector.<Number>;

@@ -92,11 +92,11 @@ package starlogo.intersection.contact
         }
 
         /** Writes the feature that is farthest in a direction: a corner, an edge or a face. */
-        public function supportInto(polygon:ContactFeature, direction:Vector3D):void
+        public function supportInto(feature:ContactFeature, direction:Vector3D):void
         {
-            polygon.clear();
-            polygon.setVector(x, y, z);
-            polygon.add();
+            feature.clear();
+            feature.setVector(x, y, z);
+            feature.add();
             for (var at:int = 0; at < end; at += 3)
             {
                 var dx:Number = directions[at];
@@ -104,19 +104,19 @@ package starlogo.intersection.contact
                 var dz:Number = directions[int(at + 2)];
                 var half:Number = _halves[int(at / 3)];
                 var along:Number = dx * direction.x + dy * direction.y + dz * direction.z;
-                polygon.setVector(half * dx, half * dy, half * dz);
+                feature.setVector(half * dx, half * dy, half * dz);
                 if (along > Tolerances.DIRECTION)
                 {
-                    polygon.move();
+                    feature.move();
                 }
                 else if (along < -Tolerances.DIRECTION)
                 {
-                    polygon.setVector(-half * dx, -half * dy, -half * dz);
-                    polygon.move();
+                    feature.setVector(-half * dx, -half * dy, -half * dz);
+                    feature.move();
                 }
                 else if (half > 0)
                 {
-                    polygon.widen();
+                    feature.widen();
                 }
             }
         }

@@ -16,8 +16,8 @@ package starlogo.intersection.sweep
         public var tolerance:Number = 0;
 
         private var _motion:RelativeMotion;
-        private var _polygonA:ContactFeature = new ContactFeature();
-        private var _polygonB:ContactFeature = new ContactFeature();
+        private var _featureA:ContactFeature = new ContactFeature();
+        private var _featureB:ContactFeature = new ContactFeature();
 
         // The first triangle's corners, relative to its first corner.
         private var _cornersA:Vector.<Number> = new Vector.<Number>(9, true);
@@ -57,13 +57,13 @@ package starlogo.intersection.sweep
             {
                 _cornersA[i] = edgesA[int(i - 3)];
             }
-            _polygonA.setFarthest(_cornersA, 0, out, -1);
-            _polygonB.setFarthest(cornersB, 0, out, 1);
-            _polygonA.findCommonPoint(_polygonB, out);
+            _featureA.setFarthest(_cornersA, 0, out, -1);
+            _featureB.setFarthest(cornersB, 0, out, 1);
+            _featureA.findCommonPoint(_featureB, out);
             out.depth = _depth > 0 && _depth < Infinity ? _depth : 0;
-            out.x = _polygonA.x + origin.x;
-            out.y = _polygonA.y + origin.y;
-            out.z = _polygonA.z + origin.z;
+            out.x = _featureA.x + origin.x;
+            out.y = _featureA.y + origin.y;
+            out.z = _featureA.z + origin.z;
         }
 
         /** Keeps the displacement if it is the shortest so far. Always returns false, so that all axes are tried. */

@@ -10,10 +10,14 @@ export function $vector(length, zero) {
 	return new Array(length).fill(zero);
 }
 
-/** `new Vector.<Number>(length)`. It begins as an array of doubles, because V8 copies an array of small integers when the first double comes. */
+/**
+ * `new Vector.<Number>(length)`. It begins as an array of doubles, because V8 copies an array of small integers when the first double comes.
+ * A short array gets no room to grow.
+ */
 export function $doubles(length) {
-	const numbers = new Array(length);
+	const numbers = length < 100 ? new Array(length) : [0.5];
 	if (length > 0) numbers[0] = 0.5;
+	numbers.length = length;
 	return numbers.fill(0);
 }
 

@@ -26,6 +26,9 @@ package starlogo.hierarchy
         /** @private The model's triangles, three vertex indices each; null if only vertices are known. */
         engine var triangles:Vector.<uint>;
 
+        /** @private The measured triangles, until a HierarchyRefiner takes them; null if they were not divided. */
+        engine var items:TreeItems = null;
+
         /**
          * Creates a hierarchy without nodes. A HierarchyBuilder makes them.
          *

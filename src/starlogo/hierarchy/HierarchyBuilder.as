@@ -87,9 +87,9 @@ package starlogo.hierarchy
 
         private function makeRoot():void
         {
-            var extents:Vector.<Number> = _items.extents;
-            _maker = new NodeMaker(_hierarchy, extents);
-            _hierarchy.root = _maker.make(1, 0, _items.count, extents);
+            _maker = new NodeMaker(_hierarchy, _items.bounds);
+            _hierarchy.root = _maker.make(1, 0, _items.count, _items.bounds);
+            _hierarchy.items = _hierarchy.hasTriangles ? _items : null;
         }
 
         private function newDivider():Steps

@@ -8,7 +8,7 @@ package starlogo.hierarchy
 
     /**
      * Divides the leaves of a hierarchy of triangles further, down to a few triangles each, for tests of triangles and rays. It works in
-     * steps. A hierarchy that was read with all its nodes stays as it is.
+     * steps. A hierarchy that was read with all its nodes keeps them.
      *
      * @private
      */
@@ -26,34 +26,25 @@ package starlogo.hierarchy
         public function HierarchyRefiner(hierarchy:Hierarchy)
         {
             _hierarchy = hierarchy;
-            if (hasLargeLeaf())
+            _items = hierarchy.items;
+            hierarchy.items = null;
+            if (_items == null)
             {
                 _items = new TreeItems(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
-                slices(_items.count, ITEMS_PER_STEP, _items.measure).begin(newDivider);
+                slices(_items.count, ITEMS_PER_STEP, _items.measure);
             }
+            begin(newDivider);
         }
 
-        private function hasLargeLeaf():Boolean
+        /** When no step is left: the triangles' extents in the hierarchy's order, minX, minY, minZ, maxX, maxY, maxZ of each. */
+        public function get extents():Vector.<Number>
         {
-            var stack:Vector.<HierarchyNode> = new <HierarchyNode>[_hierarchy.root];
-            while (stack.length > 0)
-            {
-                var node:HierarchyNode = stack.pop();
-                if (node.low != null)
-                {
-                    stack.push(node.low, node.high);
-                }
-                else if (node.end - node.first > LEAF_SIZE)
-                {
-                    return true;
-                }
-            }
-            return false;
+            return _items.extents;
         }
 
         private function newDivider():Steps
         {
-            var divider:NodeDivider = new NodeDivider(_hierarchy.root, _items, new NodeMaker(_hierarchy, _items.extents));
+            var divider:NodeDivider = new NodeDivider(_hierarchy.root, _items, new NodeMaker(_hierarchy, _items.bounds));
             divider.leafSize = LEAF_SIZE;
             return divider;
         }

@@ -23,9 +23,6 @@ package starlogo.hierarchy
         private static const ITEMS_PER_STEP:int = 1000;
         private static const ITEMS_PER_NODE:int = 10;
 
-        /** All nodes visited, parents before their children. */
-        public var nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
-
         /** A node with at most this many vertices is a leaf. */
         public var minVerticesToSplit:int = 1;
 
@@ -91,7 +88,7 @@ package starlogo.hierarchy
                 }
                 if (!_isDividing)
                 {
-                    nodes.push(_waiting.pop());
+                    _waiting.pop();
                     if (node.low != null)
                     {
                         _waiting.push(node.high, node.low);

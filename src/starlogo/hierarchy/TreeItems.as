@@ -1,8 +1,8 @@
 package starlogo.hierarchy
 {
     /**
-     * The items of a hierarchy: its triangles or its vertices. Keeps their extents, and an order in which the items of each node stand side
-     * by side. Divides the items of a node in two.
+     * The items of a hierarchy: its triangles or its vertices. Keeps an order in which the items of each node stand side by side, and their
+     * extents in this order. Divides the items of a node in two.
      *
      * @private
      */
@@ -14,8 +14,11 @@ package starlogo.hierarchy
         /** The number of items. */
         public var count:int;
 
-        /** The extents of all items after <code>measure()</code>: minX, minY, minZ, maxX, maxY, maxZ. */
-        public var extents:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+        /** The extents of each item, in the order of the items: minX, minY, minZ, maxX, maxY, maxZ. */
+        public var extents:Vector.<Number>;
+
+        /** The extents of all items together after <code>measure()</code>. */
+        public var bounds:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
 
         /** After a division, the index in the order at which the second group begins. */
         public var middle:int;
@@ -32,10 +35,6 @@ package starlogo.hierarchy
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // An item's smallest coordinates are at item * _stride. Its largest ones are _high further on.
-        private var _extents:Vector.<Number>;
-        private var _stride:int;
-        private var _high:int;
         private var _isOrdered:Boolean;
 
         // The current division. The last item not looked at yet is at _last. The first one is at middle + _waiting, because the item at the
@@ -56,17 +55,12 @@ package starlogo.hierarchy
             count = (triangles == null ? vertices.length : triangles.length) / 3;
             _isOrdered = order != null;
             this.order = _isOrdered ? order : new Vector.<int>(count, true);
-            _stride = triangles == null ? 3 : 6;
-            _high = triangles == null ? 0 : 3;
         }
 
-        /** Measures a range of items and puts them into the order. Must be called for all items before other methods. */
+        /** Measures a range of items. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
-            if (_extents == null)
-            {
-                _extents = _triangles == null ? _vertices : new Vector.<Number>(6 * count, true);
-            }
+            extents ||= new Vector.<Number>(6 * count, true);
             for (var i:int = first; i < end; i++)
             {
                 if (!_isOrdered)
@@ -75,20 +69,26 @@ package starlogo.hierarchy
                 }
                 if (_triangles != null)
                 {
-                    writeExtents(_vertices, _triangles, 3 * i, _extents, 6 * i);
+                    writeExtents(_vertices, _triangles, 3 * order[i], extents, 6 * i);
+                }
+                else
+                {
+                    var vertex:int = 3 * order[i];
+                    for (var at:int = 6 * i; at < 6 * i + 3; at++)
+                    {
+                        extents[at] = extents[int(at + 3)] = _vertices[vertex++];
+                    }
                 }
             }
-            extend(first * _stride, end * _stride);
+            extend(6 * first, 6 * end);
         }
 
         /** Adds the smallest and largest coordinates of a range of items along an axis to a number, one after the other. Returns the sum. */
         public function sumOf(sum:Number, first:int, end:int, axis:int):Number
         {
-            var high:int = axis + _high;
-            for (var i:int = first; i < end; i++)
+            for (var at:int = 6 * first + axis; at < 6 * end; at += 6)
             {
-                var at:int = order[i] * _stride;
-                sum += _extents[int(at + axis)] + _extents[int(at + high)];
+                sum += extents[at] + extents[int(at + 3)];
             }
             return sum;
         }
@@ -130,10 +130,9 @@ package starlogo.hierarchy
                 // twice the smallest and the largest centre
                 var least:Number = Infinity;
                 var largest:Number = -Infinity;
-                for (var i:int = first; i < end; i++)
+                for (var at:int = 6 * first + along; at < 6 * end; at += 6)
                 {
-                    var at:int = order[i] * _stride + along;
-                    var sum:Number = _extents[at] + _extents[int(at + _high)];
+                    var sum:Number = extents[at] + extents[int(at + 3)];
                     least = sum < least ? sum : least;
                     largest = sum > largest ? sum : largest;
                 }
@@ -159,9 +158,7 @@ package starlogo.hierarchy
         public function divideSome(most:int):Boolean
         {
             var items:Vector.<int> = order;
-            var all:Vector.<Number> = _extents;
-            var stride:int = _stride;
-            var high:int = _high;
+            var all:Vector.<Number> = extents;
             var along:int = axis;
             var split:Number = _split;
             var i:int = middle;
@@ -183,23 +180,34 @@ package starlogo.hierarchy
             var rightMaxZ:Number = rightExtents[5];
             while (last - i - waiting >= left)
             {
-                var place:int = waiting == 0 ? i : last;
-                var item:int = items[place];
-                var at:int = item * stride;
+                var at:int = 6 * (waiting == 0 ? i : last);
                 var minX:Number = all[at];
                 var minY:Number = all[int(at + 1)];
                 var minZ:Number = all[int(at + 2)];
-                at += high;
-                var maxX:Number = all[at];
-                var maxY:Number = all[int(at + 1)];
-                var maxZ:Number = all[int(at + 2)];
+                var maxX:Number = all[int(at + 3)];
+                var maxY:Number = all[int(at + 4)];
+                var maxZ:Number = all[int(at + 5)];
                 var sum:Number = along == 0 ? minX + maxX : (along == 1 ? minY + maxY : minZ + maxZ);
                 if (sum < split)
                 {
                     if (waiting == 1)
                     {
+                        var item:int = items[last];
                         items[last] = items[i];
                         items[i] = item;
+                        var to:int = 6 * i;
+                        all[at] = all[to];
+                        all[int(at + 1)] = all[int(to + 1)];
+                        all[int(at + 2)] = all[int(to + 2)];
+                        all[int(at + 3)] = all[int(to + 3)];
+                        all[int(at + 4)] = all[int(to + 4)];
+                        all[int(at + 5)] = all[int(to + 5)];
+                        all[to] = minX;
+                        all[int(to + 1)] = minY;
+                        all[int(to + 2)] = minZ;
+                        all[int(to + 3)] = maxX;
+                        all[int(to + 4)] = maxY;
+                        all[int(to + 5)] = maxZ;
                         last--;
                         waiting = 0;
                     }
@@ -257,22 +265,22 @@ package starlogo.hierarchy
             }
         }
 
-        // Extends the extents by a range of the items' extents.
+        // Extends the bounds by a range of the items' extents.
         private function extend(from:int, to:int):void
         {
             for (var along:int = 0; along < 3; along++)
             {
-                var least:Number = extents[along];
-                var largest:Number = extents[along + 3];
-                for (var i:int = from + along; i < to; i += _stride)
+                var least:Number = bounds[along];
+                var largest:Number = bounds[along + 3];
+                for (var i:int = from + along; i < to; i += 6)
                 {
-                    var coordinate:Number = _extents[i];
+                    var coordinate:Number = extents[i];
                     least = coordinate < least ? coordinate : least;
-                    coordinate = _extents[int(i + _high)];
+                    coordinate = extents[int(i + 3)];
                     largest = coordinate > largest ? coordinate : largest;
                 }
-                extents[along] = least;
-                extents[along + 3] = largest;
+                bounds[along] = least;
+                bounds[along + 3] = largest;
             }
         }
 

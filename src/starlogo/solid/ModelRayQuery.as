@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RayTraversal;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayTriangleTest;
 
@@ -29,6 +30,9 @@ package starlogo.solid
         private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
         private var _triangles:RayTriangleTest = new RayTriangleTest();
         private var _start:Vector3D = new Vector3D();
+
+        // The normal of the triangle that the ray meets.
+        private var _face:ContactPoint = new ContactPoint();
 
         /**
          * Narrows a ray to the part behind its first hit.
@@ -70,15 +74,12 @@ package starlogo.solid
             }
             triangle = hierarchy.order[found];
             ray.from = _triangles.least;
-            var plane:int = 5 * found;
-            var x:Number = solid.planes[plane];
-            var y:Number = solid.planes[int(plane + 1)];
-            var z:Number = solid.planes[int(plane + 2)];
             ray.faceBack();
+            _face.setTriangleNormal(solid.corners, 9 * found);
             // A triangle without area has no normal.
-            if (x != 0 || y != 0 || z != 0)
+            if (_face.length > 0)
             {
-                ray.setNormal(x, y, z);
+                ray.setNormal(_face.normalX, _face.normalY, _face.normalZ);
             }
             return true;
         }

@@ -7,6 +7,7 @@ package starlogo.solid
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.PackedTree;
     import starlogo.intersection.TriangleTest;
+    import starlogo.intersection.contact.ContactPoint;
 
     use namespace engine;
 
@@ -27,12 +28,6 @@ package starlogo.solid
 
         /** The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. */
         public var extents:Vector.<Number>;
-
-        /**
-         * The triangles' planes: x, y, z of the unit normal, the distance from the origin along the normal, and how far the triangle's own
-         * corners are off the plane. For a triangle without area the normal is 0 and the last number is infinite.
-         */
-        public var planes:Vector.<Number>;
 
         /** The triangles' corners where seams were welded. The same list as <code>corners</code> if there is no gap. */
         public var places:Vector.<Number>;
@@ -67,6 +62,10 @@ package starlogo.solid
         /** The number of pieces in <code>wound</code>. */
         public var woundCount:int = 0;
 
+        // Null before they are first needed.
+        private var _planes:Vector.<Number> = null;
+        private var _face:ContactPoint = new ContactPoint();
+
         private var _root:HierarchyNode;
         private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
@@ -94,9 +93,49 @@ package starlogo.solid
             corners = new Vector.<Number>(9 * count, true);
             places = corners;
             least = Infinity;
-            extents = new Vector.<Number>(6 * count, true);
-            planes = new Vector.<Number>(5 * count, true);
-            signedPieces = new Vector.<int>(count, true);
+        }
+
+        /**
+         * The triangles' planes: x, y, z of the unit normal, the distance from the origin along the normal, and how far the triangle's own
+         * corners are off the plane. For a triangle without area the normal is 0 and the last number is infinite. Rays need no planes. If
+         * they are not placed yet, they are placed now.
+         */
+        public function get planes():Vector.<Number>
+        {
+            if (_planes == null)
+            {
+                placePlanes(0, corners.length / 9);
+            }
+            return _planes;
+        }
+
+        /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
+        public function placePlanes(first:int, end:int):void
+        {
+            _planes ||= new Vector.<Number>(5 * corners.length / 9, true);
+            for (var i:int = first; i < end; i++)
+            {
+                placePlane(9 * i, _planes, 5 * i);
+            }
+        }
+
+        private function placePlane(at:int, planes:Vector.<Number>, to:int):void
+        {
+            _face.setTriangleNormal(corners, at);
+            if (!(_face.length > 0))
+            {
+                planes[to] = planes[to + 1] = planes[to + 2] = planes[to + 3] = 0;
+                planes[to + 4] = Infinity;
+                return;
+            }
+            _face.measure(corners, at, at + 3);
+            var place:Number = _face.least;
+            planes[to] = _face.normalX;
+            planes[to + 1] = _face.normalY;
+            planes[to + 2] = _face.normalZ;
+            planes[to + 3] = place;
+            _face.measure(corners, at + 3, at + 9);
+            planes[to + 4] = Math.max(Math.abs(_face.least - place), Math.abs(_face.greatest - place));
         }
 
         /**

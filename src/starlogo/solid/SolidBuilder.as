@@ -70,6 +70,7 @@ package starlogo.solid
             _solid = _hierarchy.placed;
             _solid.isClosed = _surface.isClosed;
             _solid.pieceStates = _surface.pieceStates;
+            _solid.signedPieces = new Vector.<int>(_order.length, true);
             _solid.windings = new Vector.<int>(_surface.pieceStates.length, true);
             _solid.widestSeam = _surface.widestSeam;
             if (_surface.widestSeam > 0)
@@ -79,6 +80,7 @@ package starlogo.solid
                 add(_welding);
             }
             sliced(usePieces);
+            sliced(_solid.placePlanes);
             _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
             if (_builder != null)
             {

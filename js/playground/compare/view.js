@@ -1,10 +1,10 @@
 /** Compare: shows which collisions each system finds, for two agents, and for a game of many. */
-import { Agent, CollisionBlocks, GreatLand } from "starlogo-collision";
+import { Agent, CollisionBlocks } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
 import { listing } from "../shared/copying.js";
 import { button, choice, field, h, short } from "../shared/dom.js";
 import { Lab } from "../shared/lab.js";
-import { loadModel } from "../shared/models.js";
+import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Sight } from "../shared/sight.js";
 import { orbitByKeys } from "../shared/stage.js";
@@ -26,9 +26,7 @@ const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0
 const LATE = 300;
 
 export async function createView(main, link) {
-	const models = new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)])));
-	const greatLand = new GreatLand();
-	for (const model of models.values()) greatLand.addModel(model);
+	const { models, greatLand } = await loadLand(SHAPES);
 	const view = new CompareView(main, models, greatLand);
 	view.open(link);
 	return view;

@@ -1,12 +1,13 @@
 /**
  * Measure: shows how long a frame's collisions take on this machine, by system and number of agents, beside the times of another machine.
  */
-import { CollisionBlocks, GreatLand } from "starlogo-collision";
+import { CollisionBlocks } from "starlogo-collision";
 import { CAST } from "../compare/game.js";
 import { button, choice, field, fileButton, h, short } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
-import { loadModel } from "../shared/models.js";
+import { recallList, remember } from "../shared/memory.js";
+import { loadLand } from "../shared/models.js";
 import { chart, fileOf } from "./chart.js";
 import { Live } from "./live.js";
 import { COUNTS, isMeasured, measureAll } from "./times.js";
@@ -17,9 +18,7 @@ const MOST_KEPT = 12;
 const FIRST_MOST = 400;
 
 export async function createView(main) {
-	const greatLand = new GreatLand();
-	for (const model of await Promise.all(CAST.map(loadModel))) greatLand.addModel(model);
-	return new MeasureView(main, greatLand);
+	return new MeasureView(main, (await loadLand(CAST)).greatLand);
 }
 
 class MeasureView {
@@ -116,23 +115,14 @@ class MeasureView {
 	}
 
 	get #all() {
-		if (this.#unkept) return this.#unkept;
-		try {
-			return (JSON.parse(localStorage.getItem(KEY)) ?? []).filter(isMeasured);
-		} catch {
-			return [];
-		}
+		return this.#unkept ?? recallList(KEY).filter(isMeasured);
 	}
 
 	#keep() {
 		const all = [...this.#all, { ...this.result, machine: this.name.value.trim() || words.thisMachine }].slice(-MOST_KEPT);
-		try {
-			localStorage.setItem(KEY, JSON.stringify(all));
-			this.status.textContent = words.kept;
-		} catch {
-			this.#unkept = all;
-			this.status.textContent = words.notKept;
-		}
+		const isKept = remember(KEY, JSON.stringify(all));
+		if (!isKept) this.#unkept = all;
+		this.status.textContent = isKept ? words.kept : words.notKept;
 		this.#listOthers();
 	}
 

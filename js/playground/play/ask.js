@@ -1,5 +1,5 @@
 /** Asks for a name in a dialog of the page's own. */
-import { button, h } from "../shared/dom.js";
+import { button, h, openDialog } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.play.ask;
@@ -27,12 +27,9 @@ export function ask(message, value, longest) {
 		input.addEventListener("keydown", ({ key }) => {
 			if (key === "Enter") take();
 		});
-		const dialog = h("dialog.ask", { "aria-label": message, onclose: () => {
-			dialog.remove();
-			resolve(answer);
-		} }, h("p", {}, message), input, note, h("div.tools", {}, button(words.take, take, { class: "primary" }), button(words.leave, () => dialog.close())));
 		count();
-		document.body.append(dialog);
-		dialog.showModal();
+		const dialog = openDialog("dialog.ask", message, h("p", {}, message), input, note,
+			h("div.tools", {}, button(words.take, take, { class: "primary" }), button(words.leave, () => dialog.close())));
+		dialog.addEventListener("close", () => resolve(answer));
 	});
 }

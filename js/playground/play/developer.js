@@ -1,6 +1,6 @@
 /** Shows a program as a JavaScript module, to copy or download, with links to documentation and examples. */
 import { copying } from "../shared/copying.js";
-import { button, h } from "../shared/dom.js";
+import { button, h, openDialog } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
 import { DOCS } from "../shared/served.js";
@@ -20,12 +20,10 @@ export function showJavascript(program, title, file, models) {
 	const text = javascriptOf(program, title, models);
 	const code = h("code", {}, text);
 	const [copy, said] = copying(code, { class: "primary" });
-	const dialog = h("dialog.ask.javascript", { "aria-label": words.title, onclose: () => dialog.remove() },
+	const dialog = openDialog("dialog.ask.javascript", words.title,
 		h("h2", {}, words.title), h("p", {}, words.note),
 		h("div.tools", {}, copy, button(words.download, () => hand(text, `${file}.mjs`, "text/javascript")),
 			...(DOCS ? [h("a", { href: `${DOCS}index.html`, target: "_blank" }, words.documentation), h("a", { href: `${DOCS}examples.html`, target: "_blank" }, words.examples)] : []), said,
 			button(texts.gallery.close, () => dialog.close(), { class: "close" })),
 		h("pre", { tabindex: "0", "aria-label": words.title }, code));
-	document.body.append(dialog);
-	dialog.showModal();
 }

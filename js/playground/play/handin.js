@@ -1,29 +1,15 @@
 /** Hands in a pupil's work: lessons, games, programs and models, as a file or a code for the teacher. Makes room for the next pupil. */
-import { button, field, h } from "../shared/dom.js";
+import { button, field, h, openDialog } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { toCode, toFile } from "../shared/handed.js";
 import { texts } from "../shared/language.js";
+import { recall, remember } from "../shared/memory.js";
 import { fileName, meaning } from "./storage.js";
 
 const words = texts.handing;
 const KEY = "starlogo-playground.pupil";
 
-function keptName() {
-	try {
-		return localStorage.getItem(KEY) ?? "";
-	} catch {
-		return "";
-	}
-}
-
-function keepName(name) {
-	try {
-		if (name === "") localStorage.removeItem(KEY);
-		else localStorage.setItem(KEY, name);
-	} catch {
-		// it is asked for again
-	}
-}
+const keepName = (name) => remember(KEY, name || null);
 
 /** All of the pupil's work. The programs that did lessons go along, so that the teacher's page can play them again. */
 function workOf({ shelf, lessons, view }, pupil) {
@@ -36,12 +22,7 @@ function workOf({ shelf, lessons, view }, pupil) {
 /** The numbers of lessons that were done and of programs. */
 const countsOf = ({ shelf, lessons }) => [lessons.results.done.length, shelf.all.length];
 
-function openDialog(title, ...content) {
-	const dialog = h("dialog.ask.handing", { "aria-label": title, onclose: () => dialog.remove() }, h("h2", {}, title), ...content);
-	document.body.append(dialog);
-	dialog.showModal();
-	return dialog;
-}
+const openSheet = (title, ...content) => openDialog("dialog.ask.handing", title, h("h2", {}, title), ...content);
 
 /**
  * Opens a dialog that hands in.
@@ -51,7 +32,7 @@ function openDialog(title, ...content) {
 export function handIn(programs) {
 	const said = h("p.note", { role: "status" });
 	const place = h("textarea", { readonly: true, rows: 4, hidden: true, "aria-label": words.code });
-	const name = h("input", { type: "text", maxlength: 60, value: keptName(), autocomplete: "off", onchange: () => keepName(name.value.trim()) });
+	const name = h("input", { type: "text", maxlength: 60, value: recall(KEY) ?? "", autocomplete: "off", onchange: () => keepName(name.value.trim()) });
 	const work = () => {
 		const pupil = name.value.trim();
 		if (pupil !== "") return workOf(programs, pupil);
@@ -79,7 +60,7 @@ export function handIn(programs) {
 			said.textContent = words.notCopied;
 		}
 	};
-	const dialog = openDialog(words.title,
+	const dialog = openSheet(words.title,
 		h("p", {}, words.what(...countsOf(programs))), field(words.name, name),
 		h("div.tools", {}, button(words.save, save, { class: "primary" }), button(words.copy, copy), button(texts.play.ask.leave, () => dialog.close())),
 		said, place, h("p.note", {}, words.how));
@@ -98,7 +79,7 @@ async function forgetAll({ shelf, lessons, view }) {
 
 /** Opens a dialog that makes the browser forget this pupil. */
 export function nextPupil(programs) {
-	const dialog = openDialog(texts.gallery.nextPupil, h("p", {}, words.nextNote(...countsOf(programs))),
+	const dialog = openSheet(texts.gallery.nextPupil, h("p", {}, words.nextNote(...countsOf(programs))),
 		h("div.tools", {}, button(words.handFirst, () => {
 			dialog.close();
 			handIn(programs);

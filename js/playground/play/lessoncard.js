@@ -1,6 +1,7 @@
 /** The card of the open lesson: its subject, its task, whether the task is done, and the explanation. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
+import { recallList, remember } from "../shared/memory.js";
 
 const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
@@ -8,15 +9,7 @@ export const LESSON_NAMES = ["blocks", "helmet", "wing", "main", "fast", "starts
 
 /** Remembers, in the browser, the lessons that were done and the games that were won. */
 class Ticks {
-	#names = new Set();
-
-	constructor() {
-		try {
-			this.#names = new Set(JSON.parse(localStorage.getItem(KEY)));
-		} catch {
-			// the browser stores nothing
-		}
-	}
+	#names = new Set(recallList(KEY));
 
 	has(name) {
 		return this.#names.has(name);
@@ -33,11 +26,7 @@ class Ticks {
 	}
 
 	#keep() {
-		try {
-			localStorage.setItem(KEY, JSON.stringify([...this.#names]));
-		} catch {
-			// remembered until the page is closed
-		}
+		remember(KEY, JSON.stringify([...this.#names]));
 	}
 }
 

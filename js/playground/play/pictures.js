@@ -1,8 +1,7 @@
 /** Draws pictures of games' beginnings, for pages that play no game. */
-import { GreatLand } from "starlogo-collision";
 import { h } from "../shared/dom.js";
 import { toBytes } from "../shared/files.js";
-import { loadModel, parseModel } from "../shared/models.js";
+import { landOf, loadLand, parseModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { STAGE, Scene } from "./scene.js";
@@ -11,15 +10,7 @@ import { World } from "./world.js";
 /** The size of the pictures in pixels. It is large enough for printing. */
 export const PICTURE = [800, 500];
 
-/** What a game needs of models: the models by their names, and the engine's land of them. */
-function landOf(models) {
-	const greatLand = new GreatLand();
-	for (const model of models.values()) greatLand.addModel(model);
-	return { models, greatLand };
-}
-
 let loading = null;
-const load = async () => landOf(new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)]))));
 /** The lands of pupils with models of their own. */
 const lands = new WeakMap();
 
@@ -36,7 +27,7 @@ async function withOwn(brought, own) {
 
 /** The page's models, with the own models of a program: all by their names, and the engine's land of them. */
 export async function landFor(own = {}) {
-	loading ??= load();
+	loading ??= loadLand(SHAPES);
 	return withOwn(await loading, own);
 }
 

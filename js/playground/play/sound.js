@@ -1,6 +1,7 @@
 /** The sounds of a game: a tone for a touch, some tones for a success or a defeat. The user can mute it, and the browser remembers that. */
 import { button } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
+import { recall, remember } from "../shared/memory.js";
 
 const words = texts.play;
 const KEY = "starlogo-playground.muted";
@@ -22,18 +23,13 @@ const [A, A_HERTZ, NOTE] = [69, 440, 0.25];
 
 export class Sound {
 	#context = null;
-	#isMuted = false;
+	#isMuted = recall(KEY) === "true";
 	/** The last frame that was heard, the frame of the last tone, and the number of meetings then. */
 	#frame = 0;
 	#last = -BETWEEN;
 	#met = 0;
 
 	constructor() {
-		try {
-			this.#isMuted = localStorage.getItem(KEY) === "true";
-		} catch {
-			// the browser stores nothing
-		}
 		this.button = button("", () => this.#mute(!this.#isMuted), { class: "tool sound" });
 		this.#show();
 	}
@@ -48,11 +44,7 @@ export class Sound {
 	#mute(isMuted) {
 		this.#isMuted = isMuted;
 		this.#show();
-		try {
-			localStorage.setItem(KEY, String(isMuted));
-		} catch {
-			// remembered until the page is closed
-		}
+		remember(KEY, String(isMuted));
 		if (!isMuted) this.#play([TOUCHES[0]], 0.08);
 	}
 

@@ -1,6 +1,7 @@
 /** The movable line between blocks and world. The pointer and arrow keys move it. */
 import { h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
+import { recall, remember } from "../shared/memory.js";
 
 const KEY = "starlogo-playground.blocks-width";
 /** The least, the largest and the first width of the blocks, in percent of the window. */
@@ -20,18 +21,8 @@ export function splitter(main) {
 		main.style.setProperty("--blocks", `${width}%`);
 		line.setAttribute("aria-valuenow", String(Math.round(width)));
 	};
-	const keep = () => {
-		try {
-			localStorage.setItem(KEY, String(width));
-		} catch {
-			// remembered until the page is closed
-		}
-	};
-	try {
-		set(Number(localStorage.getItem(KEY)) || FIRST);
-	} catch {
-		set(FIRST);
-	}
+	const keep = () => remember(KEY, String(width));
+	set(Number(recall(KEY)) || FIRST);
 	line.addEventListener("pointerdown", (event) => {
 		line.setPointerCapture(event.pointerId);
 		event.preventDefault();

@@ -1,4 +1,5 @@
 /** Stores programs: in the browser, each under its own name, in files, and in links. */
+import { recallValue, remember } from "../shared/memory.js";
 import { isProgram, packed, unpacked } from "../shared/packing.js";
 
 const KEY = "starlogo-playground.programs";
@@ -16,12 +17,12 @@ export class Shelf {
 	#unkept = null;
 
 	get all() {
-		return this.#unkept ?? read(KEY) ?? this.#taken();
+		return this.#unkept ?? recallValue(KEY) ?? this.#taken();
 	}
 
 	/** The program that an earlier release has stored. */
 	#taken() {
-		const old = read(OLD_KEY);
+		const old = recallValue(OLD_KEY);
 		return old?.name === "own" && isProgram(old.program) ? [{ id: "own", name: "1", program: old.program, changed: 0 }] : [];
 	}
 
@@ -52,16 +53,16 @@ export class Shelf {
 
 	/** The seconds of the best victory in a game, or null. */
 	recordOf(id) {
-		return read(`${KEY}.records`)?.[id] ?? null;
+		return recallValue(`${KEY}.records`)?.[id] ?? null;
 	}
 
 	putRecord(id, seconds) {
-		this.#keep(`${KEY}.records`, { ...read(`${KEY}.records`), [id]: seconds });
+		this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
 	}
 
 	/** The programs that did lessons, by the lessons' names. If the lesson's own program did it, only its collision system is kept. */
 	get solutions() {
-		return read(`${KEY}.solutions`) ?? {};
+		return recallValue(`${KEY}.solutions`) ?? {};
 	}
 
 	putSolution(lesson, program) {
@@ -70,7 +71,7 @@ export class Shelf {
 
 	/** The id of the program that was open last. */
 	get last() {
-		return read(`${KEY}.last`);
+		return recallValue(`${KEY}.last`);
 	}
 
 	set last(id) {
@@ -83,12 +84,7 @@ export class Shelf {
 	}
 
 	#keep(key, value) {
-		try {
-			localStorage.setItem(key, JSON.stringify(value));
-			this.isKept = true;
-		} catch {
-			this.isKept = false;
-		}
+		this.isKept = remember(key, JSON.stringify(value));
 	}
 
 	/** Calls the listener for changes by other tabs, until the returned function is called. */
@@ -98,14 +94,6 @@ export class Shelf {
 		};
 		addEventListener("storage", heard);
 		return () => removeEventListener("storage", heard);
-	}
-}
-
-function read(key) {
-	try {
-		return JSON.parse(localStorage.getItem(key));
-	} catch {
-		return null;
 	}
 }
 

@@ -3,9 +3,9 @@
  *
  * This file is long because the controls of a game belong together: most of it is their layout, and starting, stopping and drawing.
  */
-import { CollisionBlocks, GreatLand } from "starlogo-collision";
+import { CollisionBlocks } from "starlogo-collision";
 import { button, choice, field, h, slider, tick } from "../shared/dom.js";
-import { loadModel } from "../shared/models.js";
+import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { fixed, texts } from "../shared/language.js";
@@ -34,9 +34,7 @@ const [PIECES, CELEBRATED] = [36, 3000];
 
 export async function createView(main, link) {
 	const words = loadMessages();
-	const models = new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)])));
-	const greatLand = new GreatLand();
-	for (const model of models.values()) greatLand.addModel(model);
+	const { models, greatLand } = await loadLand(SHAPES);
 	const view = new PlayView(main, models, new World(greatLand));
 	const opening = view.open(link);
 	await words;

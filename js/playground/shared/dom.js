@@ -70,6 +70,14 @@ export function button(text, onclick, properties = {}) {
 	return h("button", { type: "button", onclick, ...properties }, text);
 }
 
+/** Opens a dialog of the page's own. It is gone when it is closed. */
+export function openDialog(tag, label, ...content) {
+	const dialog = h(tag, { "aria-label": label, onclose: () => dialog.remove() }, ...content);
+	document.body.append(dialog);
+	dialog.showModal();
+	return dialog;
+}
+
 /** A button that asks for files. onFile is called with the main file, and with all files. */
 export function fileButton(text, accept, onFile) {
 	const input = h("input.visually-hidden", { type: "file", accept, multiple: true, tabindex: "-1", "aria-hidden": "true", onchange: () => {

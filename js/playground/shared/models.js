@@ -1,5 +1,5 @@
 /** The game's models: the twelve in the thesis's table, and two that only the playground has. */
-import { BuiltInModel, Model } from "starlogo-collision";
+import { BuiltInModel, GreatLand, Model } from "starlogo-collision";
 import { turtle, wall } from "./made.js";
 import { readModel } from "./served.js";
 
@@ -19,6 +19,16 @@ export function loadModel(name) {
 	}
 	return loaded.get(name);
 }
+
+/** What a game needs of models: the models by their names, and the engine's land of them. */
+export function landOf(models) {
+	const greatLand = new GreatLand();
+	for (const model of models.values()) greatLand.addModel(model);
+	return { models, greatLand };
+}
+
+/** The land of some of the game's models. */
+export const loadLand = async (names) => landOf(new Map(await Promise.all(names.map(async (name) => [name, await loadModel(name)]))));
 
 async function read(name) {
 	if (name in BUILT_IN) return BUILT_IN[name]();

@@ -51,7 +51,9 @@ const PLAYWRIGHTS = 'AvoidUnnecessaryBeforeUnloadCheckSync,BoundaryEventDispatch
 const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-rasterization', '--disable-gpu-compositing',
 	'--disable-dev-shm-usage', '--disable-background-networking', '--no-first-run',
 	// one renderer a context, and none in advance; no pages for the address bar that nobody sees. A second such switch replaces Playwright's, so the first is repeated.
-	'--disable-site-isolation-trials', `--disable-features=${PLAYWRIGHTS},SpareRendererForSitePerProcess,WebUIOmniboxPopup,WebUIOmniboxAimPopup`];
+	'--disable-site-isolation-trials', `--disable-features=${PLAYWRIGHTS},SpareRendererForSitePerProcess,WebUIOmniboxPopup,WebUIOmniboxAimPopup`,
+	// a page is there for seconds: its scripts are compiled once more, and not a third time
+	'--js-flags=--no-opt'];
 
 /** How long anything may take, in milliseconds. It ends what hangs. A machine that has other things to do is slow, and not broken. */
 export const PATIENCE = 300000;

@@ -48,7 +48,6 @@ package starlogo.queries
 
         private var _place:Vector3D = new Vector3D();
         private var _source:Object;
-        private var _system:Object;
         private var _terrain:Terrain = null;
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
@@ -90,7 +89,7 @@ package starlogo.queries
             }
             requireQuiet("update");
             var collider:Collider = findCollider();
-            var next:AgentTable = collider === _system ? table : tableFor(collider);
+            var next:AgentTable = collider.narrowPhase === narrowPhase ? table : tableFor(collider);
             next.read(agents);
             next.readWorldAgent(RowList.GROUND, terrain == null ? null : terrain.agent);
             table = next;
@@ -250,7 +249,6 @@ package starlogo.queries
 
         private function see(collider:Collider):void
         {
-            _system = collider;
             narrowPhase = collider.narrowPhase;
             // questions may be about any structure
             StructurePairTests.bringTo(narrowPhase);

@@ -269,24 +269,24 @@ package starlogo.search
             var outAgents:Vector.<Agent> = _outAgents;
             var agents:Vector.<Agent> = table.agents;
             var ranks:Vector.<int> = table.ranks;
-            var agent:Agent = agents[row];
             var rank:int = ranks[row];
             var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = rows[others[i]];
-                var otherRank:int = ranks[other];
-                var isFirst:Boolean = rank < otherRank;
+                // The bits of swaps are all set if the other agent comes first in the list. Half of the pairs do, so a branch would be mispredicted.
+                var ahead:int = ranks[other] - rank;
+                var swaps:int = ahead >> 31;
                 if (outAgents == null)
                 {
-                    indices[at] = isFirst ? rank : otherRank;
-                    indices[int(at + 1)] = isFirst ? otherRank : rank;
+                    indices[at] = rank + (ahead & swaps);
+                    indices[int(at + 1)] = rank + (ahead & ~swaps);
                 }
                 else
                 {
-                    var otherAgent:Agent = agents[other];
-                    outAgents[at] = isFirst ? agent : otherAgent;
-                    outAgents[int(at + 1)] = isFirst ? otherAgent : agent;
+                    var way:int = other - row;
+                    outAgents[at] = agents[int(row + (way & swaps))];
+                    outAgents[int(at + 1)] = agents[int(row + (way & ~swaps))];
                 }
                 at += 2;
             }

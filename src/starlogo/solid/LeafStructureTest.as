@@ -103,7 +103,9 @@ package starlogo.solid
             extents[3] += Math.max(motion.y, 0);
             extents[4] += Math.min(motion.z, 0);
             extents[5] += Math.max(motion.z, 0);
-            isCompact = 8 * halfX * halfY * halfZ <= COMPACT * _test.structure.volume;
+            // A structure that stands is a question of its contact: the order of the pairs of boxes chooses among the triangles that it touches.
+            var isMoving:Boolean = motion.x != 0 || motion.y != 0 || motion.z != 0;
+            isCompact = isMoving && 8 * halfX * halfY * halfZ <= COMPACT * _test.structure.volume;
             boxes.setPlace(_core.x, _core.y, _core.z, 0);
             boxes.halfX = halfX + margin;
             boxes.halfY = halfY + margin;

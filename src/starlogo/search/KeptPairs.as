@@ -231,13 +231,17 @@ package starlogo.search
         {
             for (var i:int = 0; i < count; i++)
             {
-                var row:int = rows[i];
-                if (_changedIn[row] != _number)
-                {
-                    _changedIn[row] = _number;
-                    _changed[_changedCount] = row;
-                    _changedCount++;
-                }
+                markRow(rows[i]);
+            }
+        }
+
+        private function markRow(row:int):void
+        {
+            if (_changedIn[row] != _number)
+            {
+                _changedIn[row] = _number;
+                _changed[_changedCount] = row;
+                _changedCount++;
             }
         }
 
@@ -247,12 +251,9 @@ package starlogo.search
             var rows:Vector.<int> = _table.rows;
             for (var i:int = 0; i < _table.count; i++)
             {
-                var row:int = rows[i];
-                if (_changedIn[row] != _number && isMember(row) != _cells.has(row))
+                if (isMember(rows[i]) != _cells.has(rows[i]))
                 {
-                    _changedIn[row] = _number;
-                    _changed[_changedCount] = row;
-                    _changedCount++;
+                    markRow(rows[i]);
                 }
             }
         }

@@ -45,7 +45,6 @@ package starlogo.search
             var spheres:SpherePairTests = _narrowPhase.spheres;
             var forms:Vector.<int> = table.forms;
             var form:int = forms[row];
-            var slack:Number = bins.slack;
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;
             var zs:Vector.<Number> = table.extents.z;
@@ -56,7 +55,7 @@ package starlogo.search
             var atX:Number = xs[row];
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
-            var reachZ:Number = halfZs[row] + slack;
+            var reachZ:Number = halfZs[row] + bins.slack;
             var box:Box = boxes[row];
             var body:Body = null;
             var boxTests:int = 0;
@@ -104,12 +103,8 @@ package starlogo.search
                     if (squared > reach * reach)
                     {
                         // as in SpherePairTests.keepTouchingSlots
-                        reach += slack;
-                        if (squared > reach * reach)
-                        {
-                            continue;
-                        }
-                        if (!spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
+                        reach += bins.slack;
+                        if (squared > reach * reach || !spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
                         {
                             continue;
                         }

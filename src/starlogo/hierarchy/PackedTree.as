@@ -44,7 +44,7 @@ package starlogo.hierarchy
         /** @param node the hierarchy's root */
         public function PackedTree(node:HierarchyNode)
         {
-            var largest:Number = Math.max(node.halfX, node.halfY, node.halfZ);
+            var largest:Number = Math.max(node.halfX, Math.max(node.halfY, node.halfZ));
             x = node.x;
             y = node.y;
             z = node.z;

@@ -260,8 +260,14 @@ package starlogo.solid
             var reach:Number = _core.reach + _radius + planes[int(at + 4)];
             var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
             var to:Number = from + least * (_axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z);
-            _startsApart = from > reach || from < -reach;
-            if (_startsApart && (from > reach ? to > reach : to < -reach))
+            // mirrored, so that the structure begins on the side of the normal
+            if (from < 0)
+            {
+                from = -from;
+                to = -to;
+            }
+            _startsApart = from > reach;
+            if (_startsApart && to > reach)
             {
                 return true;
             }

@@ -139,7 +139,8 @@ package starlogo.solid
             var corners:Vector.<Number> = _solid.corners;
             var at:int = 9 * triangle;
             var box:int = 6 * piece;
-            var inwards:Number = INWARDS * Math.max(_boxes[box + 3] - _boxes[box], _boxes[box + 4] - _boxes[box + 1], _boxes[box + 5] - _boxes[box + 2]);
+            var extent:Number = Math.max(_boxes[box + 3] - _boxes[box], _boxes[box + 4] - _boxes[box + 1], _boxes[box + 5] - _boxes[box + 2]);
+            var inwards:Number = INWARDS * extent;
             var isOutwards:Boolean = _solid.signedPieces[triangle] > 0 == _volumes[piece] > 0;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new Vector.<Number>(3, true);

@@ -49,8 +49,8 @@ package starlogo.solid
                 return false;
             }
             // A getter is a call, and every pair that does not touch comes here.
-            var solidA:Solid = a.prepared == null ? a.solid : a.prepared;
-            var solidB:Solid = b.prepared == null ? b.solid : b.prepared;
+            var solidA:Solid = a.readySolid == null ? a.solid : a.readySolid;
+            var solidB:Solid = b.readySolid == null ? b.solid : b.readySolid;
             var rootA:HierarchyNode = a.root;
             var rootB:HierarchyNode = b.root;
             var size:Number = _pose.placement.size;

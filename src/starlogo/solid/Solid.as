@@ -163,7 +163,8 @@ package starlogo.solid
         /** Whether the point of the last <code>wind()</code> is inside of a piece, and not in a cavity of it. */
         public function isAround(piece:int):Boolean
         {
-            return pieceStates[piece] == SurfaceTopology.SOLID ? windings[piece] != 0 : pieceStates[piece] == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
+            return pieceStates[piece] == SurfaceTopology.SOLID && windings[piece] != 0
+                || pieceStates[piece] == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
         }
 
         /**

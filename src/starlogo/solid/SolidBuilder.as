@@ -42,7 +42,7 @@ package starlogo.solid
             _hierarchy = hierarchy;
             _order = hierarchy.order;
             _surface = hierarchy.surface;
-            if (hierarchy.placed == null)
+            if (hierarchy.readyFacets == null)
             {
                 add(new TrianglesBuilder(hierarchy));
             }
@@ -67,7 +67,7 @@ package starlogo.solid
 
         private function useSurface():void
         {
-            _solid = _hierarchy.placed;
+            _solid = _hierarchy.readyFacets;
             _solid.isClosed = _surface.isClosed;
             _solid.pieceStates = _surface.pieceStates;
             _solid.signedPieces = new Vector.<int>(_order.length, true);
@@ -87,7 +87,8 @@ package starlogo.solid
                 _partOf = new Vector.<int>(_surface.pieceStates.length, true);
                 _sets = new DisjointSets(_surface.partNumberEnd);
                 begin(newCavities);
-                sliced(measure).slices(_solid.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts).call(beginAgain);
+                sliced(measure).slices(_solid.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts)
+                    .call(beginAgain);
                 sliced(numberParts);
             }
             sliced(measure).call(conclude);
@@ -162,7 +163,7 @@ package starlogo.solid
         private function conclude():void
         {
             _extremes.finish();
-            _hierarchy.prepared = _solid;
+            _hierarchy.readySolid = _solid;
             _hierarchy.surface = _surface;
         }
     }

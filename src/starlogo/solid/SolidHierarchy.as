@@ -17,11 +17,11 @@ package starlogo.solid
         /** @private The surface, or null if nothing is known of it. */
         engine var surface:SurfaceTopology = null;
 
-        /** The value of <code>solid</code>, or null if it is not prepared yet. */
-        internal var prepared:Solid = null;
+        /** The value of <code>solid</code>, or null if that is not prepared yet. */
+        internal var readySolid:Solid = null;
 
-        /** The value of <code>facets</code>, or null if it is not prepared yet. */
-        internal var placed:Solid = null;
+        /** The value of <code>facets</code>, or null if that is not prepared yet. */
+        internal var readyFacets:Solid = null;
 
         private var _open:AxisEscapeTest = null;
 
@@ -36,21 +36,21 @@ package starlogo.solid
          */
         internal function get solid():Solid
         {
-            if (prepared == null)
+            if (readySolid == null)
             {
                 prepare();
             }
-            return prepared;
+            return readySolid;
         }
 
         /** The triangles, perhaps without their inside. Preparing them takes less than half as long as <code>solid</code>. */
         internal function get facets():Solid
         {
-            if (placed == null)
+            if (readyFacets == null)
             {
                 placeTriangles();
             }
-            return placed;
+            return readyFacets;
         }
 
         /**
@@ -61,14 +61,14 @@ package starlogo.solid
         {
             var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - root.x) > root.halfX - radius
                 || Math.abs(middle.y - root.y) > root.halfY - radius || Math.abs(middle.z - root.z) > root.halfZ - radius;
-            if (!isOutside && prepared == null)
+            if (!isOutside && readySolid == null)
             {
-                if (placed == null)
+                if (readyFacets == null)
                 {
                     placeTriangles(); // with the triangles placed, the tree has small boxes
                 }
                 _open ||= new AxisEscapeTest();
-                isOutside = _open.hasOpenSide(middle, root, placed.tree);
+                isOutside = _open.hasOpenSide(middle, root, readyFacets.tree);
             }
             return !isOutside && solid.isInside(middle);
         }
@@ -112,7 +112,7 @@ package starlogo.solid
         /** @private Prepares the triangles for exact tests if they are not prepared yet. */
         engine function prepare():void
         {
-            if (hasTriangles && prepared == null)
+            if (hasTriangles && readySolid == null)
             {
                 finish(new SolidBuilder(this));
             }
@@ -121,7 +121,7 @@ package starlogo.solid
         /** @private Whether the triangles are prepared for exact tests. */
         engine function get isPrepared():Boolean
         {
-            return prepared != null;
+            return readySolid != null;
         }
     }
 }

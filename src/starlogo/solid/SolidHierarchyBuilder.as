@@ -31,7 +31,8 @@ package starlogo.solid
          * @param splitByMean whether to split at the mean
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
+        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int,
+                maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
         {
             _hierarchy = new SolidHierarchy(vertices, triangles);
             _builder = new HierarchyBuilder(_hierarchy, minVerticesToSplit, maxDepth, splitByMean);

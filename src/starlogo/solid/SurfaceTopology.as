@@ -86,7 +86,8 @@ package starlogo.solid
             surface.partNumberEnd = bytes.readInt();
             var pieces:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            if (!(pieces >= 0 && pieces <= triangleCount && surface.partNumberEnd <= triangleCount && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
+            if (!(pieces >= 0 && pieces <= triangleCount && surface.partNumberEnd <= triangleCount
+                        && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
             {
                 return null;
             }

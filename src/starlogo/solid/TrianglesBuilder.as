@@ -46,7 +46,7 @@ package starlogo.solid
         private function conclude():void
         {
             _solid.extents = _refiner.extents;
-            _hierarchy.placed = _solid;
+            _hierarchy.readyFacets = _solid;
         }
     }
 }

@@ -24,9 +24,6 @@ package starlogo.hierarchy
         // object itself.
         private static const GRID_STEPS:Number = 1 << 28;
 
-        // The most steps in a unit. With more, places far away would be infinite.
-        private static const LARGEST_SCALE:Number = 1e100;
-
         // How many steps a box is larger on each side, because its numbers are rounded.
         private static const MARGIN:int = 3;
 
@@ -51,7 +48,7 @@ package starlogo.hierarchy
             x = node.x;
             y = node.y;
             z = node.z;
-            scale = Math.min(GRID_STEPS / largest, LARGEST_SCALE);
+            scale = largest > 0 ? GRID_STEPS / largest : 1;
             root = pairOf(node);
             rootLeaf = leafOf(node);
         }

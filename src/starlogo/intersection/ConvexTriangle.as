@@ -104,24 +104,29 @@ package starlogo.intersection
         {
             _kind = shape.kind;
             structure = _structures[_kind] = shape.place(placement, _structures[_kind]);
-            structure.widen(margin);
             radius = 0;
             _end = 0;
+            // no widen(): V8 makes an object for its argument
             if (_kind == BoundingStructure.BOX)
             {
                 _box.box = Box(structure);
+                _box.box.halfX += margin;
+                _box.box.halfY += margin;
+                _box.box.halfZ += margin;
                 _size = _box.box.halfX + _box.box.halfY + _box.box.halfZ;
                 point = _box.box.center;
             }
             else if (_kind == BoundingStructure.CAPSULE)
             {
                 var capsule:Capsule = Capsule(structure);
+                capsule.radius += margin;
                 radius = capsule.radius;
                 setAxis(capsule.start, capsule.end);
             }
             else
             {
                 var sphere:Sphere = Sphere(structure);
+                sphere.radius += margin;
                 radius = sphere.radius;
                 setAxis(sphere.center, sphere.center);
             }
@@ -198,7 +203,7 @@ package starlogo.intersection
                 for (var i:int = 0; i < 9; i += 3)
                 {
                     setEdge(i);
-                    _motion.latest = time < latest ? time : latest;
+                    endBefore(latest);
                     findTimeOfImpact(structure, _edge, _motion);
                     time = _motion.time < time ? _motion.time : time;
                 }
@@ -364,6 +369,12 @@ package starlogo.intersection
             var high:Number = _face.greatest;
             _face.measure(_corners, 0, _end);
             return high - _face.least + radius - Math.min(way, 0) < least || _face.greatest - low + radius + Math.max(way, 0) < least;
+        }
+
+        // Ends the motion at the earliest touch so far. A function of its own, so that V8 makes no object for the time.
+        private function endBefore(latest:Number):void
+        {
+            _motion.latest = time < latest ? time : latest;
         }
 
         // Finds when a corner of the structure comes to the triangle's face. Returns whether no other part of it comes to the face's plane

@@ -104,13 +104,11 @@ package starlogo.intersection
         {
             _kind = shape.kind;
             structure = _structures[_kind] = shape.place(placement, _structures[_kind]);
-            radius = 0;
-            _end = 0;
-            // no widen(): V8 makes an object for its argument
+            radius = _end = 0;
             if (_kind == BoundingStructure.BOX)
             {
                 _box.box = Box(structure);
-                _box.box.halfX += margin;
+                _box.box.halfX += margin; // V8 makes an object for the argument of widen()
                 _box.box.halfY += margin;
                 _box.box.halfZ += margin;
                 _size = _box.box.halfX + _box.box.halfY + _box.box.halfZ;
@@ -119,15 +117,13 @@ package starlogo.intersection
             else if (_kind == BoundingStructure.CAPSULE)
             {
                 var capsule:Capsule = Capsule(structure);
-                capsule.radius += margin;
-                radius = capsule.radius;
+                radius = capsule.radius += margin;
                 setAxis(capsule.start, capsule.end);
             }
             else
             {
                 var sphere:Sphere = Sphere(structure);
-                sphere.radius += margin;
-                radius = sphere.radius;
+                radius = sphere.radius += margin;
                 setAxis(sphere.center, sphere.center);
             }
             beginMotion(motion);
@@ -333,14 +329,13 @@ package starlogo.intersection
                 addCorner(_corner);
             }
             var p:Vector.<Number> = _triangle;
-            var at:int = _at;
-            _face.setTriangleNormal(p, at);
+            _face.setTriangleNormal(p, _at);
             if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * _face.squared * _face.squared))
             {
                 _face.setNormal(NaN, NaN, NaN);
             }
             // Without this radius, rounding would hide the direction of the gap when the gap is almost closed.
-            _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(_face.squared) + Math.abs(p[at]) + Math.abs(p[int(at + 1)]) + Math.abs(p[int(at + 2)]));
+            _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(_face.squared) + Math.abs(p[_at]) + Math.abs(p[int(_at + 1)]) + Math.abs(p[int(_at + 2)]));
         }
 
         private function setEdge(first:int):void
@@ -425,9 +420,7 @@ package starlogo.intersection
                 _finder.find(structure, _edge, _tried);
                 keepLeast(out);
             }
-            _point.x = -out.normalX;
-            _point.y = -out.normalY;
-            _point.z = -out.normalZ;
+            _point.setTo(-out.normalX, -out.normalY, -out.normalZ);
             _sum.setTo(structure, displacement);
             _sum.supportInto(_feature, _point);
             _feature.setVector(radius * _point.x, radius * _point.y, radius * _point.z);

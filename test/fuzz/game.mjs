@@ -330,8 +330,8 @@ class Game {
 		this.expect("goes as far as it says", went <= whole * (part + HAIR) + 1e-6, `${agent} went ${went} of ${whole}, said ${part}`);
 		if (before <= HAIR && isBeside) assert.ok(deepest() <= 5 * HAIR, `${agent} ends ${deepest()} deep, from ${before}`);
 		if (!slides && part < 1) {
-			// a bit farther it touches; where it grazes, only here
-			const meets = () => this.others(agent).some((other) => fresh.areColliding(agent, other));
+			// a bit farther it touches; where it grazes, only here, or it is as near as rounding
+			const meets = () => this.others(agent).some((other) => fresh.areColliding(agent, other) || this.queries.distance(agent, other) < 1e-12);
 			const probe = [agent.x, agent.y, agent.z];
 			const meetsHere = meets();
 			agent.moveTo(agent.x + 1e-6 * x / whole, agent.y + 1e-6 * y / whole, agent.z + 1e-6 * z / whole);

@@ -60,6 +60,12 @@ package starlogo.hierarchy
             _motionZ = z;
         }
 
+        /** Sets a motion along an axis. @param axis 0, 1 or 2 @param side 1, or -1 towards the smaller coordinates */
+        public function setAxis(axis:int, side:int):void
+        {
+            setMotion(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
+        }
+
         /**
          * Lets a test look at the leaves.
          *

@@ -67,18 +67,7 @@ package starlogo.hierarchy
                 {
                     order[i] = i;
                 }
-                if (_triangles != null)
-                {
-                    writeExtents(_vertices, _triangles, 3 * order[i], extents, 6 * i);
-                }
-                else
-                {
-                    var vertex:int = 3 * order[i];
-                    for (var at:int = 6 * i; at < 6 * i + 3; at++)
-                    {
-                        extents[at] = extents[int(at + 3)] = _vertices[vertex++];
-                    }
-                }
+                writeExtents(_vertices, _triangles, order[i], extents, 6 * i);
             }
             extend(6 * first, 6 * end);
         }
@@ -240,19 +229,25 @@ package starlogo.hierarchy
         }
 
         /**
-         * Writes a triangle's extents: minX, minY, minZ, maxX, maxY, maxZ.
+         * Writes an item's extents: minX, minY, minZ, maxX, maxY, maxZ.
          *
          * @param vertices x, y, z of each
-         * @param triangles three vertex indices each
-         * @param corner index of the triangle's first one
+         * @param triangles three vertex indices each, or null if the vertices are the items
+         * @param item the index of the item
          * @param out receives the extents
          * @param at index in out at which they begin
          */
-        public static function writeExtents(vertices:Vector.<Number>, triangles:Vector.<uint>, corner:int, out:Vector.<Number>, at:int):void
+        public static function writeExtents(vertices:Vector.<Number>, triangles:Vector.<uint>, item:int, out:Vector.<Number>, at:int):void
         {
-            var a:int = 3 * triangles[corner];
-            var b:int = 3 * triangles[int(corner + 1)];
-            var c:int = 3 * triangles[int(corner + 2)];
+            var a:int = 3 * item;
+            var b:int = a;
+            var c:int = a;
+            if (triangles != null)
+            {
+                a = 3 * triangles[int(3 * item)];
+                b = 3 * triangles[int(3 * item + 1)];
+                c = 3 * triangles[int(3 * item + 2)];
+            }
             for (var end:int = at + 3; at < end; at++)
             {
                 var p:Number = vertices[a++];

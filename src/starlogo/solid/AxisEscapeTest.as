@@ -26,9 +26,7 @@ package starlogo.solid
             _boxes.setPlace(point.x, point.y, point.z, margin);
             for (var i:int = 5; i >= 0; i--)
             {
-                var side:int = (i & 1) == 0 ? -1 : 1;
-                var axis:int = i >> 1;
-                _boxes.setMotion(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
+                _boxes.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
                 least = Infinity;
                 _boxes.find(tree, this);
                 if (least > 0)

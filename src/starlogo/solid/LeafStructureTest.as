@@ -38,6 +38,7 @@ package starlogo.solid
         public var boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
         private var _solid:Solid;
+        private var _planes:Vector.<Number>; // set if the structure moves
         private var _isMeasuring:Boolean = false;
         private var _motion:RelativeMotion;
         private var _test:ConvexTriangle = new ConvexTriangle();
@@ -89,6 +90,7 @@ package starlogo.solid
         private function prepareMotion():void
         {
             var motion:RelativeMotion = _motion;
+            _planes = _solid.planes;
             _core.setTo(_test.structure, RelativeMotion.NONE);
             var extents:Vector.<Number> = _extents;
             var halfX:Number = (extents[1] - extents[0]) / 2;
@@ -251,7 +253,7 @@ package starlogo.solid
         // across the motion and an edge.
         private function isApart(triangle:int):Boolean
         {
-            var planes:Vector.<Number> = _solid.planes;
+            var planes:Vector.<Number> = _planes;
             var at:int = 5 * triangle;
             _axis.x = planes[at];
             _axis.y = planes[int(at + 1)];

@@ -109,33 +109,42 @@ package starlogo.solid
             return _planes;
         }
 
+        /** Whether the planes are placed. */
+        public function get hasPlanes():Boolean
+        {
+            return _planes != null;
+        }
+
         /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
         public function placePlanes(first:int, end:int):void
         {
             _planes ||= new Vector.<Number>(5 * corners.length / 9, true);
             for (var i:int = first; i < end; i++)
             {
-                placePlane(9 * i, _planes, 5 * i);
+                placePlane(i);
             }
         }
 
-        private function placePlane(at:int, planes:Vector.<Number>, to:int):void
+        private function placePlane(triangle:int):void
         {
+            var into:Vector.<Number> = _planes;
+            var at:int = 9 * triangle;
+            var to:int = 5 * triangle;
             _face.setTriangleNormal(corners, at);
             if (!(_face.length > 0))
             {
-                planes[to] = planes[to + 1] = planes[to + 2] = planes[to + 3] = 0;
-                planes[to + 4] = Infinity;
+                into[to] = into[to + 1] = into[to + 2] = into[to + 3] = 0;
+                into[to + 4] = Infinity;
                 return;
             }
             _face.measure(corners, at, at + 3);
             var place:Number = _face.least;
-            planes[to] = _face.normalX;
-            planes[to + 1] = _face.normalY;
-            planes[to + 2] = _face.normalZ;
-            planes[to + 3] = place;
+            into[to] = _face.normalX;
+            into[to + 1] = _face.normalY;
+            into[to + 2] = _face.normalZ;
+            into[to + 3] = place;
             _face.measure(corners, at + 3, at + 9);
-            planes[to + 4] = Math.max(Math.abs(_face.least - place), Math.abs(_face.greatest - place));
+            into[to + 4] = Math.max(Math.abs(_face.least - place), Math.abs(_face.greatest - place));
         }
 
         /**
@@ -182,9 +191,8 @@ package starlogo.solid
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _axis == 0 ? x < root.x : (_axis == 1 ? y < root.y : z < root.z);
             var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
-            var side:int = _isBackward ? -1 : 1;
             _boxes.setPlace(x, y, z, margin);
-            _boxes.setMotion(_axis == 0 ? side : 0, _axis == 1 ? side : 0, _axis == 2 ? side : 0);
+            _boxes.setAxis(_axis, _isBackward ? -1 : 1);
             _boxes.find(tree, this);
             for (var i:int = 0; i < woundCount; i++)
             {

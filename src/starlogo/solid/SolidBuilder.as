@@ -80,7 +80,10 @@ package starlogo.solid
                 add(_welding);
             }
             sliced(usePieces);
-            sliced(_solid.placePlanes);
+            if (!_solid.hasPlanes)
+            {
+                sliced(_solid.placePlanes);
+            }
             _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
             if (_builder != null)
             {

@@ -48,7 +48,7 @@ package starlogo.solid
         {
             if (readyFacets == null)
             {
-                placeTriangles();
+                finish(new TrianglesBuilder(this));
             }
             return readyFacets;
         }
@@ -63,19 +63,10 @@ package starlogo.solid
                 || Math.abs(middle.y - root.y) > root.halfY - radius || Math.abs(middle.z - root.z) > root.halfZ - radius;
             if (!isOutside && readySolid == null)
             {
-                if (readyFacets == null)
-                {
-                    placeTriangles(); // with the triangles placed, the tree has small boxes
-                }
                 _open ||= new AxisEscapeTest();
-                isOutside = _open.hasOpenSide(middle, root, readyFacets.tree);
+                isOutside = _open.hasOpenSide(middle, root, facets.tree);
             }
             return !isOutside && solid.isInside(middle);
-        }
-
-        private function placeTriangles():void
-        {
-            finish(new TrianglesBuilder(this));
         }
 
         /**

@@ -206,18 +206,7 @@ package starlogo.libraries.cooked
             var one:int = extents.length - 6;
             for (var i:int = first; i < end; i++)
             {
-                var corner:int = 3 * _hierarchy.order[i];
-                if (_triangles == null)
-                {
-                    for (var j:int = 0; j < 3; j++)
-                    {
-                        extents[int(one + j)] = extents[int(one + j + 3)] = _vertices[int(corner + j)];
-                    }
-                }
-                else
-                {
-                    TreeItems.writeExtents(_vertices, _triangles, corner, extents, one);
-                }
+                TreeItems.writeExtents(_vertices, _triangles, _hierarchy.order[i], extents, one);
                 unite(at, i == first ? one : at, one);
             }
         }

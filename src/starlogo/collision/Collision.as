@@ -76,7 +76,7 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _touchesAreStale:Boolean = false;
+        private var _touches:TouchTracker = new TouchTracker();
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _snapshots:Snapshots = new Snapshots();
 
@@ -234,7 +234,7 @@ package starlogo.collision
         public function reset():void
         {
             _handlers.clear();
-            _touchesAreStale = true;
+            _touches = new TouchTracker();
             _isRefused = false;
             _searched = null;
             var owned:Collider = _system.ownedCollider;
@@ -269,9 +269,9 @@ package starlogo.collision
             }
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            forgetStaleTouches();
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
+            var touches:TouchTracker = _touches;
             _handlers.begin();
             var asked:AgentPredicate = filter;
             var collider:Collider = system.ownedCollider;
@@ -288,7 +288,7 @@ package starlogo.collision
                     // contacts that handlers ask for are contacts of the frame, also after a handler has changed the ground or the edges
                     collider.search.holdWorld();
                 }
-                _calls.make(system, _handlers, _lastAgents, agents, _handlerErrors);
+                _calls.make(system, _handlers, touches, _lastAgents, agents, _handlerErrors);
             }
             finally
             {
@@ -330,9 +330,8 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
             }
-            forgetStaleTouches();
             var searched:Collider = _searched || _system.collider;
-            return _snapshots.write(_calls.tracker, searched.search.table, _lastAgents, _searched == _system.collider, terrain, findFixtures(),
+            return _snapshots.write(_touches, searched.search.table, _lastAgents, _searched == _system.collider, terrain, findFixtures(),
                     withTraits, withGround);
         }
 
@@ -359,19 +358,9 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var collider:Collider = _system.collider;
-            _calls.tracker = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
+            _touches = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
             keepList(agents, collider);
-            _isRefused = _touchesAreStale = false;
-        }
-
-        // After reset(), which a handler may call.
-        private function forgetStaleTouches():void
-        {
-            if (_touchesAreStale)
-            {
-                _calls.tracker = new TouchTracker();
-                _touchesAreStale = false;
-            }
+            _isRefused = false;
         }
 
         // Lets another Collision have a system's collider, unless this one still needs it.

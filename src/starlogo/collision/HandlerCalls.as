@@ -14,14 +14,14 @@ package starlogo.collision
     /** Calls the handlers of a frame: first for touches that have ended, then for the pairs. If a handler throws, the next one is still called. */
     internal final class HandlerCalls
     {
+        // The kind of handlers that are called in each frame of a touch, as in HandlerTable.kinds.
+        private static const EACH_FRAME:int = 1 << CollisionHandler.COLLISION;
+
         /** The pairs of the frame, in the order of their calls. */
         public var pairs:FoundPairs = new FoundPairs();
 
         /** The number of handlers called. */
         public var count:int = 0;
-
-        /** Knows the touching pairs of breeds that have handlers for starts or ends. */
-        public var tracker:TouchTracker = new TouchTracker();
 
         /**
          * The agent of the ground, or null, and the agent of the edges, or null. Agents of the list may touch them. Their indices begin
@@ -31,6 +31,7 @@ package starlogo.collision
 
         private var _contacts:FrameContacts = new FrameContacts();
         private var _table:HandlerTable = null;
+        private var _tracker:TouchTracker = null;
 
         // The list as it was searched, and the game's own list, which handlers may change. While every agent is at its index, _areInPlace is
         // true. Afterwards _places has, by index in the searched list, the last known index in the game's list, or -1 once the agent was missing.
@@ -54,33 +55,42 @@ package starlogo.collision
          *
          * @param system has found the pairs
          * @param table the handlers of each pair of breeds
+         * @param tracker knows the touching pairs of breeds that have handlers for starts or ends
          * @param listed the list as it was searched; it does not change
          * @param agents the game's own list, which handlers may change
          * @param errors receives the errors that handlers throw
          */
-        public function make(system:BaseCollider, table:HandlerTable, listed:Vector.<Agent>, agents:Vector.<Agent>, errors:Vector.<Error>):void
+        public function make(system:BaseCollider, table:HandlerTable, tracker:TouchTracker, listed:Vector.<Agent>, agents:Vector.<Agent>,
+                errors:Vector.<Error>):void
         {
             _table = table;
+            _tracker = tracker;
             _listed = listed;
             _agents = agents;
             _areInPlace = true;
             _step = _next = count = 0;
             _turns = null;
             _areTouchesComplete = true;
-            var isPlain:Boolean = table.isPlain && tracker.count == 0;
-            if (!isPlain)
+            _contacts.begin(system);
+            var areKept:Boolean = tracker.areKept(pairs);
+            if (table.contactKinds != 0)
             {
-                _contacts.begin(system);
-                var areKept:Boolean = tracker.begin(pairs);
-                findTouches(areKept && !table.takesContactsEachFrame);
+                // before the touches, because a game's own contactOf may throw. Then no touch has changed
+                visitPairs(areKept && (table.contactKinds & EACH_FRAME) == 0, true);
+            }
+            var tracksTouches:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
+            if (tracksTouches)
+            {
+                tracker.begin(pairs);
+                visitPairs(areKept, false);
                 tracker.collectEnded();
                 _step = -tracker.endedCount;
                 callUpTo(0, errors);
                 tracker.forgetEnded();
-                _turns = areKept && !table.callsEachFrame ? pairs.added : null;
+                _turns = areKept && (table.kinds & EACH_FRAME) == 0 ? pairs.added : null;
             }
             callUpTo(_turns == null ? pairs.count : pairs.addedCount, errors);
-            if (!isPlain && _areTouchesComplete)
+            if (tracksTouches && _areTouchesComplete)
             {
                 tracker.complete(pairs);
             }
@@ -88,23 +98,23 @@ package starlogo.collision
             _listed = _agents = null;
         }
 
-        // Finds which pairs touched before. Computes the contacts that handlers take, before a handler moves an agent.
-        private function findTouches(ofAdded:Boolean):void
+        // Computes the contacts that handlers take, before a handler moves an agent. Or finds which pairs touched before.
+        private function visitPairs(areOnlyAdded:Boolean, forContacts:Boolean):void
         {
-            var end:int = ofAdded ? pairs.addedCount : pairs.count;
+            var end:int = areOnlyAdded ? pairs.addedCount : pairs.count;
             for (var turn:int = 0; turn < end; turn++)
             {
-                var pair:int = ofAdded ? pairs.added[turn] : turn;
+                var pair:int = areOnlyAdded ? pairs.added[turn] : turn;
                 var first:Agent = agentAt(pairs.indices[2 * pair]);
                 var second:Agent = agentAt(pairs.indices[2 * pair + 1]);
                 var handlers:PairHandlers = _table.handlersOf(first.breedNumber, second.breedNumber);
-                if (handlers.takesContacts)
+                if (forContacts && handlers.takesContacts)
                 {
                     _contacts.find(pair, first, second);
                 }
-                if (handlers.tracksTouches && tracker.touches[pair] == null)
+                else if (!forContacts && handlers.tracksTouches)
                 {
-                    tracker.renew(pair, first, second);
+                    _tracker.renew(pair, first, second);
                 }
             }
         }
@@ -138,7 +148,7 @@ package starlogo.collision
             {
                 if (_step < 0)
                 {
-                    endTouch(tracker.ended[tracker.endedCount + _step]);
+                    endTouch(_tracker.ended[_tracker.endedCount + _step]);
                 }
                 else
                 {
@@ -203,15 +213,15 @@ package starlogo.collision
             var isStarting:Boolean = false;
             if (tracksTouches)
             {
-                var touch:Touch = tracker.touches[pair];
+                var touch:Touch = _tracker.touches[pair];
                 if (touch != null)
                 {
                     // a touch that began earlier, unless a handler of this pair threw
-                    isStarting = _next > 0 && touch.beganIn == tracker.frame;
+                    isStarting = _next > 0 && touch.beganIn == _tracker.frame;
                 }
                 else if (areListed(firstAt, secondAt))
                 {
-                    touch = tracker.start(pair, first, second, first.breedNumber, second.breedNumber);
+                    touch = _tracker.start(pair, first, second, first.breedNumber, second.breedNumber);
                     isStarting = true;
                 }
                 else

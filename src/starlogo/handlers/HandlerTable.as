@@ -23,14 +23,11 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** True if no handler takes contacts and no handler is for starts or ends. */
-        public var isPlain:Boolean = true;
+        /** The kinds of the handlers: a bit for each kind, 1 << kind. */
+        public var kinds:int = 0;
 
-        /** Whether a handler is called in every frame of a touch. */
-        public var callsEachFrame:Boolean = false;
-
-        /** Whether a handler that is called in every frame takes contacts. */
-        public var takesContactsEachFrame:Boolean = false;
+        /** The kinds of the handlers that take the contact of a touch. */
+        public var contactKinds:int = 0;
 
         // The pairs of breeds that have handlers, or that have met. A hash table with open addressing finds them; it is at most half full. A pair
         // of an older revision gets its handlers anew.
@@ -109,10 +106,8 @@ package starlogo.handlers
             for each (var handler:CollisionHandler in _added)
             {
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
-                var isOfEachFrame:Boolean = handler.kind == CollisionHandler.COLLISION;
-                isPlain &&= isOfEachFrame && !handler.takesContact;
-                callsEachFrame ||= isOfEachFrame;
-                takesContactsEachFrame ||= isOfEachFrame && handler.takesContact;
+                kinds |= 1 << handler.kind;
+                contactKinds |= handler.takesContact && handler.kind != CollisionHandler.END ? 1 << handler.kind : 0;
             }
             _added.length = 0;
             _knownCount = _count;
@@ -188,8 +183,8 @@ package starlogo.handlers
             var pairs:Vector.<PairHandlers> = _pairs;
             fill(new Vector.<PairHandlers>(), LEAST_SLOTS);
             interests = new BreedInterests();
-            isPlain = true;
-            callsEachFrame = takesContactsEachFrame = _isOneRemoved = false;
+            kinds = contactKinds = 0;
+            _isOneRemoved = false;
             _added.length = 0;
             for each (var pair:PairHandlers in pairs)
             {

@@ -55,17 +55,19 @@ package starlogo.handlers
         private var _turns:Vector.<int> = new Vector.<int>();
         private var _keys:Vector.<Number> = new Vector.<Number>();
 
-        /**
-         * Begins a frame. The touches of dropped pairs, or of all, end unless they are renewed.
-         *
-         * @return whether the touches of all pairs but the added ones go on. Otherwise no pair has a touch yet
-         */
-        public function begin(pairs:FoundPairs):Boolean
+        /** Whether the touches of all pairs but the added ones go on. Otherwise no pair has a touch when the frame begins. */
+        public function areKept(pairs:FoundPairs):Boolean
         {
-            var areKept:Boolean = pairs.origin == _pairs;
+            return pairs.origin == _pairs;
+        }
+
+        /** Begins a frame. The touches of dropped pairs, or of all, end unless they are renewed. */
+        public function begin(pairs:FoundPairs):void
+        {
+            var hasKept:Boolean = areKept(pairs);
             frame++;
             _pairs = 0;
-            if (areKept)
+            if (hasKept)
             {
                 drop(pairs);
                 makeRoom(pairs);
@@ -82,7 +84,6 @@ package starlogo.handlers
                 }
             }
             _pairCount = pairs.count;
-            return areKept;
         }
 
         /**

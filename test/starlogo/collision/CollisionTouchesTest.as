@@ -7,6 +7,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import support.Effort;
+    import support.MoodyCollider;
     import support.OwnVectorSystem;
     import support.assertThrows;
     import support.landOf;
@@ -202,6 +203,28 @@ package starlogo.collision
             assertThrows(Error, /x/, _collision.update, _agents);
             assertEquals("thrown,end bears balls", _calls.join());
             assertEquals(2, _collision.statistics.handlerCalls);
+        }
+
+        [Test]
+        public function aContactThatIsNotFoundLosesNoEnd():void
+        {
+            var other:Agent = new Agent("sphere", "balls");
+            var system:MoodyCollider = new MoodyCollider(new BinCollider(_greatLand));
+            _collision.collisionSystem = system;
+            _agents.push(other);
+            note("bears", "balls");
+            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                });
+            other.moveTo(0, 0.5, 0);
+            assertFrame("both", 0.5, "start bears balls,stay bears balls,start bears balls,stay bears balls");
+            _ball.moveTo(5, 0, 0);
+            _calls = [];
+            system.refuses = true;
+            assertThrows(Error, /no contact/, _collision.update, _agents);
+            assertEquals("no handler has run", "", _calls.join());
+            system.refuses = false;
+            assertFrame("the next frame", 5, "end bears balls,stay bears balls");
         }
 
         [Test]

@@ -41,7 +41,8 @@ package starlogo.handlers
                 var wanted:int = frame % 60 < 30 ? 200 : 3;
                 var seen:Object = {};
                 _found.count = wanted;
-                assertFalse("all pairs are others", _tracker.begin(_found));
+                assertFalse("all pairs are others", _tracker.areKept(_found));
+                _tracker.begin(_found);
                 assertEquals(frame, _tracker.frame);
                 for (var i:int = 0; i < wanted; i++)
                 {
@@ -143,7 +144,8 @@ package starlogo.handlers
                 }
                 _found.addedCount = found.length;
                 _found.count = pairs.length;
-                assertEquals("pairs were kept", frame > 1, _tracker.begin(_found));
+                assertEquals("pairs were kept", frame > 1, _tracker.areKept(_found));
+                _tracker.begin(_found);
                 for (i = 0; i < found.length; i++)
                 {
                     assertNull(_tracker.touches[places[i]]);

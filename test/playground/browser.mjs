@@ -11,6 +11,7 @@ const folder = path.join(root, 'bin/playground');
 /** The sizes that everything is tried at. The processor draws: of each two by two pixels one is enough. */
 export const SIZES = {
 	desktop: { viewport: { width: 1366, height: 820 }, deviceScaleFactor: 0.5 },
+	laptop: { viewport: { width: 1366, height: 768 }, deviceScaleFactor: 0.5 },
 	phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, ...(isChromium && { isMobile: true }) },
 };
 
@@ -126,6 +127,34 @@ export async function open(site, hash, { isDrawn = false, ...options } = SIZES.d
 		},
 	};
 }
+
+/** Gives the page that tests of a view share, at the size of a laptop. Views that have no address here have their name. */
+export function sharing(addresses = {}) {
+	const pages = {};
+	return async (view) => {
+		if (!pages[view]) {
+			pages[view] = await open(await site, addresses[view] ?? view, SIZES.laptop);
+			if (view === 'inspect') await hurry(pages[view].page);
+		}
+		return pages[view];
+	};
+}
+
+/** Has a page's clipboard refuse all text. */
+export const refuseCopies = (page) => page.evaluate(() => {
+	navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
+});
+
+/** Has a page's clipboard keep its text in globalThis.copied. */
+export const keepCopies = (page) => page.evaluate(() => {
+	navigator.clipboard.writeText = (text) => {
+		globalThis.copied = text;
+		return Promise.resolve();
+	};
+});
+
+/** Waits until Play's line says what a pattern matches. */
+export const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.controls .status').textContent), source);
 
 /** Taps on something; where Playwright knows no fingers, as in Firefox, it is clicked. */
 export const tap = (target) => (isChromium ? target.tap() : target.click());

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { PATIENCE, isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, finger, focused, listen, open, own, press, ready, rest, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, finger, focused, keepCopies, listen, open, own, press, ready, rest, tabTo, tap, titled, told } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -10,13 +10,12 @@ before(async () => {
 });
 after(() => site.close());
 
-const Desktop = { ...SIZES.desktop, viewport: { width: 1366, height: 768 } };
+const Desktop = SIZES.laptop;
 const Phone = SIZES.phone;
 
 /** Waits for the lesson of a number. */
 const lesson = (page, number) => page.waitForFunction((n) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${n} of 10`), number);
 const done = (page) => page.waitForFunction(() => /^Done! .{20}/.test(document.querySelector('.why').textContent));
-const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.controls .status').textContent), source);
 const agents = (page) => page.evaluate(() => globalThis.playground.world.agents.map(({ breed, shape, x, y }) => ({ breed, shape, x, y })));
 const types = (page, type) => page.evaluate((wanted) => globalThis.playground.editor.workspace.getBlocksByType(wanted).length, type);
 
@@ -241,12 +240,7 @@ test('a game of one\'s own is made, named, kept, shared and opened elsewhere, wi
 	await ready(page, 'play');
 	await titled(page, 'Bears: “one”');
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'exact');
-	await page.evaluate(() => {
-		navigator.clipboard.writeText = (text) => {
-			globalThis.copied = text;
-			return Promise.resolve();
-		};
-	});
+	await keepCopies(page);
 	await press(page, 'Copy a link');
 	await told(page, /^The link is on the clipboard/);
 	const link = await page.evaluate(() => globalThis.copied);

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, open, own, press, ready, root, saved, titled } from './browser.mjs';
+import { SIZES, begin, keepCopies, open, own, press, ready, refuseCopies, root, saved, titled, told } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -12,10 +12,9 @@ before(async () => {
 });
 after(() => site.close());
 
-const Desktop = { ...SIZES.desktop, viewport: { width: 1366, height: 768 } };
+const Desktop = SIZES.laptop;
 const BEAR = path.join(root, 'assets/bear.obj');
 const skip = isChromium ? false : 'downloads are Chromium\'s';
-const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.controls .status').textContent), source);
 const tickOf = (page, name) => page.evaluate((lesson) => globalThis.playground.programs.lessons.isDone(lesson), name);
 const lessonShown = (page) => page.evaluate(() => document.querySelector('.lesson h2')?.textContent ?? null);
 
@@ -127,9 +126,7 @@ test('three pupils hand in on one computer, one after the other; the teacher see
 test('a code hands in, too; a file that is dropped on the wrong page is named for what it is', async () => {
 	const { page, said, leave } = await open(site, 'play/lesson-helmet', Desktop);
 	await doHelmet(page);
-	await page.evaluate(() => {
-		navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
-	});
+	await refuseCopies(page);
 	await press(page, 'Keep a copy');
 	await press(page, 'Hand in…');
 	await page.getByRole('dialog').getByLabel('Name').fill('Ada');
@@ -198,23 +195,36 @@ test('a model that cannot be read hinders nobody else, and what was played once 
 	await leave();
 });
 
+test('a class whose models do not come says so, and is played when they come', async () => {
+	const { page, said, leave } = await open(site, 'teach', SIZES.laptop);
+	await page.route('**/models/*.json', (route) => route.abort());
+	await go(page, 'teach/class');
+	await page.waitForSelector('.class');
+	const work = { kind: 'starlogo-nova-work', pupil: 'Ben', done: ['helmet'], won: [], programs: [{ name: 'Mine', lesson: 'helmet', program: { blocks: { blocks: [] } } }], solutions: { helmet: { system: 'exact' } } };
+	await page.setInputFiles('input[type=file]', { name: 'Ben.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(work)) });
+	await page.waitForSelector('.class .problem');
+	assert.match(await page.textContent('.class .problem'), /^This could not be loaded: .+ Try again$/);
+	assert.equal(await page.locator('[data-checked="class"]').count(), 0);
+	await page.unrouteAll();
+	await press(page, 'Try again');
+	await page.waitForSelector('[data-checked="class"][data-drawn="class"]');
+	assert.deepEqual([await page.locator('.class tbody .done').count(), await page.locator('.class .problem').count()], [1, 0]);
+	assert.deepEqual(said.filter((each) => !/ERR_FAILED/.test(each)), []);
+	await leave();
+});
+
 test('links and files keep the lesson; own models go along in files, and a link says that they do not', { skip }, async () => {
 	const { page, said, leave } = await open(site, 'play/lesson-blocks', Desktop);
 	await page.setInputFiles('.naming input[type=file]', BEAR);
 	await told(page, /“bear 2”/);
-	await page.evaluate(() => {
-		navigator.clipboard.writeText = (text) => {
-			globalThis.link = text;
-			return Promise.resolve();
-		};
-	});
+	await keepCopies(page);
 	await press(page, 'Copy a link');
 	await told(page, /^The link is on the clipboard\.$/);
 	await shape(page, 'bear 2');
 	await titled(page, 'Blocks make turtles move (mine)');
 	await press(page, 'Copy a link');
 	await told(page, /clipboard\. Your own models are not in a link \(bear 2\)\. Download/);
-	const link = await page.evaluate(() => globalThis.link);
+	const link = await page.evaluate(() => globalThis.copied);
 	const file = await saved(page, () => press(page, 'Download'));
 	assert.deepEqual(said, []);
 	await leave();

@@ -7,9 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
-import { SIZES, begin, dragBall, drop, hold, hurry, open, press, ready, root, saved } from './browser.mjs';
-
-const LAPTOP = { ...SIZES.desktop, viewport: { width: 1366, height: 768 } };
+import { SIZES, begin, dragBall, drop, hold, open, press, ready, root, saved, sharing } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -17,15 +15,7 @@ before(async () => {
 });
 after(() => site.close());
 
-const pages = {};
-/** The page that tests of a view share. */
-async function shared(view) {
-	if (!pages[view]) {
-		pages[view] = await open(site, view, LAPTOP);
-		if (view === 'inspect') await hurry(pages[view].page);
-	}
-	return pages[view];
-}
+const shared = sharing();
 
 const measured = (page, name) => page.waitForFunction((start) => document.querySelector('.status').textContent.startsWith(`${start}: `) && !document.querySelector('[aria-busy]'), name);
 const use = (page, program) => page.evaluate((name) => globalThis.playground.programs.choose(name), program);
@@ -96,7 +86,7 @@ test('Play: behind the main character, where keys move one; else all of it, no s
 		await page.waitForFunction(() => globalThis.playground.stage.camera.aspect < 1.4);
 		assert.ok(await steepness(page) <= 40.01, `${program}, narrow: ${await steepness(page)} degrees`);
 	}
-	await page.setViewportSize(LAPTOP.viewport);
+	await page.setViewportSize(SIZES.laptop.viewport);
 });
 
 test('the script that a lesson wants changed is in sight when the lesson opens', async () => {
@@ -285,7 +275,7 @@ test('Measure: times of each system, live, in a chart that is kept, downloaded, 
 });
 
 test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbush and Rapier beside the engine, and a world to look at', async () => {
-	const { page, said, leave } = await open(site, 'measure', LAPTOP);
+	const { page, said, leave } = await open(site, 'measure', SIZES.laptop);
 	const number = async (name) => Number((await page.textContent(`.live .part-${name} dd`)).replaceAll(',', ''));
 	await page.getByLabel('Agents', { exact: true }).fill('7');
 	assert.equal(await page.locator('.live .count output').textContent(), '20,000');
@@ -338,7 +328,7 @@ test('Measure: a game of 20,000 agents runs, with the parts of its frames, kdbus
 });
 
 test('Measure: Rapier that comes late makes no world of a view that is closed', async () => {
-	const { page, said, leave } = await open(site, 'measure', LAPTOP);
+	const { page, said, leave } = await open(site, 'measure', SIZES.laptop);
 	await page.evaluate(() => {
 		globalThis.live = globalThis.playground.live;
 	});
@@ -413,7 +403,7 @@ test('for teachers: each lesson has a page that is printed on one sheet, the sol
 		assert.equal(await page.locator('.bar').isVisible(), false);
 		await page.emulateMedia({ media: 'screen' });
 	}
-	await page.setViewportSize(LAPTOP.viewport);
+	await page.setViewportSize(SIZES.laptop.viewport);
 	const play = (await shared('play')).page;
 	await play.goto(`${site.url}#play/lesson-helmet`);
 	await play.waitForFunction(() => /helmet/.test(document.querySelector('.lesson h2')?.textContent));
@@ -422,7 +412,7 @@ test('for teachers: each lesson has a page that is printed on one sheet, the sol
 
 test('Play\'s world loads 280 KB of scripts at most, Inspect 255 and Compare 253, and one language', async () => {
 	for (const [view, most] of Object.entries({ play: 280, inspect: 255, compare: 253 })) {
-		const context = await site.browser.newContext({ ...LAPTOP, locale: 'en-US' });
+		const context = await site.browser.newContext({ ...SIZES.laptop, locale: 'en-US' });
 		const page = await context.newPage();
 		// blocks are loaded after the world
 		await page.route(/\/editor-[^/]*\.js$/, (route) => route.abort());

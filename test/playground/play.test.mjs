@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, drawNothing, drop, finger, hold, open, own, press, ready, rest, saved, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, drawNothing, drop, finger, hold, open, own, press, ready, refuseCopies, rest, saved, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -204,9 +204,7 @@ for (const [example, expected] of Object.entries(NEAR_MISSES)) {
 
 /** The link that the page gives where it may not write to the clipboard. */
 async function linkOf(page) {
-	await page.evaluate(() => {
-		navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
-	});
+	await refuseCopies(page);
 	await press(page, 'Copy a link');
 	return page.locator('.address').inputValue();
 }

@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, begin, dragBall, drop, hold, hurry, open, press, ready, rest, root } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, hold, hurry, open, press, ready, refuseCopies, rest, root, sharing } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'level', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
@@ -26,16 +26,7 @@ before(async () => {
 });
 after(() => site.close());
 
-const pages = {};
-
-/** The page that tests of a view share, at the size of a small laptop. */
-async function shared(view) {
-	if (!pages[view]) {
-		pages[view] = await open(site, ADDRESSES[view] ?? view, { ...SIZES.desktop, viewport: { width: 1366, height: 768 } });
-		if (view === 'inspect') await hurry(pages[view].page);
-	}
-	return pages[view];
-}
+const shared = sharing(ADDRESSES);
 
 /** A page of a view, in which nothing may be said on the console and nothing comes from elsewhere, whatever is tried there. */
 for (const view of VIEWS) {
@@ -134,7 +125,7 @@ for (const view of VIEWS) {
 			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 			await faultless(page, 'dark');
 		}
-		await page.setViewportSize({ width: 1366, height: 768 });
+		await page.setViewportSize(SIZES.laptop.viewport);
 		await rest(page);
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, 'and on a laptop');
 		assert.deepEqual(said, []);
@@ -502,7 +493,7 @@ test('Inspect: no column of its table is cut off', async () => {
 			assert.equal((await page.evaluate(overflow)).tables, 0, `${name}, ${width}`);
 		}
 	}
-	await page.setViewportSize({ width: 1366, height: 768 });
+	await page.setViewportSize(SIZES.laptop.viewport);
 });
 
 test('Compare: the verdicts are in sight while every slider moves', async () => {
@@ -708,9 +699,7 @@ test('Compare: the scene is in the address: it survives a reload, and a link bri
 	await page.waitForURL(/#compare\/game~unit-spheres~hierarchies~2$/);
 	const places = () => page.evaluate(() => globalThis.playground.game.agents.map(({ x, y }) => [x, y]));
 	const before = await places();
-	await page.evaluate(() => {
-		navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
-	});
+	await refuseCopies(page);
 	await page.getByRole('button', { name: 'Copy a link' }).click();
 	const link = await page.locator('.address').inputValue();
 	await page.goto('about:blank');

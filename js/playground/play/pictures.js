@@ -10,6 +10,7 @@ import { World } from "./world.js";
 /** The size of the pictures in pixels. It is large enough for printing. */
 export const PICTURE = [800, 500];
 
+/** The loading of the page's models. After a failure the next call tries again. */
 let loading = null;
 /** The lands of pupils with models of their own. */
 const lands = new WeakMap();
@@ -27,18 +28,18 @@ async function withOwn(brought, own) {
 
 /** The page's models, with the own models of a program: all by their names, and the engine's land of them. */
 export async function landFor(own = {}) {
-	loading ??= loadLand(SHAPES);
+	if (!loading) {
+		loading = loadLand(SHAPES);
+		loading.catch(() => {
+			loading = null;
+		});
+	}
 	return withOwn(await loading, own);
 }
 
 /** A stage that is not seen, for pictures. */
 export class Studio {
 	/** @param {HTMLElement} parent contains the stage while it draws */
-	static async open(parent) {
-		await landFor();
-		return new Studio(parent);
-	}
-
 	constructor(parent) {
 		this.host = h("div.studio", { "aria-hidden": "true" });
 		parent.append(this.host);

@@ -16,7 +16,7 @@ function* candidates({ programs, solutions }, name) {
 }
 
 /**
- * The lessons that a pupil's programs do.
+ * The lessons that a pupil's programs do. Fails if the page's own models cannot be loaded.
  *
  * @param {object} work
  * @param {() => boolean} isWanted whether to go on
@@ -24,7 +24,8 @@ function* candidates({ programs, solutions }, name) {
  */
 export async function solvedBy(work, isWanted) {
 	const solved = new Set();
-	// with models that cannot be read no program is played
+	await landFor();
+	// with models of the pupil's own that cannot be read no program is played
 	const { greatLand } = await landFor(work.models).catch(() => ({}));
 	if (!greatLand) return solved;
 	let begun = performance.now();

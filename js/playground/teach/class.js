@@ -85,8 +85,14 @@ export class ClassPage {
 			h("p.note", {}, words.signs),
 			...all.map((work) => this.#pupil(work)));
 		this.#mark();
-		this.#draw();
-		this.#check();
+		const turn = ++this.#turn;
+		const isWanted = () => this.#turn === turn && this.list.isConnected;
+		Promise.all([this.#draw(), this.#check(isWanted)]).catch((error) => isWanted() && this.#fail(error));
+	}
+
+	/** Says that something could not be loaded. */
+	#fail(error) {
+		this.list.prepend(h("p.status.problem.no-print", { role: "alert" }, texts.failed(error.message), " ", button(texts.again, () => this.#show())));
 	}
 
 	/** Writes the signs into the table: what was seen to be solved, what a pupil's file says, what is begun. */
@@ -104,9 +110,7 @@ export class ClassPage {
 	}
 
 	/** Plays the programs of all works, one after the other, to see which lessons they do. */
-	async #check() {
-		const turn = ++this.#turn;
-		const isWanted = () => this.#turn === turn && this.list.isConnected;
+	async #check(isWanted) {
 		const { solvedBy } = await import("./check.js");
 		for (const work of handed.all) {
 			if (solved.has(work)) continue;
@@ -134,7 +138,7 @@ export class ClassPage {
 		const { Studio } = await import("../play/pictures.js");
 		const pictures = this.list.querySelectorAll("img");
 		if (pictures.length === 0 || !this.list.isConnected) return;
-		const studio = await Studio.open(this.main);
+		const studio = new Studio(this.main);
 		try {
 			for (const picture of pictures) {
 				await new Promise((resolve) => setTimeout(resolve));

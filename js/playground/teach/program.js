@@ -46,7 +46,7 @@ export async function showProgram(main, address) {
 		h("h2", {}, name), h("p.by", {}, `${texts.handing.name}: `, pupil ? h("strong", {}, pupil) : h("span.blank-line")), picture,
 		h("p.note", {}, `${texts.play.system}: ${system}`), h("h3", {}, words.blocks), blocks));
 	const [{ Studio }, { Models }] = await Promise.all([import("../play/pictures.js"), import("../play/kept.js"), loadMessages()]);
-	const studio = await Studio.open(main);
+	const studio = new Studio(main);
 	const own = Object.entries(models ?? await Models.kept()).filter(([each]) => JSON.stringify(program).includes(JSON.stringify(each)));
 	const drawn = await studio.pictureOf(program, Object.fromEntries(own));
 	studio.close();

@@ -98,7 +98,7 @@ class TeachView {
 		const [{ LESSONS }, { Studio }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js"), import("./solutions.js")]);
 		if (!picture.isConnected) return;
 		const { program } = LESSONS[name];
-		const studio = await Studio.open(this.main);
+		const studio = new Studio(this.main);
 		const address = await studio.pictureOf(program);
 		studio.close();
 		if (address) picture.src = address;

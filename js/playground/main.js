@@ -6,6 +6,7 @@ import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
 import { chiefOf } from "./shared/files.js";
 import { further, learn, speak, texts } from "./shared/language.js";
+import { recall, remember } from "./shared/memory.js";
 import { DOCS } from "./shared/served.js";
 
 /** The languages, each with its own name, the words that every view needs, and further parts of its words. */
@@ -38,27 +39,15 @@ const note = h("p.note", { role: "status" });
  * page has.
  */
 function languageOf() {
-	const asked = [new URLSearchParams(location.search).get("language"), kept(), ...navigator.languages.map((each) => each.split("-")[0])];
+	const asked = [new URLSearchParams(location.search).get("language"), recall(LANGUAGE_KEY), ...navigator.languages.map((each) => each.split("-")[0])];
 	return asked.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
-}
-
-function kept() {
-	try {
-		return localStorage.getItem(LANGUAGE_KEY);
-	} catch {
-		return null;
-	}
 }
 
 /** Reloads the page in a language. If the browser stores nothing, the address contains the language. */
 function changeLanguage(code) {
 	const address = new URL(location.href);
 	address.searchParams.delete("language");
-	try {
-		localStorage.setItem(LANGUAGE_KEY, code);
-	} catch {
-		address.searchParams.set("language", code);
-	}
+	if (!remember(LANGUAGE_KEY, code)) address.searchParams.set("language", code);
 	if (address.href === location.href) location.reload();
 	else location.replace(address);
 }

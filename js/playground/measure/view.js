@@ -6,7 +6,7 @@ import { CAST } from "../compare/game.js";
 import { button, choice, field, fileButton, h, short } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
-import { recallList, remember } from "../shared/memory.js";
+import { recallList, rememberValue } from "../shared/memory.js";
 import { loadLand } from "../shared/models.js";
 import { chart, fileOf } from "./chart.js";
 import { Live } from "./live.js";
@@ -120,7 +120,7 @@ class MeasureView {
 
 	#keep() {
 		const all = [...this.#all, { ...this.result, machine: this.name.value.trim() || words.thisMachine }].slice(-MOST_KEPT);
-		const isKept = remember(KEY, JSON.stringify(all));
+		const isKept = rememberValue(KEY, all);
 		if (!isKept) this.#unkept = all;
 		this.status.textContent = isKept ? words.kept : words.notKept;
 		this.#listOthers();

@@ -1,7 +1,7 @@
 /** The card of the open lesson: its subject, its task, whether the task is done, and the explanation. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
-import { recallList, remember } from "../shared/memory.js";
+import { recallList, rememberValue } from "../shared/memory.js";
 
 const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
@@ -26,7 +26,7 @@ class Ticks {
 	}
 
 	#keep() {
-		remember(KEY, JSON.stringify([...this.#names]));
+		rememberValue(KEY, [...this.#names]);
 	}
 }
 

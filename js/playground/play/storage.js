@@ -1,5 +1,5 @@
 /** Stores programs: in the browser, each under its own name, in files, and in links. */
-import { recallValue, remember } from "../shared/memory.js";
+import { recallValue, rememberValue } from "../shared/memory.js";
 import { isProgram, packed, unpacked } from "../shared/packing.js";
 
 const KEY = "starlogo-playground.programs";
@@ -84,7 +84,7 @@ export class Shelf {
 	}
 
 	#keep(key, value) {
-		this.isKept = remember(key, JSON.stringify(value));
+		this.isKept = rememberValue(key, value);
 	}
 
 	/** Calls the listener for changes by other tabs, until the returned function is called. */

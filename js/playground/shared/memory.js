@@ -29,6 +29,9 @@ export function recallValue(key) {
 	}
 }
 
+/** Remembers a value in JSON's notation. Returns false if the browser refuses. */
+export const rememberValue = (key, value) => remember(key, JSON.stringify(value));
+
 /** The list in such a text; an empty one if there is none. */
 export function recallList(key) {
 	const value = recallValue(key);

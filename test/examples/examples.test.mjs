@@ -9,7 +9,6 @@ import { launch } from '../headless/browsers.mjs';
 
 const examples = groups().flatMap((group) => group.examples);
 const LONGEST = 60;
-const ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage'];
 
 /** For each example the frame to look at, and a condition on the numbers in its text then. */
 const SHOWN = {
@@ -47,7 +46,7 @@ const said = [];
 // one page for all: a new one for each takes three times as long
 before(async () => {
 	site = await serveExamples();
-	browser = await launch(ARGUMENTS);
+	browser = await launch(['--disable-gpu']);
 	page = await browser.newPage({ viewport: { width: 390, height: 844 } });
 	page.on('console', (message) => isOfPlayer(message) || /GPU stall/.test(message.text()) || said.push(message.text()));
 	page.on('pageerror', (error) => said.push(String(error)));

@@ -33,6 +33,12 @@ package support
             return of("apart", [[0.5, 0, 0, 0, false], [0.2, 0.8, 0, 0, false], [0.4, 0, 0.1, 0.8, false]]);
         }
 
+        /** A cube with two small cubes in a row beside it. */
+        public static function plank():Model
+        {
+            return of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]);
+        }
+
         /** A hollow cube with a cube in its hollow. */
         public static function doll():Model
         {

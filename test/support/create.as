@@ -6,8 +6,6 @@ package support
         var a:Array = args;
         switch (a.length)
         {
-            case 0:
-                return new type();
             case 1:
                 return new type(a[0]);
             case 2:

@@ -13,7 +13,6 @@ package starlogo.away3d
     import away3d.primitives.ConeGeometry;
     import away3d.primitives.CubeGeometry;
     import away3d.primitives.CylinderGeometry;
-    import away3d.primitives.PlaneGeometry;
     import away3d.primitives.PrimitiveBase;
     import away3d.primitives.SphereGeometry;
     import away3d.primitives.TorusGeometry;

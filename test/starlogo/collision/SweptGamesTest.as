@@ -11,6 +11,7 @@ package starlogo.collision
     import support.Effort;
     import support.Fixtures;
     import support.SolidModels;
+    import support.landOf;
 
     /**
      * Random games against brute force that looks at every pair at 65 moments of each frame, standing still: nothing that it sees is
@@ -41,12 +42,8 @@ package starlogo.collision
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            for each (var model:* in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(),
-                        new ObjModel("bear", Fixtures.text(FIXTURES[0]))])
-            {
-                sGreatLand.addModel(model);
-            }
+            sGreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(),
+                    new ObjModel("bear", Fixtures.text(FIXTURES[0])));
         }
 
         [Test]

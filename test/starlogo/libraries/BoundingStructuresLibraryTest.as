@@ -23,7 +23,6 @@ package starlogo.libraries
     {
         private var _library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
         private var _cube:Vector.<Number> = PointSets.box(0.5, 0.5, 0.5);
-        private var _ball:Vector.<Number> = PointSets.sphere(0.5, 16, 9);
         private var _stick:Vector.<Number>;
 
         [Before]

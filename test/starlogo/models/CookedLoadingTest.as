@@ -2,7 +2,6 @@ package starlogo.models
 {
     import flash.events.ErrorEvent;
     import flash.events.Event;
-    import flash.events.IOErrorEvent;
     import flash.events.ProgressEvent;
     import flash.net.URLLoader;
     import flash.utils.ByteArray;

@@ -8,7 +8,6 @@ package starlogo.queries
     import starlogo.collision.Collider;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
-    import starlogo.models.Model;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -16,6 +15,7 @@ package starlogo.queries
     import support.SolidModels;
     import support.agentAt;
     import support.assertThrows;
+    import support.landOf;
 
     /** How far agents go until they touch, against fine steps; and what stops nothing. */
     public class MoveQueriesTest
@@ -31,13 +31,7 @@ package starlogo.queries
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            for each (var model:Model in SolidModels.all())
-            {
-                sGreatLand.addModel(model);
-            }
-            sGreatLand.addModel(BuiltInModel.cylinder());
-            sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
+            sGreatLand = landOf(SolidModels.all(), BuiltInModel.cylinder(), SolidModels.plank());
         }
 
         [Test]

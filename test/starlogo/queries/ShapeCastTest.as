@@ -19,7 +19,6 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.geometry.Placement;
     import starlogo.models.BuiltInModel;
-    import starlogo.models.Model;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -27,6 +26,7 @@ package starlogo.queries
     import support.SolidModels;
     import support.SurfaceDistance;
     import support.assertThrows;
+    import support.landOf;
 
     /** Structures and agents that are cast along a way: against the motions of agents, and against small steps. */
     public class ShapeCastTest
@@ -43,13 +43,7 @@ package starlogo.queries
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = new GreatLand();
-            for each (var model:Model in SolidModels.all())
-            {
-                sGreatLand.addModel(model);
-            }
-            sGreatLand.addModel(BuiltInModel.cylinder());
-            sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
+            sGreatLand = landOf(SolidModels.all(), BuiltInModel.cylinder(), SolidModels.plank());
         }
 
         private static const SAME:Number = 1e-9;

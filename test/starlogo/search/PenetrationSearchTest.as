@@ -8,12 +8,12 @@ package starlogo.search
     import starlogo.collision.Collider;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
-    import starlogo.models.Model;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
     import support.SolidModels;
     import support.ThinModels;
+    import support.landOf;
 
     /**
      * Contacts separate: moved by the depth and a hair more along the normal, the collider does not touch the collidee any more; by a hair less it
@@ -35,7 +35,9 @@ package starlogo.search
         [BeforeClass]
         public static function makeModels():void
         {
-            sGreatLand = withModels(new GreatLand());
+            sGreatLand = landOf(SolidModels.all(), BuiltInModel.cylinder(), ThinModels.make("plane"), SolidModels.plank(),
+                    SolidModels.of("horns", [[1, 0, 0, 0, false], [0.3, -0.5, 0, 0.9, false], [0.3, 0.5, 0, 0.9, false],
+                            [0.2, -0.5, 0, 1.1, false], [0.2, 0.5, 0, 1.1, false]]));
         }
 
         [Test]
@@ -233,20 +235,6 @@ package starlogo.search
         private static function make(name:String):Collider
         {
             return EachCollider.make(name, sGreatLand);
-        }
-
-        private static function withModels(greatLand:GreatLand):GreatLand
-        {
-            for each (var model:Model in SolidModels.all())
-            {
-                greatLand.addModel(model);
-            }
-            greatLand.addModel(BuiltInModel.cylinder());
-            greatLand.addModel(ThinModels.make("plane"));
-            greatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
-            greatLand.addModel(SolidModels.of("horns", [[1, 0, 0, 0, false], [0.3, -0.5, 0, 0.9, false], [0.3, 0.5, 0, 0.9, false],
-                            [0.2, -0.5, 0, 1.1, false], [0.2, 0.5, 0, 1.1, false]]));
-            return greatLand;
         }
     }
 }

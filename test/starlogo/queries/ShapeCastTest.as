@@ -22,6 +22,7 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.PlainDistance;
     import support.RandomWorlds;
     import support.SolidModels;
     import support.SurfaceDistance;
@@ -47,6 +48,34 @@ package starlogo.queries
         }
 
         private static const SAME:Number = 1e-9;
+
+        [Test]
+        public function aTriangleWithoutAreaIsMetOnIt():void
+        {
+            var met:int = 0;
+            for (var i:int = 0; i < Effort.choose(300, 10000); i++)
+            {
+                var start:Vector3D = _structures.position(1);
+                var end:Vector3D = _structures.position(1);
+                var share:Number = i % 3 == 0 ? 0 : _random.next();
+                var middle:Vector3D = new Vector3D(start.x + share * (end.x - start.x), start.y + share * (end.y - start.y), start.z + share * (end.z - start.z));
+                var vertices:Vector.<Number> = new <Number>[start.x, start.y, start.z, middle.x, middle.y, middle.z, end.x, end.y, end.z];
+                sGreatLand.addModel(new Model("line", vertices, new <uint>[0, 1, 2], Model.AS_GIVEN));
+                var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
+                queries.update(new <Agent>[new Agent("line")]);
+                var box:Box = new Box(new Vector3D(-10), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, _random.next(), 2 * _random.next(), _random.next());
+                var hit:ShapeHit = queries.castShape(box, 20, 0, 0);
+                if (hit != null)
+                {
+                    met++;
+                    var at:Vector.<Number> = new <Number>[hit.point.x, hit.point.y, hit.point.z, hit.point.x, hit.point.y, hit.point.z, hit.point.x, hit.point.y, hit.point.z];
+                    var gap:Number = PlainDistance.ofTriangles(at, 0, vertices, 0);
+                    assertTrue(i + ": " + gap + " beside " + start + " to " + end, gap < NEAR);
+                }
+            }
+            sGreatLand.removeModel("line");
+            assertTrue("met: " + met, met > Effort.choose(100, 3000));
+        }
 
         [Test]
         public function agentsAreCastAsTheyMove():void

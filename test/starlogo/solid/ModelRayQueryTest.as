@@ -19,6 +19,7 @@ package starlogo.solid
     import starlogo.steps.finish;
     import support.Effort;
     import support.Fixtures;
+    import support.PlainDistance;
     import support.RayReference;
     import support.SolidAngles;
     import support.SolidModels;
@@ -194,6 +195,49 @@ package starlogo.solid
             assertTrue(distanceAt(pile, 1, true, ray) < 3);
             ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, -1));
             assertEquals(Infinity, distanceAt(pile, 1, true, ray));
+        }
+
+        [Test]
+        public function aTriangleSeenEdgeOnIsMetWhereItIs():void
+        {
+            var met:int = 0;
+            for (var i:int = 0; i < Effort.choose(2000, 100000); i++)
+            {
+                var corners:Vector.<Vector3D> = new <Vector3D>[_structures.position(1), _structures.position(1), _structures.position(1)];
+                if (i % 4 == 0)
+                {
+                    // without area
+                    corners[2] = between(corners[0], corners[1], _random.next());
+                }
+                var vertices:Vector.<Number> = new Vector.<Number>();
+                for each (var corner:Vector3D in corners)
+                {
+                    vertices.push(corner.x, corner.y, corner.z);
+                }
+                // from a point of the triangle, or of an edge, back in its plane
+                var target:Vector3D = between(corners[0], between(corners[1], corners[2], _random.next()), i % 4 == 0 ? 0.5 : _random.next());
+                var aside:Vector3D = i % 4 == 0 ? _structures.position(1) : between(corners[1], corners[2], _random.between(-2, 2));
+                var direction:Vector3D = target.subtract(aside);
+                direction.normalize();
+                var ray:Ray = new Ray();
+                ray.aim(new Vector3D(target.x - 4 * direction.x, target.y - 4 * direction.y, target.z - 4 * direction.z), direction);
+                if (!_rays.find(hierarchyOf(new Model("one", vertices, new <uint>[0, 1, 2], Model.AS_GIVEN)), 1, true, ray))
+                {
+                    continue;
+                }
+                met++;
+                var x:Number = ray.x + ray.from * ray.directionX;
+                var y:Number = ray.y + ray.from * ray.directionY;
+                var z:Number = ray.z + ray.from * ray.directionZ;
+                var gap:Number = PlainDistance.ofTriangles(new <Number>[x, y, z, x, y, z, x, y, z], 0, vertices, 0);
+                assertTrue(i + ": " + gap + " beside " + corners, gap < 1e-9);
+            }
+            assertTrue("met: " + met, met > Effort.choose(200, 10000));
+        }
+
+        private static function between(a:Vector3D, b:Vector3D, share:Number):Vector3D
+        {
+            return new Vector3D(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z));
         }
 
         private static function models():Array

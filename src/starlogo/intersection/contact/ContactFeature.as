@@ -61,6 +61,50 @@ package starlogo.intersection.contact
                     add();
                 }
             }
+            if (_end == 9)
+            {
+                dropMiddle();
+            }
+        }
+
+        // Makes a segment of three corners that are in a line, because no area can be clipped to them.
+        private function dropMiddle():void
+        {
+            var points:Vector.<Number> = _points;
+            var longest:Number = -1;
+            var middle:int = 0;
+            for (var at:int = 0; at < 9; at += 3)
+            {
+                setEdge(at, (at + 3) % 9);
+                var square:Number = _stepX * _stepX + _stepY * _stepY + _stepZ * _stepZ;
+                if (square > longest)
+                {
+                    longest = square;
+                    middle = (at + 6) % 9;
+                }
+            }
+            setEdge((middle + 3) % 9, (middle + 6) % 9);
+            var sideX:Number = _stepX;
+            var sideY:Number = _stepY;
+            var sideZ:Number = _stepZ;
+            setEdge(middle, (middle + 3) % 9);
+            var crossX:Number = sideY * _stepZ - sideZ * _stepY;
+            var crossY:Number = sideZ * _stepX - sideX * _stepZ;
+            var crossZ:Number = sideX * _stepY - sideY * _stepX;
+            var thinnest:Number = Tolerances.DIRECTION * longest;
+            if (crossX * crossX + crossY * crossY + crossZ * crossZ <= thinnest * thinnest)
+            {
+                points[middle] = points[6];
+                points[int(middle + 1)] = points[7];
+                points[int(middle + 2)] = points[8];
+                _end = 6;
+            }
+        }
+
+        // Sets the vector from one corner to another.
+        private function setEdge(from:int, to:int):void
+        {
+            setVector(_points[to] - _points[from], _points[int(to + 1)] - _points[int(from + 1)], _points[int(to + 2)] - _points[int(from + 2)]);
         }
 
         /** Sets the vector that the next calls use. */

@@ -19,6 +19,10 @@ package starlogo.intersection.ray
      */
     public final class RayTriangleTest extends TriangleTest
     {
+        // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane is then a
+        // rounding error, so the places where the ray passes its edges count.
+        private static const EDGE_ON:Number = 16;
+
         /** The index of the nearest triangle so far, or -1. */
         public var triangle:int = -1;
 
@@ -46,6 +50,10 @@ package starlogo.intersection.ray
         // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
         private var _gap:Number = 0;
         private var _sliver:Number = 0;
+
+        // Where the ray first and last passes the edges of a triangle that it sees edge on.
+        private var _first:Number = 0;
+        private var _last:Number = 0;
 
         /**
          * Begins with a ray.
@@ -141,8 +149,40 @@ package starlogo.intersection.ray
                         continue;
                     }
                 }
+                var width:Number = Math.abs(aX) + Math.abs(aY) + Math.abs(bX) + Math.abs(bY) + Math.abs(cX) + Math.abs(cY);
+                if (Math.abs(sum) <= EDGE_ON * _gap * width)
+                {
+                    _first = Infinity;
+                    _last = -Infinity;
+                    passEdge(aX, aY, aZ, bX, bY, bZ);
+                    passEdge(bX, bY, bZ, cX, cY, cZ);
+                    passEdge(cX, cY, cZ, aX, aY, aZ);
+                    // False too if no edge is near, because rounding has chosen the sides.
+                    if (!(_last >= _ray.from && _first <= least))
+                    {
+                        continue;
+                    }
+                    crossing = Math.max(_first, _ray.from);
+                }
                 least = crossing;
                 triangle = i;
+            }
+        }
+
+        // Notes where the ray passes an edge of a triangle that it sees edge on.
+        private function passEdge(fromX:Number, fromY:Number, fromZ:Number, toX:Number, toY:Number, toZ:Number):void
+        {
+            toX -= fromX;
+            toY -= fromY;
+            var square:Number = toX * toX + toY * toY;
+            var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromX * toX + fromY * toY) / square)) : 0;
+            fromX += share * toX;
+            fromY += share * toY;
+            if (fromX * fromX + fromY * fromY <= 9 * EDGE_ON * EDGE_ON * _gap * _gap)
+            {
+                var place:Number = _stretch * (fromZ + share * (toZ - fromZ));
+                _first = Math.min(_first, place);
+                _last = Math.max(_last, place);
             }
         }
 

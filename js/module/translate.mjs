@@ -193,8 +193,9 @@ export class Program {
 			lines.push(`${this.#docOf(unit, field.doc ?? "")}static get ${name}() {\n\treturn ${this.#staticName(unit, field.name)};\n}`);
 			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n\t${this.#staticName(unit, field.name)} = value;\n}`);
 		}
-		// errors name classes, also if a bundler shortens the names
-		if (this.signatures.has(unit.qname)) lines.push(`static name = ${JSON.stringify(unit.name)};`);
+		// Errors name classes, also if a bundler shortens the names. A field would turn V8's class into a dictionary, and V8 never finishes
+		// compiling a constructor that calls super() in one: it begins again and again, with all functions that make such an object.
+		if (this.signatures.has(unit.qname)) lines.push(`static get name() {\n\treturn ${JSON.stringify(unit.name)};\n}`);
 		lines.push(this.#constructorText(unit));
 		// $shown does this for public classes. Users never see the text of others.
 		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n\treturn this.constructor.name;\n}`);

@@ -134,6 +134,14 @@ test("names are the sources' own, minified too", async () => {
 	assert.equal(String(new all.Sphere(new all.Vector3D(), 1)), "a Sphere of radius 1 at Vector3D(0, 0, 0)");
 });
 
+// see #classText in js/module/translate.mjs
+test("V8 can compile the constructors of structures: their classes are no dictionaries", () => {
+	for (const file of [minified, readable]) {
+		const script = `import(${JSON.stringify(pathToFileURL(path.resolve(folder, file)))}).then((all) => console.log(...["Sphere", "Box", "Capsule", "Cylinder"].map((name) => %HasFastProperties(all[name]))))`;
+		assert.equal(execFileSync(process.execPath, ["--allow-natives-syntax", "-e", script], { encoding: "utf8" }).trim(), "true true true true", file);
+	}
+});
+
 test("tsc --strict accepts the sample", () => {
 	execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), "-p", work], { encoding: "utf8", stdio: "pipe" });
 });

@@ -19,6 +19,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.geometry.Placement;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;

@@ -19,8 +19,8 @@ package starlogo.intersection.ray
      */
     public final class RayTriangleTest extends TriangleTest
     {
-        // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane is then a
-        // rounding error, so the places where the ray passes its edges count.
+        // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane
+        // is then a rounding error, so the places where the ray passes its edges count.
         private static const EDGE_ON:Number = 16;
 
         /** The index of the nearest triangle so far, or -1. */
@@ -152,11 +152,7 @@ package starlogo.intersection.ray
                 var width:Number = Math.abs(aX) + Math.abs(aY) + Math.abs(bX) + Math.abs(bY) + Math.abs(cX) + Math.abs(cY);
                 if (Math.abs(sum) <= EDGE_ON * _gap * width)
                 {
-                    _first = Infinity;
-                    _last = -Infinity;
-                    passEdge(aX, aY, aZ, bX, bY, bZ);
-                    passEdge(bX, bY, bZ, cX, cY, cZ);
-                    passEdge(cX, cY, cZ, aX, aY, aZ);
+                    passEdges(9 * i);
                     // False too if no edge is near, because rounding has chosen the sides.
                     if (!(_last >= _ray.from && _first <= least))
                     {
@@ -169,11 +165,24 @@ package starlogo.intersection.ray
             }
         }
 
-        // Notes where the ray passes an edge of a triangle that it sees edge on.
-        private function passEdge(fromX:Number, fromY:Number, fromZ:Number, toX:Number, toY:Number, toZ:Number):void
+        // Finds where the ray first and last passes the edges of a triangle that it sees edge on.
+        private function passEdges(corner:int):void
         {
-            toX -= fromX;
-            toY -= fromY;
+            _first = Infinity;
+            _last = -Infinity;
+            passEdge(corner, corner + 3);
+            passEdge(corner + 3, corner + 6);
+            passEdge(corner + 6, corner);
+        }
+
+        private function passEdge(from:int, to:int):void
+        {
+            var fromZ:Number = _corners[from + _w] - _z;
+            var fromX:Number = _corners[from + _u] - _x - _shearX * fromZ;
+            var fromY:Number = _corners[from + _v] - _y - _shearY * fromZ;
+            var toZ:Number = _corners[to + _w] - _z;
+            var toX:Number = _corners[to + _u] - _x - _shearX * toZ - fromX;
+            var toY:Number = _corners[to + _v] - _y - _shearY * toZ - fromY;
             var square:Number = toX * toX + toY * toY;
             var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromX * toX + fromY * toY) / square)) : 0;
             fromX += share * toX;

@@ -171,7 +171,7 @@ package starlogo.ground
         private function visit(node:HierarchyNode):void
         {
             node.writeBox(_box);
-            if (node.stopDepth < _depth)
+            if (node.goesBelow(_depth))
             {
                 beginFaces(_box, _faces.middle);
                 if (_faces.next())

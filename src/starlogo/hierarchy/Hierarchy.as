@@ -26,8 +26,11 @@ package starlogo.hierarchy
         /** @private The model's triangles, three vertex indices each; null if only vertices are known. */
         engine var triangles:Vector.<uint>;
 
-        /** @private The measured triangles, until a HierarchyRefiner takes them; null if they were not divided. */
+        /** @private The measured triangles; null if they are not measured, or not for exact tests. */
         engine var items:TreeItems = null;
+
+        /** @private The boxes down to a few triangles each, or null if they are not prepared. */
+        engine var tree:PackedTree = null;
 
         /**
          * Creates a hierarchy without nodes. A HierarchyBuilder makes them.

@@ -13,8 +13,8 @@ package starlogo.hierarchy
      * <p>A part consists of whole triangles, or of vertices if the model has no triangles. A node's box encloses its children's boxes. All
      * coordinates are in the model's space.</p>
      *
-     * <p>The engine's tree goes on below the leaves that clients see, down to a few triangles, for exact tests. No visit with a depth limit
-     * reaches these nodes.</p>
+     * <p>The engine's tree goes on below the leaves that clients see, down to a few triangles, for exact tests. These nodes are made when they
+     * are first visited. No visit with a depth limit reaches them.</p>
      */
     public final class HierarchyNode
     {
@@ -24,11 +24,14 @@ package starlogo.hierarchy
          */
         engine static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
 
-        /** @private The child on the low side of the split, or null. Set below the thesis's leaves too. */
-        engine var low:HierarchyNode;
+        /** @private The child on the low side of the split, or null. Below the thesis's leaves, null until <code>goesBelow()</code>. */
+        engine var low:HierarchyNode = null;
 
-        /** @private The child on the high side of the split, or null. Set below the thesis's leaves too. */
-        engine var high:HierarchyNode;
+        /** @private The child on the high side of the split, or null, as the other child. */
+        engine var high:HierarchyNode = null;
+
+        /** The children's boxes in the hierarchy's packed tree. Null if that is not prepared, or if the node has no children in it. */
+        internal var pair:BoxPair = null;
 
         /** @private The hierarchy to which the node belongs. */
         engine var hierarchy:Hierarchy;
@@ -153,6 +156,25 @@ package starlogo.hierarchy
         public function vertexIndices(out:Vector.<int> = null):Vector.<int>
         {
             return writeItems(!hierarchy.hasTriangles, out);
+        }
+
+        /** @private Whether a visit goes below this node. Makes the children if they are below the thesis's leaves and not made yet. */
+        engine function goesBelow(depth:int):Boolean
+        {
+            if (stopDepth < depth && low == null)
+            {
+                hierarchy.tree.makeChildren(this);
+            }
+            return stopDepth < depth;
+        }
+
+        /** @private Forgets the children below the thesis's leaves if they can be made again. */
+        engine function forgetChildren():void
+        {
+            if (isLeaf && pair != null)
+            {
+                low = high = null;
+            }
         }
 
         /** @private Sets the half-extents of the box, and the two radii. */

@@ -7,45 +7,36 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Divides the leaves of a hierarchy of triangles further, down to a few triangles each, for tests of triangles and rays. It works in
-     * steps. A hierarchy that was read with all its nodes keeps them.
+     * Divides the leaves of a hierarchy of triangles further, down to a few triangles each, and packs all boxes, for tests of triangles and
+     * rays. It works in steps. A hierarchy that was read with all its nodes is not divided again.
      *
      * @private
      */
     public final class HierarchyRefiner extends StepSequence
     {
-        private static const LEAF_SIZE:int = 8;
         private static const ITEMS_PER_STEP:int = 1000;
 
         private var _hierarchy:Hierarchy;
-        private var _items:TreeItems;
 
         /**
-         * @param hierarchy a finished hierarchy of triangles; its leaves receive children, and the triangles a new order
+         * @param hierarchy a finished hierarchy of triangles; receives the packed tree, and its triangles a new order
          */
         public function HierarchyRefiner(hierarchy:Hierarchy)
         {
             _hierarchy = hierarchy;
-            _items = hierarchy.items;
-            hierarchy.items = null;
-            if (_items == null)
+            if (hierarchy.items == null)
             {
-                _items = new TreeItems(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
-                slices(_items.count, ITEMS_PER_STEP, _items.measure);
+                hierarchy.items = new TreeItems(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
+                slices(hierarchy.items.count, ITEMS_PER_STEP, hierarchy.items.measure);
             }
             begin(newDivider);
         }
 
-        /** When no step is left: the triangles' extents in the hierarchy's order, minX, minY, minZ, maxX, maxY, maxZ of each. */
-        public function get extents():Vector.<Number>
-        {
-            return _items.extents;
-        }
-
         private function newDivider():Steps
         {
-            var divider:NodeDivider = new NodeDivider(_hierarchy.root, _items, new NodeMaker(_hierarchy, _items.bounds));
-            divider.leafSize = LEAF_SIZE;
+            var tree:PackedTree = new PackedTree(_hierarchy.root, _hierarchy.items);
+            var divider:NodeDivider = new NodeDivider(_hierarchy.root, _hierarchy.items, tree.maker);
+            divider.tree = _hierarchy.tree = tree;
             return divider;
         }
     }

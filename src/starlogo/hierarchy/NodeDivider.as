@@ -33,10 +33,10 @@ package starlogo.hierarchy
         public var splitByMean:Boolean = false;
 
         /**
-         * If not 0, it replaces the three fields above: a node with at most this many items is a leaf, and the nodes are below the thesis's
-         * leaves.
+         * If not null, it replaces the three fields above: it tells which nodes are leaves, and takes the boxes. Nodes below the thesis's
+         * leaves do not stay.
          */
-        public var leafSize:int = 0;
+        public var tree:PackedTree = null;
 
         private var _items:TreeItems;
         private var _maker:NodeMaker;
@@ -92,19 +92,29 @@ package starlogo.hierarchy
                     if (node.low != null)
                     {
                         _waiting.push(node.high, node.low);
+                        pack(node);
                     }
                 }
             }
             return _waiting.length > 0;
         }
 
+        private function pack(node:HierarchyNode):void
+        {
+            if (tree != null)
+            {
+                tree.pack(node);
+                node.forgetChildren();
+            }
+        }
+
         private function isLarge(node:HierarchyNode):Boolean
         {
-            var count:int = node.end - node.first;
-            if (leafSize > 0)
+            if (tree != null)
             {
-                return count > leafSize;
+                return PackedTree.isLarge(node);
             }
+            var count:int = node.end - node.first;
             var few:int = minVerticesToSplit;
             if (node.level >= maxDepth || count == 1)
             {
@@ -153,9 +163,9 @@ package starlogo.hierarchy
                 if (!_isBySpread)
                 {
                     _isBySpread = true;
-                    return _items.beginWhereCentresSpread(node.first, node.end) || leafSize > 0;
+                    return _items.beginWhereCentresSpread(node.first, node.end) || tree != null;
                 }
-                if (leafSize == 0)
+                if (tree == null)
                 {
                     return false;
                 }
@@ -163,7 +173,7 @@ package starlogo.hierarchy
                 middle = (node.first + node.end) >> 1;
             }
             _maker.divide(node, _items.axis, _maker.make(node.level + 1, node.first, middle, left),
-                    _maker.make(node.level + 1, middle, node.end, right), leafSize > 0 ? HierarchyNode.LARGEST_DEPTH : node.level);
+                    _maker.make(node.level + 1, middle, node.end, right), tree != null ? HierarchyNode.LARGEST_DEPTH : node.level);
             return false;
         }
 

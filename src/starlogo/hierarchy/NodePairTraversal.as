@@ -79,6 +79,11 @@ package starlogo.hierarchy
                     {
                         // The better of the two pairs with a child comes first.
                         var dividesA:Boolean = bEnds || !aEnds && a.radius >= scale * b.radius;
+                        var divided:HierarchyNode = dividesA ? a : b;
+                        if (divided.low == null)
+                        {
+                            divided.goesBelow(dividesA ? depthA : depthB);
+                        }
                         var otherA:HierarchyNode = dividesA ? a.low : a;
                         var otherB:HierarchyNode = dividesA ? b : b.low;
                         a = dividesA ? a.high : a;

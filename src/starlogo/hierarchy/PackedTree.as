@@ -1,21 +1,22 @@
 package starlogo.hierarchy
 {
     import starlogo.engine;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
-     * The boxes of a hierarchy of triangles, packed for visits of one ray or box. Such a visit sees a small part of a large tree, so it
-     * mostly waits for memory. The boxes are a little larger than the nodes', because they are rounded to a grid.
+     * The boxes of a hierarchy of triangles down to a few triangles each, packed for visits of one ray or box. Such a visit sees a small
+     * part of a large tree, so it mostly waits for memory. The boxes are a little larger than the nodes', because they are rounded to a
+     * grid.
      *
-     * <p>It is packed in steps. Only a hierarchy whose leaves have few triangles can be packed: see HierarchyRefiner.</p>
+     * <p>Below the thesis's leaves there are no nodes until a visit of two trees goes there. Then they are made of the packed tree.</p>
      *
      * @private
      */
-    public final class PackedTree implements Steps
+    public final class PackedTree
     {
-        private static const PAIRS_PER_STEP:int = 500;
+        // A node with more triangles is divided.
+        private static const LEAF_SIZE:int = 8;
 
         // The number of bits that have the number of a leaf's triangles. The bits above have its first triangle.
         private static const COUNT_BITS:int = 4;
@@ -37,30 +38,29 @@ package starlogo.hierarchy
         internal var root:BoxPair = null;
         internal var rootLeaf:int = 0;
 
-        // The nodes whose children are still to be packed, and their pairs.
-        private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
-        private var _pairs:Vector.<BoxPair> = new Vector.<BoxPair>();
+        /** Makes the nodes below the thesis's leaves. */
+        internal var maker:NodeMaker;
 
-        /** @param node the hierarchy's root */
-        public function PackedTree(node:HierarchyNode)
+        private var _items:TreeItems;
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /**
+         * Creates a tree without boxes.
+         *
+         * @param node the hierarchy's root
+         * @param items the measured triangles, in the hierarchy's order
+         */
+        public function PackedTree(node:HierarchyNode, items:TreeItems)
         {
             var largest:Number = Math.max(node.halfX, Math.max(node.halfY, node.halfZ));
             x = node.x;
             y = node.y;
             z = node.z;
             scale = largest > 0 ? GRID_STEPS / largest : 1;
+            maker = new NodeMaker(node.hierarchy, items.bounds);
+            _items = items;
             root = pairOf(node);
             rootLeaf = leafOf(node);
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            for (var left:int = PAIRS_PER_STEP; left > 0 && _nodes.length > 0; left--)
-            {
-                pack(_nodes.pop(), _pairs.pop());
-            }
-            return _nodes.length > 0;
         }
 
         /** The first triangle of a packed leaf. */
@@ -75,44 +75,70 @@ package starlogo.hierarchy
             return (leaf >> COUNT_BITS) + (leaf & (1 << COUNT_BITS) - 1);
         }
 
-        private static function leafOf(node:HierarchyNode):int
+        /** Whether a node has so many triangles that it is divided. */
+        internal static function isLarge(node:HierarchyNode):Boolean
         {
-            return node.low == null ? node.first << COUNT_BITS | node.end - node.first : 0;
+            return node.end - node.first > LEAF_SIZE;
         }
 
-        // Returns a pair that is packed later, or null for a leaf.
-        private function pairOf(node:HierarchyNode):BoxPair
+        /** Packs the boxes of a node's children. The node was the root, or a child of a packed node. */
+        internal function pack(node:HierarchyNode):void
         {
-            if (node.low == null)
-            {
-                return null;
-            }
-            var pair:BoxPair = new BoxPair();
-            _nodes.push(node);
-            _pairs.push(pair);
-            return pair;
-        }
-
-        private function pack(node:HierarchyNode, pair:BoxPair):void
-        {
+            var pair:BoxPair = node.pair;
+            pair.axis = node.splitAxis;
             var child:HierarchyNode = node.low;
+            pair.low = pairOf(child);
+            pair.lowLeaf = leafOf(child);
             pair.lowX = scale * (child.x - x);
             pair.lowY = scale * (child.y - y);
             pair.lowZ = scale * (child.z - z);
             pair.lowHalfX = scale * child.halfX + MARGIN;
             pair.lowHalfY = scale * child.halfY + MARGIN;
             pair.lowHalfZ = scale * child.halfZ + MARGIN;
-            pair.lowLeaf = leafOf(child);
             child = node.high;
+            pair.high = pairOf(child);
+            pair.highLeaf = leafOf(child);
             pair.highX = scale * (child.x - x);
             pair.highY = scale * (child.y - y);
             pair.highZ = scale * (child.z - z);
             pair.highHalfX = scale * child.halfX + MARGIN;
             pair.highHalfY = scale * child.halfY + MARGIN;
             pair.highHalfZ = scale * child.halfZ + MARGIN;
-            pair.highLeaf = leafOf(child);
-            pair.high = pairOf(child);
-            pair.low = pairOf(node.low);
+        }
+
+        /** Makes the children of a node that has none, and whose children's boxes are packed. */
+        internal function makeChildren(node:HierarchyNode):void
+        {
+            var pair:BoxPair = node.pair;
+            var leaf:int = pair.highLeaf;
+            for (var below:BoxPair = pair.high; below != null; below = below.low)
+            {
+                leaf = below.lowLeaf;
+            }
+            var middle:int = firstOf(leaf);
+            maker.divide(node, pair.axis, makeChild(node, node.first, middle, pair.low), makeChild(node, middle, node.end, pair.high),
+                    HierarchyNode.LARGEST_DEPTH);
+        }
+
+        private function makeChild(parent:HierarchyNode, first:int, end:int, pair:BoxPair):HierarchyNode
+        {
+            _items.writeBounds(first, end, _extents);
+            var child:HierarchyNode = maker.make(parent.level + 1, first, end, _extents);
+            child.pair = pair;
+            child.stopDepth = pair == null ? int.MAX_VALUE : HierarchyNode.LARGEST_DEPTH;
+            return child;
+        }
+
+        // Gives a node a pair for its children, which are packed later. A leaf has none.
+        private static function pairOf(node:HierarchyNode):BoxPair
+        {
+            node.pair = node.low == null && !isLarge(node) ? null : new BoxPair();
+            return node.pair;
+        }
+
+        private static function leafOf(node:HierarchyNode):int
+        {
+            return node.pair == null ? node.first << COUNT_BITS | node.end - node.first : 0;
         }
     }
 }

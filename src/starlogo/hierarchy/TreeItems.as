@@ -69,7 +69,14 @@ package starlogo.hierarchy
                 }
                 writeExtents(_vertices, _triangles, order[i], extents, 6 * i);
             }
-            extend(6 * first, 6 * end);
+            extend(bounds, 6 * first, 6 * end);
+        }
+
+        /** Writes the extents of a range of items together. */
+        public function writeBounds(first:int, end:int, out:Vector.<Number>):void
+        {
+            write(out, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+            extend(out, 6 * first, 6 * end);
         }
 
         /** Adds the smallest and largest coordinates of a range of items along an axis to a number, one after the other. Returns the sum. */
@@ -260,8 +267,8 @@ package starlogo.hierarchy
             }
         }
 
-        // Extends the bounds by a range of the items' extents.
-        private function extend(from:int, to:int):void
+        // Extends bounds by a range of the items' extents.
+        private function extend(bounds:Vector.<Number>, from:int, to:int):void
         {
             for (var along:int = 0; along < 3; along++)
             {

@@ -115,7 +115,7 @@ package starlogo.search
             {
                 return;
             }
-            if (node.stopDepth < _depth)
+            if (node.goesBelow(_depth))
             {
                 var along:Number = node.splitAxis == 0 ? _x : node.splitAxis == 1 ? _y : _z;
                 visit(along > 0 ? node.high : node.low, limit);
@@ -143,7 +143,7 @@ package starlogo.search
             {
                 return;
             }
-            if (node.stopDepth < _depth)
+            if (node.goesBelow(_depth))
             {
                 collect(node.low);
                 collect(node.high);

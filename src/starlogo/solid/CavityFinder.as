@@ -148,7 +148,7 @@ package starlogo.solid
             {
                 point[axis] = share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
                     + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis])
-                    + (isOutwards ? -inwards : inwards) * _solid.planes[5 * triangle + axis];
+                    + (isOutwards ? -inwards : inwards) * _solid.planes[4 * triangle + axis];
             }
             _solid.wind(point[0], point[1], point[2]);
             _looks += _solid.woundCount;

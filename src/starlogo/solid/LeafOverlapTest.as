@@ -60,6 +60,7 @@ package starlogo.solid
             var rz:Number = corners[int(corner + 8)];
             extents = solidA.extents;
             var planes:Vector.<Number> = solidA.planes;
+            var off:Number = 2 * touching + solidA.flatness;
             var end:int = a.end;
             for (var i:int = a.first; i < end; i++)
             {
@@ -72,12 +73,11 @@ package starlogo.solid
                 triangleTests++;
 
                 // Most triangles are on one side of the other's plane.
-                at = 5 * i;
+                at = 4 * i;
                 var nx:Number = planes[at];
                 var ny:Number = planes[int(at + 1)];
                 var nz:Number = planes[int(at + 2)];
                 var place:Number = planes[int(at + 3)];
-                var off:Number = 2 * touching + planes[int(at + 4)];
                 var p:Number = nx * px + ny * py + nz * pz - place;
                 var q:Number = nx * qx + ny * qy + nz * qz - place;
                 var r:Number = nx * rx + ny * ry + nz * rz - place;

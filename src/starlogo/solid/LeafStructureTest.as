@@ -254,12 +254,12 @@ package starlogo.solid
         private function isApart(triangle:int):Boolean
         {
             var planes:Vector.<Number> = _planes;
-            var at:int = 5 * triangle;
+            var at:int = 4 * triangle;
             _axis.x = planes[at];
             _axis.y = planes[int(at + 1)];
             _axis.z = planes[int(at + 2)];
             _core.measure(_axis);
-            var reach:Number = _core.reach + _radius + planes[int(at + 4)];
+            var reach:Number = _core.reach + _radius + _solid.flatness;
             var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
             var to:Number = from + least * (_axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z);
             // mirrored, so that the structure begins on the side of the normal

@@ -38,6 +38,9 @@ package starlogo.solid
         /** For each piece: SurfaceTopology.SOLID, ONE_SIDED or OPEN, or the number of the piece in which it bounds a cavity. */
         public var pieceStates:Vector.<int> = null;
 
+        /** How far a triangle's corners may be off its plane. */
+        public var flatness:Number;
+
         /** Whether a piece of the surface is closed, so that it has an inside. */
         public var isClosed:Boolean = false;
 
@@ -67,6 +70,7 @@ package starlogo.solid
         private var _face:ContactPoint = new ContactPoint();
 
         private var _root:HierarchyNode;
+        private var _reach:Number; // a distance from the origin that contains all triangles
         private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
@@ -90,15 +94,17 @@ package starlogo.solid
             _axis = root.halfX <= root.halfY && root.halfX <= root.halfZ ? 0 : (root.halfY <= root.halfZ ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
+            _reach = root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z);
+            flatness = Tolerances.PLANES * _reach;
             corners = new Vector.<Number>(9 * count, true);
             places = corners;
             least = Infinity;
         }
 
         /**
-         * The triangles' planes: x, y, z of the unit normal, the distance from the origin along the normal, and how far the triangle's own
-         * corners are off the plane. For a triangle without area the normal is 0 and the last number is infinite. Rays need no planes. If
-         * they are not placed yet, they are placed now.
+         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if a corner
+         * is farther off the plane than <code>flatness</code>. For a triangle without area the normal is 0 too. Rays need no planes. If they are
+         * not placed yet, they are placed now.
          */
         public function get planes():Vector.<Number>
         {
@@ -118,7 +124,7 @@ package starlogo.solid
         /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
         public function placePlanes(first:int, end:int):void
         {
-            _planes ||= new Vector.<Number>(5 * corners.length / 9, true);
+            _planes ||= new Vector.<Number>(4 * corners.length / 9, true);
             for (var i:int = first; i < end; i++)
             {
                 placePlane(i);
@@ -129,22 +135,19 @@ package starlogo.solid
         {
             var into:Vector.<Number> = _planes;
             var at:int = 9 * triangle;
-            var to:int = 5 * triangle;
+            var to:int = 4 * triangle;
             _face.setTriangleNormal(corners, at);
             if (!(_face.length > 0))
             {
-                into[to] = into[to + 1] = into[to + 2] = into[to + 3] = 0;
-                into[to + 4] = Infinity;
+                into[to] = into[to + 1] = into[to + 2] = 0;
+                into[to + 3] = NaN;
                 return;
             }
-            _face.measure(corners, at, at + 3);
-            var place:Number = _face.least;
             into[to] = _face.normalX;
             into[to + 1] = _face.normalY;
             into[to + 2] = _face.normalZ;
-            into[to + 3] = place;
-            _face.measure(corners, at + 3, at + 9);
-            into[to + 4] = Math.max(Math.abs(_face.least - place), Math.abs(_face.greatest - place));
+            _face.measure(corners, at, at + 9);
+            into[to + 3] = _face.greatest - _face.least <= flatness ? _face.least : NaN;
         }
 
         /**
@@ -190,7 +193,7 @@ package starlogo.solid
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _axis == 0 ? x < root.x : (_axis == 1 ? y < root.y : z < root.z);
-            var margin:Number = widestSeam + Tolerances.ROUNDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
+            var margin:Number = widestSeam + Tolerances.ROUNDING * _reach;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);
             _boxes.find(tree, this);

@@ -2,20 +2,17 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyRefiner;
-    import starlogo.hierarchy.PackedTree;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
-    /** Prepares a hierarchy's triangles, in steps: nodes down to a few triangles, packed, and the triangles' corners and extents in their order. */
+    /** Prepares a hierarchy's triangles, in steps: boxes down to a few triangles, and the triangles' corners and extents in their order. */
     internal final class TrianglesBuilder extends StepSequence
     {
         /** The number of triangles in a step. */
         public static const TRIANGLES_PER_STEP:int = 400;
 
         private var _hierarchy:SolidHierarchy;
-        private var _refiner:HierarchyRefiner;
         private var _solid:Solid;
 
         /**
@@ -25,14 +22,7 @@ package starlogo.solid
         {
             _hierarchy = hierarchy;
             _solid = new Solid(hierarchy.root, hierarchy.order.length);
-            _refiner = new HierarchyRefiner(hierarchy);
-            add(_refiner).begin(newTree).slices(hierarchy.order.length, TRIANGLES_PER_STEP, place).call(conclude);
-        }
-
-        private function newTree():Steps
-        {
-            _solid.tree = new PackedTree(_hierarchy.root);
-            return _solid.tree;
+            add(new HierarchyRefiner(hierarchy)).slices(hierarchy.order.length, TRIANGLES_PER_STEP, place).call(conclude);
         }
 
         private function place(first:int, end:int):void
@@ -45,7 +35,8 @@ package starlogo.solid
 
         private function conclude():void
         {
-            _solid.extents = _refiner.extents;
+            _solid.tree = _hierarchy.tree;
+            _solid.extents = _hierarchy.items.extents;
             _hierarchy.readyFacets = _solid;
         }
     }

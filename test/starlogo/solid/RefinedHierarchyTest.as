@@ -105,7 +105,7 @@ package starlogo.solid
                 assertTrue(node.x - node.halfX < extents[6 * i] && node.y - node.halfY < extents[6 * i + 1] && node.z - node.halfZ < extents[6 * i + 2]);
                 assertTrue(node.x + node.halfX > extents[6 * i + 3] && node.y + node.halfY > extents[6 * i + 4] && node.z + node.halfZ > extents[6 * i + 5]);
             }
-            if (node.low == null)
+            if (!node.goesBelow(int.MAX_VALUE))
             {
                 assertNull(node.high);
                 assertTrue("triangles: " + (node.end - node.first), node.end - node.first <= MOST);

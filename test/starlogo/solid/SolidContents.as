@@ -24,7 +24,7 @@ package starlogo.solid
 
         private static function axesUnder(node:HierarchyNode):String
         {
-            return node.low == null ? "." : node.splitAxis + axesUnder(node.low) + axesUnder(node.high);
+            return !node.goesBelow(int.MAX_VALUE) ? "." : node.splitAxis + axesUnder(node.low) + axesUnder(node.high);
         }
     }
 }

@@ -43,13 +43,14 @@ package starlogo.libraries.cooked
             while (stack.length > 0)
             {
                 var node:HierarchyNode = stack.pop();
-                if (node.low == null)
+                if (!node.goesBelow(int.MAX_VALUE))
                 {
                     VarInt.write(0, out);
                     continue;
                 }
                 VarInt.write(1 + node.splitAxis + (node.isLeaf ? 3 : 0) + 6 * (node.low.end - node.first), out);
                 stack.push(node.high, node.low);
+                node.forgetChildren();
             }
         }
     }

@@ -66,7 +66,7 @@ package starlogo.solid
 
         private function pieceOf(triangle:int):int
         {
-            return Math.abs(_solid.signedPieces[triangle]) - 1;
+            return Math.abs(_solid.sideOf(triangle)) - 1;
         }
 
         private function measure(first:int, end:int):void
@@ -97,7 +97,7 @@ package starlogo.solid
                     var from:int = _corners[piece] - 1;
                     var volume:Number = _face.length * (_face.normalX * (corners[9 * i] - corners[from])
                             + _face.normalY * (corners[9 * i + 1] - corners[from + 1]) + _face.normalZ * (corners[9 * i + 2] - corners[from + 2]));
-                    _volumes[piece] += _solid.signedPieces[i] > 0 ? volume : -volume;
+                    _volumes[piece] += _solid.sideOf(i) > 0 ? volume : -volume;
                 }
             }
         }
@@ -141,7 +141,7 @@ package starlogo.solid
             var box:int = 6 * piece;
             var extent:Number = Math.max(_boxes[box + 3] - _boxes[box], _boxes[box + 4] - _boxes[box + 1], _boxes[box + 5] - _boxes[box + 2]);
             var inwards:Number = INWARDS * extent;
-            var isOutwards:Boolean = _solid.signedPieces[triangle] > 0 == _volumes[piece] > 0;
+            var isOutwards:Boolean = _solid.sideOf(triangle) > 0 == _volumes[piece] > 0;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new Vector.<Number>(3, true);
             for (var axis:int = 0; axis < 3; axis++)

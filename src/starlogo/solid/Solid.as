@@ -29,10 +29,13 @@ package starlogo.solid
         /** The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. */
         public var extents:Vector.<Number>;
 
-        /** The triangles' corners where seams were welded. The same list as <code>corners</code> if there is no gap. */
-        public var places:Vector.<Number>;
+        /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
+        public var places:Vector.<Number> = new Vector.<Number>();
 
-        /** For each triangle, one more than the number of its piece, negative if the triangle is reversed; 0 without area. */
+        /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if no seam has a gap. */
+        public var placesAt:Vector.<int> = null;
+
+        /** The surface's <code>signedPieces</code>, in the model's order. */
         public var signedPieces:Vector.<int>;
 
         /** For each piece: SurfaceTopology.SOLID, ONE_SIDED or OPEN, or the number of the piece in which it bounds a cavity. */
@@ -70,6 +73,7 @@ package starlogo.solid
         private var _face:ContactPoint = new ContactPoint();
 
         private var _root:HierarchyNode;
+        private var _order:Vector.<int>;
         private var _reach:Number; // a distance from the origin that contains all triangles
         private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
@@ -86,18 +90,18 @@ package starlogo.solid
 
         /**
          * @param root the node around all triangles
-         * @param count the number of triangles
+         * @param order the indices of the triangles, in the hierarchy's order
          */
-        public function Solid(root:HierarchyNode, count:int)
+        public function Solid(root:HierarchyNode, order:Vector.<int>)
         {
             _root = root;
+            _order = order;
             _axis = root.halfX <= root.halfY && root.halfX <= root.halfZ ? 0 : (root.halfY <= root.halfZ ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
             _reach = root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z);
             flatness = Tolerances.PLANES * _reach;
-            corners = new Vector.<Number>(9 * count, true);
-            places = corners;
+            corners = new Vector.<Number>(9 * order.length, true);
             least = Infinity;
         }
 
@@ -113,6 +117,12 @@ package starlogo.solid
                 placePlanes(0, corners.length / 9);
             }
             return _planes;
+        }
+
+        /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 without area. */
+        public function sideOf(triangle:int):int
+        {
+            return signedPieces[_order[triangle]];
         }
 
         /** Whether the planes are placed. */
@@ -229,8 +239,13 @@ package starlogo.solid
         // Adds a triangle to its piece's winding number if the ray crosses it.
         private function cross(triangle:int):void
         {
-            var points:Vector.<Number> = places;
+            var points:Vector.<Number> = corners;
             var at:int = 9 * triangle;
+            if (placesAt != null && placesAt[triangle] >= 0)
+            {
+                points = places;
+                at = placesAt[triangle];
+            }
             var b:Number = _b;
             var c:Number = _c;
             var pc:Number = points[int(at + _axisC)] - c;
@@ -250,11 +265,11 @@ package starlogo.solid
             }
             // The corner that is alone on its side of the half-line's plane.
             var alone:int = pc > 0 == qc > 0 ? 6 : (pc > 0 == rc > 0 ? 3 : 0);
-            if (!isAhead(at + alone, at + (alone + 3) % 9, at + (alone + 6) % 9))
+            if (!isAhead(points, at + alone, at + (alone + 3) % 9, at + (alone + 6) % 9))
             {
                 return;
             }
-            var side:int = signedPieces[triangle];
+            var side:int = sideOf(triangle);
             var piece:int = side > 0 ? side - 1 : -side - 1;
             if (piece >= 0)
             {
@@ -286,9 +301,8 @@ package starlogo.solid
 
         // Whether a triangle that the ray's line crosses is ahead of its origin. It is measured between the two edges that cross the plane
         // of the half-line. Both begin at the same corner.
-        private function isAhead(alone:int, q:int, r:int):Boolean
+        private function isAhead(points:Vector.<Number>, alone:int, q:int, r:int):Boolean
         {
-            var points:Vector.<Number> = places;
             var ac:Number = points[int(alone + _axisC)] - _c;
             var toQ:Number = ac / (ac - (points[int(q + _axisC)] - _c));
             var toR:Number = ac / (ac - (points[int(r + _axisC)] - _c));

@@ -31,8 +31,9 @@ package starlogo.solid
         private var _sets:DisjointSets;
         private var _looks:int = 0;
 
-        // Null if no seam has a gap.
+        // Null if no seam has a gap. The number of entries of the moved triangles' places.
         private var _welding:Welding = null;
+        private var _placeCount:int = 0;
 
         /**
          * @param hierarchy of triangles; receives the solid and the surface
@@ -70,16 +71,16 @@ package starlogo.solid
             _solid = _hierarchy.readyFacets;
             _solid.isClosed = _surface.isClosed;
             _solid.pieceStates = _surface.pieceStates;
-            _solid.signedPieces = new Vector.<int>(_order.length, true);
+            _solid.signedPieces = _surface.signedPieces;
             _solid.windings = new Vector.<int>(_surface.pieceStates.length, true);
             _solid.widestSeam = _surface.widestSeam;
             if (_surface.widestSeam > 0)
             {
                 _welding = new Welding(_hierarchy.vertices);
-                _solid.places = new Vector.<Number>(_solid.corners.length, true);
+                _solid.placesAt = new Vector.<int>(_order.length, true);
                 add(_welding);
+                sliced(weld);
             }
-            sliced(usePieces);
             if (!_solid.hasPlanes)
             {
                 sliced(_solid.placePlanes);
@@ -89,6 +90,7 @@ package starlogo.solid
             {
                 _partOf = new Vector.<int>(_surface.pieceStates.length, true);
                 _sets = new DisjointSets(_surface.partNumberEnd);
+                sliced(takeParts);
                 begin(newCavities);
                 sliced(measure).slices(_solid.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts)
                     .call(beginAgain);
@@ -133,20 +135,32 @@ package starlogo.solid
             }
         }
 
-        private function usePieces(first:int, end:int):void
+        private function takeParts(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                var side:int = _surface.signedPieces[_order[i]];
-                _solid.signedPieces[i] = side;
-                if (_builder != null && side != 0)
+                var side:int = _surface.signedPieces[i];
+                if (side != 0)
                 {
-                    _partOf[int(Math.abs(side) - 1)] = _surface.parts[_order[i]];
+                    _partOf[int(Math.abs(side) - 1)] = _surface.parts[i];
                 }
-                if (_welding != null)
+            }
+        }
+
+        // Writes all triangles after the moved ones, and keeps those that are elsewhere than their corners.
+        private function weld(first:int, end:int):void
+        {
+            var places:Vector.<Number> = _solid.places;
+            for (var i:int = first; i < end; i++)
+            {
+                _hierarchy.writeCorners(3 * _order[i], _welding.welded, places, _placeCount);
+                var same:int = 0;
+                while (same < 9 && places[_placeCount + same] == _solid.corners[9 * i + same])
                 {
-                    _hierarchy.writeCorners(3 * _order[i], _welding.welded, _solid.places, 9 * i);
+                    same++;
                 }
+                _solid.placesAt[i] = same < 9 ? _placeCount : -1;
+                _placeCount += same < 9 ? 9 : 0;
             }
         }
 

@@ -21,7 +21,7 @@ package starlogo.solid
         public function TrianglesBuilder(hierarchy:SolidHierarchy)
         {
             _hierarchy = hierarchy;
-            _solid = new Solid(hierarchy.root, hierarchy.order.length);
+            _solid = new Solid(hierarchy.root, hierarchy.order);
             add(new HierarchyRefiner(hierarchy)).slices(hierarchy.order.length, TRIANGLES_PER_STEP, place).call(conclude);
         }
 

@@ -4,17 +4,17 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import v8 from "node:v8";
 
-/** Bytes that each of some calls leaves, in the best of several rounds: in others the compiler has worked too. */
-export function garbageOf(call, { warm = 100, calls = 50, rounds = 5 } = {}) {
+/** Bytes that each of some calls leaves, in the best of several rounds: in others the compiler has worked too. The first round that leaves few is the last. */
+export function garbageOf(call, { warm = 100, calls = 50, rounds = 5, few = 1024 } = {}) {
 	for (let i = 0; i < warm; i++) call();
-	const left = [];
-	for (let round = 0; round < rounds; round++) {
+	let least = Infinity;
+	for (let round = 0; round < rounds && least > few; round++) {
 		globalThis.gc();
 		const before = v8.getHeapStatistics().used_heap_size;
 		for (let i = 0; i < calls; i++) call();
-		left.push((v8.getHeapStatistics().used_heap_size - before) / calls);
+		least = Math.min(least, (v8.getHeapStatistics().used_heap_size - before) / calls);
 	}
-	return Math.round(Math.min(...left));
+	return Math.round(least);
 }
 
 /** What a script of this folder prints as JSON, measured in a process of its own. */

@@ -29,9 +29,40 @@ export async function dragBall(page, dx, dy) {
 	await page.mouse.up();
 }
 
-/** Lets a browser's context draw nothing in 3D, though all is as if it did: for what is no matter of pictures. The processor draws, and slowly. */
+/**
+ * Lets a browser's context draw nothing in 3D, though all is as if it did: for what is no matter of pictures. The processor would draw, and slowly. So each
+ * canvas has a WebGL that takes all calls and does nothing.
+ */
 export const drawNothing = (context) => context.addInitScript(() => {
-	for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) WebGL2RenderingContext.prototype[name] = () => {};
+	const { prototype } = WebGL2RenderingContext;
+	const names = Object.getOwnPropertyNames(prototype).filter((name) => name !== 'constructor');
+	const valueOf = (name) => Object.getOwnPropertyDescriptor(prototype, name).value;
+	const parameters = { [prototype.VERSION]: 'WebGL 2.0', [prototype.RENDERER]: 'software', [prototype.SCISSOR_BOX]: [0, 0, 1, 1], [prototype.VIEWPORT]: [0, 0, 1, 1] };
+	const answers = {
+		getParameter: (name) => parameters[name] ?? 16,
+		getExtension: () => ({ loseContext() {} }),
+		getShaderPrecisionFormat: () => ({ precision: 23, rangeMin: 127, rangeMax: 127 }),
+		getProgramParameter: (_, name) => (name === prototype.LINK_STATUS ? true : 0),
+		getShaderParameter: () => true,
+		checkFramebufferStatus: () => prototype.FRAMEBUFFER_COMPLETE,
+		isContextLost: () => false,
+	};
+	const make = (canvas, attributes) => {
+		const gl = { canvas, drawingBufferWidth: canvas.width, drawingBufferHeight: canvas.height };
+		for (const name of names) {
+			const value = valueOf(name);
+			if (typeof value === 'number') gl[name] = value;
+			else if (typeof value === 'function') gl[name] = answers[name] ?? (name.startsWith('create') ? () => ({}) : name.endsWith('InfoLog') ? () => '' : () => null);
+		}
+		return Object.assign(gl, { getContextAttributes: () => attributes });
+	};
+	const made = new WeakMap();
+	const { getContext } = HTMLCanvasElement.prototype;
+	HTMLCanvasElement.prototype.getContext = function get(kind, attributes = {}) {
+		if (kind !== 'webgl2') return getContext.call(this, kind, attributes);
+		if (!made.has(this)) made.set(this, make(this, attributes));
+		return made.get(this);
+	};
 });
 
 /** Has a page's clock go on by a second at each look, so that Inspect takes each time as seldom as it may. For what is no matter of times. */

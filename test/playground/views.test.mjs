@@ -608,7 +608,7 @@ test('without WebGL the page says so, and the rest works', async () => {
 			});
 			return made;
 		},
-	} }, 'inspect');
+	} }, 'inspect', { ...SIZES.desktop, isDrawn: true });
 	assert.match(await page.textContent('.world'), /^This browser draws no 3D here/);
 	assert.equal(await page.locator('tbody tr').count(), 10);
 	await leave();

@@ -38,13 +38,8 @@ package starlogo.broadphase
         /** By slot: the member's row. */
         public var rowAt:Vector.<int> = new Vector.<int>();
 
-        /** By slot: the middle of its extents. */
-        public var x:Vector.<Number> = new Vector.<Number>();
-        public var y:Vector.<Number> = new Vector.<Number>();
-        public var z:Vector.<Number> = new Vector.<Number>();
-
-        /** By slot: the radius of its circle. */
-        public var radius:Vector.<Number> = new Vector.<Number>();
+        /** By slot: the member's middle and circle. */
+        public var members:Circles = new Circles();
 
         /** The circles of a pair may be this far apart, in patches. It is larger than rounding errors. Read it during the sink's call. */
         public var slack:Number;
@@ -81,7 +76,7 @@ package starlogo.broadphase
             if (slots > rowAt.length)
             {
                 rowAt.length = slots;
-                x.length = y.length = z.length = radius.length = slots;
+                members.grow(slots);
             }
             sortByCells(rows, count);
             copyFirstCells();
@@ -254,10 +249,10 @@ package starlogo.broadphase
             var fromZ:Vector.<Number> = extents.z;
             var fromRadius:Vector.<Number> = extents.radius;
             var rows:Vector.<int> = rowAt;
-            var toX:Vector.<Number> = x;
-            var toY:Vector.<Number> = y;
-            var toZ:Vector.<Number> = z;
-            var toRadius:Vector.<Number> = radius;
+            var toX:Vector.<Number> = members.x;
+            var toY:Vector.<Number> = members.y;
+            var toZ:Vector.<Number> = members.z;
+            var toRadius:Vector.<Number> = members.radius;
             for (var slot:int = 0; slot < slots; slot++)
             {
                 var row:int = rows[slot];
@@ -272,9 +267,9 @@ package starlogo.broadphase
         // numbers are in locals, each if compares once, and only the sink is called.
         private function collideLevel(level:BinLevel, sink:PairSink):int
         {
-            var xs:Vector.<Number> = x;
-            var ys:Vector.<Number> = y;
-            var radii:Vector.<Number> = radius;
+            var xs:Vector.<Number> = members.x;
+            var ys:Vector.<Number> = members.y;
+            var radii:Vector.<Number> = members.radius;
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
             var margin:Number = level.slack;
@@ -343,9 +338,9 @@ package starlogo.broadphase
         // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three rows.
         private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):int
         {
-            var xs:Vector.<Number> = x;
-            var ys:Vector.<Number> = y;
-            var radii:Vector.<Number> = radius;
+            var xs:Vector.<Number> = members.x;
+            var ys:Vector.<Number> = members.y;
+            var radii:Vector.<Number> = members.radius;
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
             var margin:Number = coarser.slack;

@@ -2,17 +2,12 @@ package starlogo.broadphase
 {
     /**
      * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches, and the level of bins that fits the row.
-     * BinLevels.fit finds the level.
+     * BinLevels.assignLevel finds the level.
      *
      * @private
      */
-    public final class Extents
+    public final class Extents extends Circles
     {
-        /** By row: the middle. */
-        public var x:Vector.<Number> = new Vector.<Number>();
-        public var y:Vector.<Number> = new Vector.<Number>();
-        public var z:Vector.<Number> = new Vector.<Number>();
-
         /** Half the length along x. */
         public var halfX:Vector.<Number> = new Vector.<Number>();
 
@@ -22,20 +17,16 @@ package starlogo.broadphase
         /** Half the length along z. */
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
-        /** The radius of a circle on the ground around the middle that encloses the row. */
-        public var radius:Vector.<Number> = new Vector.<Number>();
-
         /** The number of the level of bins that fits; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
         /** Makes sure that there are at least this many rows. New rows are points at the origin without a level. */
-        public function grow(length:int):void
+        override public function grow(length:int):void
         {
+            super.grow(length);
             if (length > level.length)
             {
-                x.length = y.length = z.length = length;
-                halfX.length = halfY.length = halfZ.length = radius.length = length;
-                level.length = length;
+                halfX.length = halfY.length = halfZ.length = level.length = length;
             }
         }
     }

@@ -8,6 +8,7 @@ package starlogo.collision
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.FoundPairs;
+    import starlogo.search.NumberList;
 
     use namespace engine;
 
@@ -41,7 +42,7 @@ package starlogo.collision
         private var _places:Vector.<int> = new Vector.<int>();
 
         // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
-        private var _turns:Vector.<int>;
+        private var _turns:NumberList;
         private var _areTouchesComplete:Boolean;
 
         // What is being called: a negative number for an ended touch, from 0 on a pair's turn. Its handlers, and the index of the next one. After
@@ -89,7 +90,7 @@ package starlogo.collision
                 tracker.forgetEnded();
                 _turns = areKept && (table.kinds & EACH_FRAME) == 0 ? pairs.added : null;
             }
-            callUpTo(_turns == null ? pairs.count : pairs.addedCount, errors);
+            callUpTo(_turns == null ? pairs.count : _turns.count, errors);
             if (tracksTouches && _areTouchesComplete)
             {
                 tracker.complete(pairs);
@@ -101,10 +102,10 @@ package starlogo.collision
         // Computes the contacts that handlers take, before a handler moves an agent. Or finds which pairs touched before.
         private function visitPairs(areOnlyAdded:Boolean, forContacts:Boolean):void
         {
-            var end:int = areOnlyAdded ? pairs.addedCount : pairs.count;
+            var end:int = areOnlyAdded ? pairs.added.count : pairs.count;
             for (var turn:int = 0; turn < end; turn++)
             {
-                var pair:int = areOnlyAdded ? pairs.added[turn] : turn;
+                var pair:int = areOnlyAdded ? pairs.added.numbers[turn] : turn;
                 var first:Agent = agentAt(pairs.indices[2 * pair]);
                 var second:Agent = agentAt(pairs.indices[2 * pair + 1]);
                 var handlers:PairHandlers = _table.handlersOf(first.breedNumber, second.breedNumber);
@@ -152,7 +153,7 @@ package starlogo.collision
                 }
                 else
                 {
-                    takePair(_turns == null ? _step : _turns[_step]);
+                    takePair(_turns == null ? _step : _turns.numbers[_step]);
                 }
                 _next = 0;
             }

@@ -203,8 +203,8 @@ package starlogo.handlers
         private function drop(pairs:FoundPairs):void
         {
             var all:Vector.<Touch> = touches;
-            var dropped:Vector.<int> = pairs.dropped;
-            _openCount = pairs.droppedCount;
+            var dropped:Vector.<int> = pairs.dropped.numbers;
+            _openCount = pairs.dropped.count;
             for (var i:int = 0; i < _openCount; i++)
             {
                 var from:int = dropped[i];
@@ -221,14 +221,14 @@ package starlogo.handlers
         private function makeRoom(pairs:FoundPairs):void
         {
             var all:Vector.<Touch> = touches;
-            var added:Vector.<int> = pairs.added;
+            var added:Vector.<int> = pairs.added.numbers;
             var to:int = pairs.count;
             if (all.length < to)
             {
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
                 all.length = to + (to >> 3);
             }
-            for (var i:int = pairs.addedCount - 1; i >= 0; i--)
+            for (var i:int = pairs.added.count - 1; i >= 0; i--)
             {
                 for (to--; to > added[i]; to--)
                 {

@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.bounding.Box;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.engine;
 
     use namespace engine;
@@ -30,9 +31,7 @@ package starlogo.search
         engine var extents:Extents = new Extents();
 
         // By row: the way from the agent's place to the middle of its extents.
-        private var _offsetX:Vector.<Number> = new Vector.<Number>();
-        private var _offsetY:Vector.<Number> = new Vector.<Number>();
-        private var _offsetZ:Vector.<Number> = new Vector.<Number>();
+        private var _offsets:Points = new Points();
 
         // By row: the agent's shapeRevision at which its shape was read.
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
@@ -71,7 +70,7 @@ package starlogo.search
         public function read(list:Vector.<Agent>):void
         {
             forgetReplaced();
-            departedCount = 0;
+            departed.count = 0;
             var isOther:Boolean = !isAccepted || list.length != count || !readChanged(list, rows);
             if (isOther)
             {
@@ -86,9 +85,9 @@ package starlogo.search
             takeShapes();
             exchangePlaces();
             moveExtentsOfMoved();
-            for (var i:int = 0; i < changedCount; i++)
+            for (var i:int = 0; i < changed.count; i++)
             {
-                assignLevel(changed[i]);
+                assignLevel(changed.numbers[i]);
             }
         }
 
@@ -101,11 +100,10 @@ package starlogo.search
         {
             forgetReplaced();
             var agent:Agent = agents[row];
-            changedCount = 0;
+            changed.count = 0;
             if (agent.placement.extentsRevision != extentsRevisions[row])
             {
-                changed[0] = row;
-                changedCount = 1;
+                changed.add(row);
                 findShapes();
                 takeShapes();
             }
@@ -171,18 +169,18 @@ package starlogo.search
 
         private function moveExtentsOfMoved():void
         {
-            var movedRows:Vector.<int> = moved;
+            var movedRows:Vector.<int> = moved.numbers;
             var xs:Vector.<Number> = now.x;
             var ys:Vector.<Number> = now.y;
             var zs:Vector.<Number> = now.z;
-            var fromX:Vector.<Number> = _offsetX;
-            var fromY:Vector.<Number> = _offsetY;
-            var fromZ:Vector.<Number> = _offsetZ;
+            var fromX:Vector.<Number> = _offsets.x;
+            var fromY:Vector.<Number> = _offsets.y;
+            var fromZ:Vector.<Number> = _offsets.z;
             var middleX:Vector.<Number> = extents.x;
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
             var reachSquared:Number = _bins == null ? Infinity : _bins.levels.reachSquared;
-            var end:int = movedCount;
+            var end:int = moved.count;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = movedRows[i];
@@ -214,7 +212,7 @@ package starlogo.search
             super.grow(length);
             shapes.length = boxes.length = _bodies.length = length;
             forms.length = _shapeRevisions.length = placedRevisions.length = length;
-            _offsetX.length = _offsetY.length = _offsetZ.length = length;
+            _offsets.grow(length);
             extents.grow(length);
         }
 
@@ -257,21 +255,21 @@ package starlogo.search
         /** Finds the extents of a row again after its place has changed. */
         internal function moveExtents(row:int):void
         {
-            extents.x[row] = now.x[row] + _offsetX[row];
-            extents.y[row] = now.y[row] + _offsetY[row];
-            extents.z[row] = now.z[row] + _offsetZ[row];
+            extents.x[row] = now.x[row] + _offsets.x[row];
+            extents.y[row] = now.y[row] + _offsets.y[row];
+            extents.z[row] = now.z[row] + _offsets.z[row];
         }
 
         // Finds the shapes of agents that have changed. All shapes are found before any row changes, because an error must change no row.
         private function findShapes():void
         {
-            if (changedCount > _changedShapes.length)
+            if (changed.count > _changedShapes.length)
             {
-                _changedShapes.length = changedCount;
+                _changedShapes.length = changed.count;
             }
-            for (var i:int = 0; i < changedCount; i++)
+            for (var i:int = 0; i < changed.count; i++)
             {
-                var row:int = changed[i];
+                var row:int = changed.numbers[i];
                 if (needsShape(row))
                 {
                     _changedShapes[i] = _modelShapes.shapeOf(agents[row]);
@@ -283,9 +281,9 @@ package starlogo.search
         private function takeShapes():void
         {
             loadingCount = 0;
-            for (var i:int = 0; i < changedCount; i++)
+            for (var i:int = 0; i < changed.count; i++)
             {
-                var row:int = changed[i];
+                var row:int = changed.numbers[i];
                 if (needsShape(row))
                 {
                     setShape(row, _changedShapes[i]);
@@ -339,9 +337,9 @@ package starlogo.search
             }
             body.readShape(agent, shape);
             body.order = ranks[row];
-            _offsetX[row] = body.offsetX;
-            _offsetY[row] = body.offsetY;
-            _offsetZ[row] = body.offsetZ;
+            _offsets.x[row] = body.offsetX;
+            _offsets.y[row] = body.offsetY;
+            _offsets.z[row] = body.offsetZ;
             extents.halfX[row] = body.halfX;
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;

@@ -5,6 +5,8 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Circles;
+    import starlogo.broadphase.Extents;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
@@ -26,42 +28,52 @@ package starlogo.search
         /** The agents of the last search. */
         public var table:AgentTable;
 
-        private var _narrowPhase:NarrowPhase;
-        private var _shapes:ModelShapes;
-        private var _bins:Bins = new Bins();
-        private var _motions:SweptPairs;
-        private var _held:HeldWorld = new HeldWorld();
-        private var _bodyA:Body = new Body();
-        private var _bodyB:Body = new Body();
-        private var _isSwept:Boolean = false;
+        internal var narrowPhase:NarrowPhase;
+        internal var bins:Bins = new Bins();
+        internal var motions:SweptPairs;
+
+        /** Whether an agent of the last search sweeps. */
+        internal var isSwept:Boolean = false;
 
         /** Whether all shapes that the collider has made are spheres. */
         internal var areSpheres:Boolean = false;
 
-        // The rows that the bins get, called members: all rows, or only rows of breeds of interest.
+        /** Whether the breeds of agents matter: not all pairs of breeds are of interest, or there is a ground, or there are edges. */
+        internal var areBreedsRead:Boolean = false;
+
+        /** By row: the number of its breed in the interests, or -1. It has a meaning only if breeds matter. */
+        internal var breeds:Vector.<int> = new Vector.<int>();
+
+        /** By index in the list: whether the agent takes part; null for all. */
+        internal var takePart:Vector.<Boolean> = null;
+
+        /** If an agent sweeps: the time of each pair. */
+        internal var times:Vector.<Number> = new Vector.<Number>();
+
+        private var _shapes:ModelShapes;
+        private var _held:HeldWorld = new HeldWorld();
+        private var _bodyA:Body = new Body();
+        private var _bodyB:Body = new Body();
+
+        // The rows that the bins get, called members: all rows, or only rows that take part and whose breeds are of interest. Their number. The
+        // members that touch the ground or the edges.
         private var _memberRows:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
-
-        /** By row: the number of its breed in the interests, or -1. It has no meaning if all breeds are of interest and there are no fixtures. */
-        internal var breeds:Vector.<int> = new Vector.<int>();
-
-        /** The numbers from 0 on, for lists of rows of which all are candidates. A test moves those that touch to the beginning. */
-        internal var numbers:Vector.<int> = new Vector.<int>();
+        private var _atFixture:Vector.<int> = new Vector.<int>();
 
         // Finds the pairs of a search in which little has changed.
         private var _kept:KeptPairs;
 
-        // The search under way. _interests is null if all pairs of agents count. Found pairs go to _out as indices, or to _outAgents as agents
-        // if it is not null, because a second pass over the pairs takes a fifth of a dense search in Adobe's VM.
+        // The search under way. _interests is null if all pairs of agents count. The candidates of onCandidates are indices in _rows and _circles.
+        // Found pairs go to _out as indices, or to _outAgents as agents if it is not null, because a second pass over the pairs takes a fifth of a
+        // dense search in Adobe's VM.
         private var _interests:BreedInterests;
+        private var _circles:Circles;
+        private var _rows:Vector.<int>;
         private var _out:FoundPairs;
         private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
-        private var _areBreedsRead:Boolean = false;
-
-        /** If an agent sweeps: the time of each pair. */
-        internal var times:Vector.<Number> = new Vector.<Number>();
 
         private var _order:KeySort = new KeySort();
 
@@ -71,11 +83,11 @@ package starlogo.search
          */
         public function CollisionSearch(choice:AgentShapes, narrowPhase:NarrowPhase)
         {
-            _narrowPhase = narrowPhase;
+            this.narrowPhase = narrowPhase;
             _shapes = new ModelShapes(choice);
-            table = new AgentTable(_shapes, _bins);
-            _motions = new SweptPairs(narrowPhase);
-            _kept = new KeptPairs(this, _bins, _motions, narrowPhase);
+            table = new AgentTable(_shapes, bins);
+            motions = new SweptPairs(narrowPhase);
+            _kept = new KeptPairs(this);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -83,7 +95,7 @@ package starlogo.search
         {
             var bodyA:Body = table.bodyOfNow(a, _bodyA);
             var bodyB:Body = table.bodyOfNow(b, _bodyB);
-            return bodyA.shape != null && bodyB.shape != null && _narrowPhase.areTouching(bodyA, bodyB);
+            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
         }
 
         /**
@@ -108,25 +120,26 @@ package starlogo.search
                 table.readWorldAgent(row, fixtures == null ? null : fixtures[row]);
             }
             areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
-            _isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
+            isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
+            areBreedsRead = interests != null && interests.areBreedsNeeded(table);
+            this.takePart = takePart;
             _interests = interests == null || interests.areAll ? null : interests;
-            _areBreedsRead = interests != null && interests.areBreedsNeeded(table);
             _skippedPairs = 0;
             // tests since the last search, as those of questions, do not count
-            _narrowPhase.takeCounts(counts);
+            narrowPhase.takeCounts(counts);
             if (outAgents != null)
             {
                 _kept.forget();
             }
-            var mayKeep:Boolean = outAgents == null && _kept.begin(interests, _areBreedsRead, _isSwept, takePart);
+            var mayKeep:Boolean = outAgents == null && _kept.begin(interests);
             if (mayKeep && _kept.find(out))
             {
                 _memberCount = _kept.memberCount;
             }
             else
             {
-                findAll(interests, takePart, out, outAgents);
-                if (outAgents != null && _isSwept)
+                findAll(interests, out, outAgents);
+                if (outAgents != null && isSwept)
                 {
                     out.write(agents, outAgents);
                 }
@@ -135,33 +148,56 @@ package starlogo.search
                     _kept.keep(out, _memberRows, _memberCount);
                 }
             }
+            _out = null;
+            _outAgents = null;
             report(agents.length, out.count, counts);
         }
 
-        private function findAll(interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, outAgents:Vector.<Agent>):void
+        private function findAll(interests:BreedInterests, out:FoundPairs, outAgents:Vector.<Agent>):void
         {
-            if (_isSwept)
+            if (isSwept)
             {
-                _motions.find(table, _bins, table.rows, table.count);
+                motions.find(table, bins, table.rows, table.count);
             }
-            chooseMembers(interests, takePart);
-            _out = out;
-            _outAgents = _isSwept ? null : outAgents;
-            out.begin();
-            _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
+            chooseMembers(interests);
+            writeTo(out, bins.rowAt, bins.members);
+            _outAgents = isSwept ? null : outAgents;
+            bins.findPairs(extents, _memberRows, _memberCount, this);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
                 if (hasFixture(row))
                 {
-                    put(row, _memberRows, numbers, keepAtFixture(interests, row, _memberRows, _memberCount, out.count));
+                    for (var i:int = 0; i < _memberCount; i++)
+                    {
+                        _atFixture[i] = _memberRows[i];
+                    }
+                    findAtFixture(interests, row, _atFixture, _memberCount);
                 }
             }
-            _out = null;
-            _outAgents = null;
-            if (_isSwept)
+            if (isSwept)
             {
                 _order.sortPairs(out.indices, times, out.count);
             }
+        }
+
+        /** The extents of the search: those of whole motions if an agent sweeps. */
+        internal function get extents():Extents
+        {
+            return isSwept ? motions.extents : table.extents;
+        }
+
+        /**
+         * Says what the indices of <code>onCandidates()</code> mean, and where the pairs go.
+         *
+         * @param rows by index: the row
+         * @param circles by index: the row's middle and circle
+         */
+        internal function writeTo(out:FoundPairs, rows:Vector.<int>, circles:Circles):void
+        {
+            out.begin();
+            _out = out;
+            _rows = rows;
+            _circles = circles;
         }
 
         /** Whether the ground or the edges of the world take part in the search, by their row. */
@@ -173,7 +209,7 @@ package starlogo.search
         /** The speed at which the two agents of the last findContact came together, in patches a frame. */
         public function get approachSpeed():Number
         {
-            return _motions.approachSpeed;
+            return motions.approachSpeed;
         }
 
         /** See KeptPlaces.restore. */
@@ -181,7 +217,7 @@ package starlogo.search
         {
             _kept.forget();
             KeptPlaces.restore(table, agents, bytes);
-            _isSwept = false;
+            isSwept = false;
         }
 
         /**
@@ -210,7 +246,7 @@ package starlogo.search
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
                 _held.exchange();
-                var ofFrame:Number = _motions.findContact(table, rowA, rowB, _isSwept, out);
+                var ofFrame:Number = motions.findContact(table, rowA, rowB, isSwept, out);
                 _held.exchange();
                 return ofFrame;
             }
@@ -221,7 +257,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            return _motions.findStaticContact(bodyA, bodyB, out);
+            return motions.findStaticContact(bodyA, bodyB, out);
         }
 
         /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */
@@ -239,27 +275,51 @@ package starlogo.search
         /** @inheritDoc */
         override public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {
-            var rowAt:Vector.<int> = _bins.rowAt;
-            var row:int = rowAt[slot];
+            var rows:Vector.<int> = _rows;
+            var row:int = rows[slot];
             if (_interests != null)
             {
-                var kept:int = _interests.keepOfInterest(breeds, row, rowAt, others, count);
+                var kept:int = _interests.keepOfInterest(breeds, row, rows, others, count);
                 _skippedPairs += count - kept;
                 count = kept;
             }
-            if (_isSwept)
+            if (isSwept)
             {
-                count = keepTouchingMotions(_bins, row, rowAt, others, count, _out.count);
+                count = keepTouchingMotions(row, rows, others, count);
             }
             else if (areSpheres)
             {
-                count = _narrowPhase.spheres.keepTouchingSlots(table, _bins, slot, others, count);
+                count = narrowPhase.spheres.keepTouching(table, bins, _circles, slot, rows, others, count);
             }
             else
             {
-                count = _narrowPhase.keepTouching(table, _bins, row, rowAt, others, count);
+                count = narrowPhase.keepTouching(table, bins, _circles, slot, rows, others, count);
             }
-            put(row, rowAt, others, count);
+            put(row, rows, others, count);
+        }
+
+        /**
+         * Finds the pairs of rows with the ground, or with the edges of the world. It tests only rows whose breeds are of interest together with
+         * the fixture's breed.
+         *
+         * @param fixture the row of the ground or of the edges
+         * @param others the rows of members; overwritten
+         * @param count the number of rows
+         */
+        internal function findAtFixture(interests:BreedInterests, fixture:int, others:Vector.<int>, count:int):void
+        {
+            var rows:Vector.<int> = table.itself;
+            count = interests.keepOfInterest(breeds, fixture, rows, others, count);
+            if (isSwept)
+            {
+                count = keepTouchingMotions(fixture, rows, others, count);
+            }
+            else
+            {
+                var body:Body = table.bodyOf(fixture);
+                count = narrowPhase.testsOf(body, body).keepRows(table, others, count, body);
+            }
+            put(fixture, rows, others, count);
         }
 
         // Writes the pairs of a row and its candidates, which are indices in a list of rows.
@@ -294,11 +354,11 @@ package starlogo.search
         }
 
         // In most searches all agents take part, and the table's own list of rows is used.
-        private function chooseMembers(interests:BreedInterests, takePart:Vector.<Boolean>):void
+        private function chooseMembers(interests:BreedInterests):void
         {
             _memberRows = table.rows;
             _memberCount = table.count;
-            var outsiders:int = _areBreedsRead ? interests.read(table, breeds) : 0;
+            var outsiders:int = areBreedsRead ? interests.read(table, breeds) : 0;
             if (table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
@@ -307,18 +367,26 @@ package starlogo.search
             _memberCount = 0;
             for (var i:int = 0; i < table.count; i++)
             {
-                var row:int = table.rows[i];
-                if (table.shapes[row] != null && (outsiders == 0 || breeds[row] >= 0) && (takePart == null || takePart[i]))
+                if (isMember(table.rows[i]))
                 {
-                    _someRows[_memberCount] = row;
+                    _someRows[_memberCount] = table.rows[i];
                     _memberCount++;
                 }
             }
         }
 
-        // Like keepTouching, and writes the times, from an index on. The bins are null if the row is a fixture.
-        private function keepTouchingMotions(bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int, at:int):int
+        /** Whether the agent of a row takes part in the search. */
+        internal function isMember(row:int):Boolean
         {
+            return table.shapes[row] != null && (!areBreedsRead || breeds[row] >= 0) && (takePart == null || takePart[table.ranks[row]]);
+        }
+
+        // Like keepTouching, and writes the times.
+        private function keepTouchingMotions(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        {
+            // the extents of the ground and of the edges say nothing
+            var near:Bins = row < RowList.LISTED ? null : bins;
+            var at:int = _out.count;
             var ranks:Vector.<int> = table.ranks;
             var rank:int = ranks[row];
             var kept:int = 0;
@@ -327,8 +395,8 @@ package starlogo.search
                 var other:int = rows[others[i]];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                _motions.findTime(table, bins, isFirst ? row : other, isFirst ? other : row);
-                var time:Number = _motions.foundTime;
+                motions.findTime(table, near, isFirst ? row : other, isFirst ? other : row);
+                var time:Number = motions.foundTime;
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = others[i];
@@ -339,65 +407,13 @@ package starlogo.search
             return kept;
         }
 
-        /**
-         * Keeps the rows of a list that touch the ground, or the edges of the world. It tests only rows whose breeds are of interest together
-         * with the fixture's breed.
-         *
-         * @param fixture the row of the ground or of the edges
-         * @param rows the rows of members
-         * @param count the number of rows
-         * @param at where the first time goes, if an agent sweeps
-         * @return the number of rows that touch. The beginning of <code>numbers</code> has their indices in the list
-         */
-        internal function keepAtFixture(interests:BreedInterests, fixture:int, rows:Vector.<int>, count:int, at:int):int
-        {
-            listNumbers(count);
-            count = interests.keepOfInterest(breeds, fixture, rows, numbers, count);
-            if (_isSwept)
-            {
-                return keepTouchingMotions(null, fixture, rows, numbers, count, at);
-            }
-            var body:Body = table.bodyOf(fixture);
-            return _narrowPhase.testsOf(body, body).keepMembers(table, rows, numbers, count, body);
-        }
-
-        /**
-         * Keeps the rows of a list that touch a row and whose breeds are of interest.
-         *
-         * @param rows the rows, whose circles on the ground overlap the row's circle
-         * @param slack how far apart the circles of a pair may be
-         * @param at where the first time goes, if an agent sweeps
-         * @return the number of rows that touch. The beginning of <code>numbers</code> has their indices in the list
-         */
-        internal function keepNear(row:int, rows:Vector.<int>, count:int, slack:Number, at:int):int
-        {
-            listNumbers(count);
-            _bins.slack = slack;
-            _bins.pairCount += count;
-            if (_interests != null)
-            {
-                var kept:int = _interests.keepOfInterest(breeds, row, rows, numbers, count);
-                _skippedPairs += count - kept;
-                count = kept;
-            }
-            return _isSwept ? keepTouchingMotions(_bins, row, rows, numbers, count, at) : _narrowPhase.keepTouching(table, _bins, row, rows, numbers, count);
-        }
-
-        private function listNumbers(count:int):void
-        {
-            for (var i:int = 0; i < count; i++)
-            {
-                numbers[i] = i;
-            }
-        }
-
         private function report(agentCount:int, pairCount:int, counts:SearchCounts):void
         {
-            _narrowPhase.takeCounts(counts);
+            narrowPhase.takeCounts(counts);
             counts.agents = agentCount;
             counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = _bins.pairCount - _skippedPairs;
+            counts.candidatePairs = bins.pairCount - _skippedPairs;
             counts.collisions = pairCount;
         }
     }

@@ -26,13 +26,11 @@ package starlogo.search
          */
         public var origin:int = NONE;
 
-        /** The indices of the dropped pairs among the earlier ones, in ascending order, and their number. */
-        public var dropped:Vector.<int> = new Vector.<int>();
-        public var droppedCount:int = 0;
+        /** The indices of the dropped pairs among the earlier ones, in ascending order. */
+        public var dropped:NumberList = new NumberList();
 
-        /** The indices of the added pairs among these pairs, in ascending order, and their number. */
-        public var added:Vector.<int> = new Vector.<int>();
-        public var addedCount:int = 0;
+        /** The indices of the added pairs among these pairs, in ascending order. */
+        public var added:NumberList = new NumberList();
 
         /** The object that keeps these pairs for the next search, or null. */
         internal var keeper:Object = null;

@@ -60,17 +60,17 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:Body):int
+        override public function keepRows(table:AgentTable, rows:Vector.<int>, count:int, b:Body):int
         {
             var earlyOut:GroundEarlyOut = lookOf(b);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var row:int = rows[members[i]];
+                var row:int = rows[i];
                 var found:int = earlyOut.lookAt(table.extents, table.forms[row], row);
                 if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(table.bodyOf(row), b).areOverlapping())
                 {
-                    members[kept] = members[i];
+                    rows[kept] = row;
                     kept++;
                 }
             }

@@ -1,8 +1,7 @@
 package starlogo.search
 {
-    import starlogo.broadphase.Bins;
+    import starlogo.agents.Agent;
     import starlogo.broadphase.CellLists;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
 
     use namespace engine;
@@ -26,9 +25,6 @@ package starlogo.search
 
         private var _search:CollisionSearch;
         private var _table:AgentTable;
-        private var _bins:Bins;
-        private var _motions:SweptPairs;
-        private var _narrowPhase:NarrowPhase;
 
         // The pairs, and whether they are those of the last search.
         private var _pairs:OrderedPairs;
@@ -38,42 +34,28 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // What the pairs depend on besides the rows: the interests and other settings; the ground and the edges.
+        // What the pairs depend on besides the rows: the interests and other settings; the ground and the edges; whether there was a filter.
         private var _interests:BreedInterests = null;
-        private var _settings:Vector.<int> = new Vector.<int>(6, true);
-        private var _fixtures:Vector.<Object> = new <Object>[null, null];
-        private var _fixtureStates:Vector.<Object> = new <Object>[null, null];
+        private var _settings:Vector.<int> = new Vector.<int>(3, true);
+        private var _fixtures:Vector.<WorldAgent> = new <WorldAgent>[null, null];
+        private var _edges:Vector.<Number> = null;
         private var _groundRevision:int = 0;
-
-        // Whether breeds matter, an agent sweeps, and the filter's answers; the filter had a say in the last search.
-        private var _areBreedsRead:Boolean = false;
-        private var _isSwept:Boolean = false;
-        private var _takePart:Vector.<Boolean> = null;
         private var _wasFiltered:Boolean = false;
 
         // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
         private var _number:int = 0;
         private var _changedIn:Vector.<int> = new Vector.<int>();
-        private var _changed:Vector.<int> = new Vector.<int>();
-        private var _changedCount:int = 0;
+        private var _changed:NumberList = new NumberList();
 
         // The rows that are tested with the ground or the edges.
         private var _members:Vector.<int> = new Vector.<int>();
 
-        /**
-         * @param search makes the tests
-         * @param bins give the members their cells
-         * @param motions of the rows
-         * @param narrowPhase has the settings of the tests
-         */
-        public function KeptPairs(search:CollisionSearch, bins:Bins, motions:SweptPairs, narrowPhase:NarrowPhase)
+        /** @param search makes the tests */
+        public function KeptPairs(search:CollisionSearch)
         {
             _search = search;
             _table = search.table;
-            _bins = bins;
-            _motions = motions;
-            _narrowPhase = narrowPhase;
-            _cells = new CellLists(bins.levels);
+            _cells = new CellLists(search.bins.levels);
             _pairs = new OrderedPairs(_table, _cells);
         }
 
@@ -92,31 +74,23 @@ package starlogo.search
         /**
          * Begins a search. The table has been read.
          *
-         * @param takePart as in <code>CollisionSearch.find()</code>
          * @return whether the search is like the last one, and few rows have changed. Then call <code>find()</code>
          */
-        public function begin(interests:BreedInterests, areBreedsRead:Boolean, isSwept:Boolean, takePart:Vector.<Boolean>):Boolean
+        public function begin(interests:BreedInterests):Boolean
         {
             _wasValid = _isValid;
             _isValid = false;
-            _areBreedsRead = areBreedsRead;
-            _isSwept = isSwept;
-            _takePart = takePart;
             var isSame:Boolean = interests === _interests;
             _interests = interests;
-            var trees:TreePairTests = _narrowPhase.trees;
-            var maxDepth:int = trees == null ? 0 : trees.maxDepth;
+            var trees:TreePairTests = _search.narrowPhase.trees;
             isSame = isStill(0, interests.revision) && isSame;
-            isSame = isStill(1, areBreedsRead ? 1 : 0) && isSame;
-            isSame = isStill(2, isSwept ? 1 : 0) && isSame;
-            isSame = isStill(3, maxDepth) && isSame;
-            isSame = isStill(4, trees != null && trees.exact ? 1 : 0) && isSame;
-            isSame = isStill(5, trees != null && trees.byLeaves ? 1 : 0) && isSame;
+            isSame = isStill(1, trees == null || trees.exact ? 0 : trees.maxDepth) && isSame;
+            isSame = isStill(2, (_search.areBreedsRead ? 1 : 0) + (_search.isSwept ? 2 : 0)) && isSame;
             var among:int = _search.areSpheres || !interests.areAll ? OF_FAST : OF_ALL;
-            var changes:int = _table.movedCount + _table.departedCount;
-            if (isSwept)
+            var changes:int = _table.moved.count + _table.departed.count;
+            if (_search.isSwept)
             {
-                changes += _table.movedBeforeCount;
+                changes += _table.movedBefore.count;
             }
             return isSame && among * changes <= _table.count;
         }
@@ -124,13 +98,11 @@ package starlogo.search
         /** Takes the pairs of a search of all rows. */
         public function keep(out:FoundPairs, members:Vector.<int>, memberCount:int):void
         {
-            var length:int = _table.agents.length;
-            _cells.begin(extents, members, memberCount, length);
-            _pairs.read(out, _isSwept ? _search.times : null);
+            _cells.begin(_search.extents, members, memberCount, _table.agents.length);
+            _pairs.read(out, times);
             hasFixtureChanged(RowList.GROUND);
             hasFixtureChanged(RowList.EDGES);
-            _wasFiltered = _takePart != null;
-            _isValid = true;
+            settle();
         }
 
         /**
@@ -146,35 +118,41 @@ package starlogo.search
                 return false;
             }
             _number++;
-            _bins.pairCount = 0;
+            _search.bins.pairCount = 0;
             listChanged();
-            if (_isSwept)
+            if (_search.isSwept)
             {
-                _motions.find(_table, _bins, _changed, _changedCount);
+                _search.motions.find(_table, _search.bins, _changed.numbers, _changed.count);
             }
             placeChanged();
             if (!_cells.areCellsValid())
             {
                 return false;
             }
-            for (var i:int = 0; i < _changedCount; i++)
+            _search.writeTo(_pairs.found, _table.itself, _search.extents);
+            for (var i:int = 0; i < _changed.count; i++)
             {
-                if (_cells.has(_changed[i]))
+                if (_cells.has(_changed.numbers[i]))
                 {
-                    findNear(_changed[i]);
+                    findNear(_changed.numbers[i]);
                 }
             }
             findAtFixture(RowList.GROUND);
             findAtFixture(RowList.EDGES);
-            _pairs.renew(_changedIn, _number, _isSwept ? _search.times : null, out);
-            _wasFiltered = _takePart != null;
-            _isValid = true;
+            _pairs.renew(_changedIn, _number, times, out);
+            settle();
             return true;
         }
 
-        private function get extents():Extents
+        private function settle():void
         {
-            return _isSwept ? _motions.extents : _table.extents;
+            _wasFiltered = _search.takePart != null;
+            _isValid = true;
+        }
+
+        private function get times():Vector.<Number>
+        {
+            return _search.isSwept ? _search.times : null;
         }
 
         private function isStill(setting:int, value:int):Boolean
@@ -187,21 +165,18 @@ package starlogo.search
         private function hasFixtureChanged(row:int):Boolean
         {
             var agent:WorldAgent = _table.agents[row] as WorldAgent;
-            var state:Object = null;
-            var revision:int = _groundRevision;
+            var isSame:Boolean = agent === _fixtures[row];
+            _fixtures[row] = agent;
             if (agent != null && row == RowList.GROUND)
             {
-                state = agent.grid;
-                revision = agent.grid.revision;
+                isSame = agent.grid.revision == _groundRevision && isSame;
+                _groundRevision = agent.grid.revision;
             }
             else if (agent != null)
             {
-                state = agent.edges;
+                isSame = agent.edges === _edges && isSame;
+                _edges = agent.edges;
             }
-            var isSame:Boolean = agent === _fixtures[row] && state === _fixtureStates[row] && revision == _groundRevision;
-            _fixtures[row] = agent;
-            _fixtureStates[row] = state;
-            _groundRevision = revision;
             return !isSame;
         }
 
@@ -209,29 +184,29 @@ package starlogo.search
         private function listChanged():void
         {
             var length:int = _table.agents.length;
-            _changedCount = 0;
+            _changed.count = 0;
             if (_changedIn.length < length)
             {
                 _changedIn.length = length;
             }
             _cells.makeRows(length);
-            mark(_table.moved, _table.movedCount);
-            mark(_table.departed, _table.departedCount);
-            if (_isSwept)
+            mark(_table.moved);
+            mark(_table.departed);
+            if (_search.isSwept)
             {
-                mark(_table.movedBefore, _table.movedBeforeCount);
+                mark(_table.movedBefore);
             }
-            if (_takePart != null || _wasFiltered)
+            if (_search.takePart != null || _wasFiltered)
             {
                 markFiltered();
             }
         }
 
-        private function mark(rows:Vector.<int>, count:int):void
+        private function mark(rows:NumberList):void
         {
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < rows.count; i++)
             {
-                markRow(rows[i]);
+                markRow(rows.numbers[i]);
             }
         }
 
@@ -240,8 +215,7 @@ package starlogo.search
             if (_changedIn[row] != _number)
             {
                 _changedIn[row] = _number;
-                _changed[_changedCount] = row;
-                _changedCount++;
+                _changed.add(row);
             }
         }
 
@@ -251,35 +225,31 @@ package starlogo.search
             var rows:Vector.<int> = _table.rows;
             for (var i:int = 0; i < _table.count; i++)
             {
-                if (isMember(rows[i]) != _cells.has(rows[i]))
+                if (_search.isMember(rows[i]) != _cells.has(rows[i]))
                 {
                     markRow(rows[i]);
                 }
             }
         }
 
-        private function isMember(row:int):Boolean
-        {
-            return _table.shapes[row] != null && (!_areBreedsRead || _search.breeds[row] >= 0) && (_takePart == null || _takePart[_table.ranks[row]]);
-        }
-
         // Puts the changed rows to their cells.
         private function placeChanged():void
         {
             var breeds:Vector.<int> = _search.breeds;
-            if (_areBreedsRead && breeds.length < _table.agents.length)
+            var areBreedsRead:Boolean = _search.areBreedsRead;
+            if (areBreedsRead && breeds.length < _table.agents.length)
             {
                 breeds.length = _table.agents.length;
             }
-            for (var i:int = 0; i < _changedCount; i++)
+            for (var i:int = 0; i < _changed.count; i++)
             {
-                var row:int = _changed[i];
-                var isListed:Boolean = _table.agents[row] != null;
-                if (_areBreedsRead && isListed)
+                var row:int = _changed.numbers[i];
+                var agent:Agent = _table.agents[row];
+                if (areBreedsRead && agent != null)
                 {
-                    breeds[row] = _interests.indexOfNumber(_table.agents[row].breedNumber);
+                    breeds[row] = _interests.indexOfNumber(agent.breedNumber);
                 }
-                if (isListed && isMember(row))
+                if (agent != null && _search.isMember(row))
                 {
                     _cells.put(row);
                 }
@@ -297,7 +267,9 @@ package starlogo.search
                 var count:int = _cells.findNear(row, level, _changedIn, _number);
                 if (count > 0)
                 {
-                    _pairs.add(row, _cells.near, _search.numbers, _search.keepNear(row, _cells.near, count, _cells.slack, _pairs.foundCount));
+                    _search.bins.slack = _cells.slack;
+                    _search.bins.pairCount += count;
+                    _search.onCandidates(row, _cells.near, count);
                 }
             }
         }
@@ -310,7 +282,7 @@ package starlogo.search
             {
                 _changedIn[fixture] = _number;
             }
-            if (!_areBreedsRead)
+            if (!_search.areBreedsRead)
             {
                 return;
             }
@@ -319,8 +291,8 @@ package starlogo.search
             {
                 return;
             }
-            var rows:Vector.<int> = hasChanged ? _table.rows : _changed;
-            var end:int = hasChanged ? _table.count : _changedCount;
+            var rows:Vector.<int> = hasChanged ? _table.rows : _changed.numbers;
+            var end:int = hasChanged ? _table.count : _changed.count;
             var count:int = 0;
             for (var i:int = 0; i < end; i++)
             {
@@ -330,8 +302,7 @@ package starlogo.search
                     count++;
                 }
             }
-            _pairs.add(fixture, _members, _search.numbers, _search.keepAtFixture(_interests, fixture, _members, count, _pairs.foundCount));
+            _search.findAtFixture(_interests, fixture, _members, count);
         }
-
     }
 }

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Circles;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
 
@@ -37,25 +38,36 @@ package starlogo.search
         }
 
         /**
-         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
+         * Keeps the candidates that touch a row, and moves them to the beginning of the list. The row and the candidates are indices in a list of
+         * rows.
          *
          * @param bins knows how far apart the extents of touching rows may be
-         * @param rows the candidates are indices in this list of rows
+         * @param circles the middles and circles in the order of the list of rows
+         * @param at the index of the row
+         * @param rows the list of rows
          * @param others the candidates, whose circles on the ground overlap the row's circle
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            if (table.forms[row] == ModelShape.TREE)
+            var row:int = rows[at];
+            if (table.forms[row] != ModelShape.TREE)
             {
-                return trees.keepTouching(table, bins, row, rows, others, count);
+                return structures.keepTouching(table, bins, circles, at, rows, others, count);
             }
-            if (structures != null)
+            var body:Body = table.bodyOf(row);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
             {
-                return structures.keepTouching(table, bins, row, rows, others, count);
+                var other:int = rows[others[i]];
+                if (areNear(table.extents, bins, row, other) && trees.areTouching(body, table.bodyOf(other)))
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
             }
-            return spheres.keepTouching(table, bins, row, rows, others, count);
+            return kept;
         }
 
         /** Whether two bodies touch. */

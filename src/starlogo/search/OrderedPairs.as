@@ -14,8 +14,8 @@ package starlogo.search
         // The first part of the key of a pair with the ground or the edges, which come after all other pairs.
         private static const LAST:Number = 1e15;
 
-        /** The number of pairs that were found since the last <code>renew()</code>. */
-        public var foundCount:int = 0;
+        /** The pairs that the search under way has found. <code>renew()</code> makes rows of their indices. */
+        public var found:FoundPairs = new FoundPairs();
 
         private var _table:AgentTable;
         private var _cells:CellLists;
@@ -24,8 +24,7 @@ package starlogo.search
         private var _pairs:Vector.<int> = new Vector.<int>();
         private var _count:int = 0;
 
-        // The pairs that were found, two rows for each, their order, and how many of them touch before the end of their motions.
-        private var _found:Vector.<int> = new Vector.<int>();
+        // The order of the pairs that were found, and how many of them touch before the end of their motions.
         private var _turns:Vector.<int> = new Vector.<int>();
         private var _keys:Vector.<Number> = new Vector.<Number>();
         private var _order:KeySort = new KeySort();
@@ -49,38 +48,20 @@ package starlogo.search
          *
          * @param times their times; null if no agent sweeps
          */
-        public function read(found:FoundPairs, times:Vector.<Number>):void
+        public function read(all:FoundPairs, times:Vector.<Number>):void
         {
-            var end:int = 2 * found.count;
-            _count = foundCount = 0;
+            var end:int = 2 * all.count;
+            _count = 0;
             for (var i:int = 0; i < end; i += 2)
             {
                 if (times == null || times[i >> 1] == 1)
                 {
-                    _pairs[2 * _count] = rowAt(found.indices[i]);
-                    _pairs[2 * _count + 1] = rowAt(found.indices[i + 1]);
+                    _pairs[2 * _count] = rowAt(all.indices[i]);
+                    _pairs[2 * _count + 1] = rowAt(all.indices[i + 1]);
                     _count++;
                 }
             }
-            noteWritten(found, _count == found.count);
-        }
-
-        /**
-         * Adds pairs that were found.
-         *
-         * @param row the first row of each pair
-         * @param rows the second rows are in this list
-         * @param numbers begins with their indices in the list
-         * @param count the number of pairs
-         */
-        public function add(row:int, rows:Vector.<int>, numbers:Vector.<int>, count:int):void
-        {
-            for (var i:int = 0; i < count; i++)
-            {
-                _found[2 * foundCount] = row;
-                _found[2 * foundCount + 1] = rows[numbers[i]];
-                foundCount++;
-            }
+            noteWritten(all, _count == all.count);
         }
 
         /**
@@ -98,7 +79,7 @@ package starlogo.search
             merge(out);
             var isSource:Boolean = out.keeper === this;
             var before:int = out.number;
-            if (!isSource || out.droppedCount > 0 || foundCount > 0 || _writtenList != _table.listNumber)
+            if (!isSource || out.dropped.count > 0 || found.count > 0 || _writtenList != _table.listNumber)
             {
                 write(out);
             }
@@ -106,7 +87,6 @@ package starlogo.search
             {
                 out.origin = before;
             }
-            foundCount = 0;
         }
 
         private function write(out:FoundPairs):void
@@ -114,7 +94,7 @@ package starlogo.search
             out.begin();
             for (var i:int = 0; i < _early; i++)
             {
-                writePairs(out, _found, _turns[i], _turns[i] + 1);
+                writePairs(out, found.indices, _turns[i], _turns[i] + 1);
             }
             writePairs(out, _pairs, 0, _count);
             noteWritten(out, _early == 0);
@@ -136,7 +116,7 @@ package starlogo.search
             var pairs:Vector.<int> = _pairs;
             var end:int = 2 * _count;
             var kept:int = 0;
-            out.droppedCount = 0;
+            out.dropped.count = 0;
             for (var i:int = 0; i < end; i += 2)
             {
                 var a:int = pairs[i];
@@ -149,8 +129,7 @@ package starlogo.search
                 }
                 else
                 {
-                    out.dropped[out.droppedCount] = i >> 1;
-                    out.droppedCount++;
+                    out.dropped.add(i >> 1);
                 }
             }
             _count = kept >> 1;
@@ -159,31 +138,34 @@ package starlogo.search
         // Sorts the found pairs by their times and then by their keys.
         private function sortFound(times:Vector.<Number>):void
         {
-            for (var i:int = 0; i < foundCount; i++)
+            var indices:Vector.<int> = found.indices;
+            for (var i:int = 0; i < found.count; i++)
             {
-                findKey(_found, i);
+                indices[2 * i] = rowAt(indices[2 * i]);
+                indices[2 * i + 1] = rowAt(indices[2 * i + 1]);
+                findKey(indices, i);
                 _turns[i] = i;
                 _keys[i] = _cells.secondKey;
             }
             // The sort keeps the order of equal keys. So the less important key is sorted first.
-            _order.sort(_turns, _keys, foundCount);
-            for (i = 0; i < foundCount; i++)
+            _order.sort(_turns, _keys, found.count);
+            for (i = 0; i < found.count; i++)
             {
-                findKey(_found, _turns[i]);
+                findKey(indices, _turns[i]);
                 _keys[i] = _cells.key;
             }
-            _order.sort(_turns, _keys, foundCount);
+            _order.sort(_turns, _keys, found.count);
             _early = 0;
             if (times == null)
             {
                 return;
             }
-            for (i = 0; i < foundCount; i++)
+            for (i = 0; i < found.count; i++)
             {
                 _keys[i] = times[_turns[i]];
             }
-            _order.sort(_turns, _keys, foundCount);
-            while (_early < foundCount && _keys[_early] < 1)
+            _order.sort(_turns, _keys, found.count);
+            while (_early < found.count && _keys[_early] < 1)
             {
                 _early++;
             }
@@ -208,22 +190,23 @@ package starlogo.search
         {
             var pairs:Vector.<int> = _pairs;
             var from:int = _count;
-            out.addedCount = foundCount - _early;
-            if (out.added.length < out.addedCount)
+            out.added.count = found.count - _early;
+            var added:Vector.<int> = out.added.numbers;
+            if (added.length < out.added.count)
             {
-                out.added.length = out.addedCount;
+                added.length = out.added.count;
             }
-            _count += out.addedCount;
+            _count += out.added.count;
             var to:int = _count;
             if (pairs.length < 2 * to)
             {
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
                 pairs.length = 2 * (to + (to >> 3));
             }
-            for (var i:int = foundCount - 1; i >= _early; i--)
+            for (var i:int = found.count - 1; i >= _early; i--)
             {
                 var turn:int = _turns[i];
-                findKey(_found, turn);
+                findKey(found.indices, turn);
                 var place:int = placeFor(_cells.key, _cells.secondKey, from);
                 while (from > place)
                 {
@@ -233,9 +216,9 @@ package starlogo.search
                     pairs[int(2 * to + 1)] = pairs[int(2 * from + 1)];
                 }
                 to--;
-                out.added[int(i - _early)] = to;
-                pairs[int(2 * to)] = _found[int(2 * turn)];
-                pairs[int(2 * to + 1)] = _found[int(2 * turn + 1)];
+                added[int(i - _early)] = to;
+                pairs[int(2 * to)] = found.indices[int(2 * turn)];
+                pairs[int(2 * to + 1)] = found.indices[int(2 * turn + 1)];
             }
         }
 

@@ -28,21 +28,20 @@ package starlogo.search
         }
 
         /**
-         * Keeps the members of a list of rows that touch a body, and moves them to the beginning of the list.
+         * Keeps the rows of a list that touch a body, and moves them to the beginning of the list.
          *
-         * @param rows the row of each member
-         * @param members the list of members
+         * @param rows the list
          * @param count its length
-         * @return the number of members that it keeps
+         * @return the number of rows that it keeps
          */
-        public function keepMembers(table:AgentTable, rows:Vector.<int>, members:Vector.<int>, count:int, b:Body):int
+        public function keepRows(table:AgentTable, rows:Vector.<int>, count:int, b:Body):int
         {
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                if (areTouching(table.bodyOf(rows[members[i]]), b))
+                if (areTouching(table.bodyOf(rows[i]), b))
                 {
-                    members[kept] = members[i];
+                    rows[kept] = rows[i];
                     kept++;
                 }
             }

@@ -26,24 +26,16 @@ package starlogo.search
         protected var extentsRevisions:Vector.<int> = new Vector.<int>();
 
         /** The rows that the last search has read again, because their agents had changed since the search before. */
-        internal var moved:Vector.<int> = new Vector.<int>();
+        internal var moved:NumberList = new NumberList();
 
-        /** The number of rows that it has read again. The list may be longer. */
-        internal var movedCount:int = 0;
-
-        /** The rows that the search before has read again, and their number. */
-        internal var movedBefore:Vector.<int> = new Vector.<int>();
-        internal var movedBeforeCount:int = 0;
+        /** The rows that the search before has read again. */
+        internal var movedBefore:NumberList = new NumberList();
 
         // The rows that are being read. They become moved after the whole list has turned out to be valid.
-        private var _reading:Vector.<int> = new Vector.<int>();
-        private var _readingCount:int = 0;
+        private var _reading:NumberList = new NumberList();
 
         /** The rows whose extents have to be computed again. */
-        protected var changed:Vector.<int> = new Vector.<int>();
-
-        /** The number of these rows. */
-        protected var changedCount:int = 0;
+        protected var changed:NumberList = new NumberList();
 
         /** Lets no agent have a motion from its position in the last search. */
         public function forgetMotions():void
@@ -68,10 +60,10 @@ package starlogo.search
             var readX:Vector.<Number> = last.x;
             var readY:Vector.<Number> = last.y;
             var readZ:Vector.<Number> = last.z;
-            var reading:Vector.<int> = _reading;
+            var reading:Vector.<int> = _reading.numbers;
             var end:int = list.length;
             var found:int = 0;
-            changedCount = 0;
+            changed.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rowsOfList[i];
@@ -86,8 +78,7 @@ package starlogo.search
                     var placement:Placement = agent.placement;
                     if (placement.extentsRevision != extentsSeen[row])
                     {
-                        changed[changedCount] = row;
-                        changedCount++;
+                        changed.add(row);
                     }
                     reading[found] = row;
                     found++;
@@ -97,7 +88,7 @@ package starlogo.search
                     readZ[row] = placement.z;
                 }
             }
-            _readingCount = found;
+            _reading.count = found;
             return true;
         }
 
@@ -107,13 +98,11 @@ package starlogo.search
             var older:RowPlaces = last;
             last = now;
             now = older;
-            var spare:Vector.<int> = movedBefore;
+            var spare:NumberList = movedBefore;
             movedBefore = moved;
-            movedBeforeCount = movedCount;
             moved = _reading;
-            movedCount = _readingCount;
             _reading = spare;
-            if (movedCount < count)
+            if (moved.count < count)
             {
                 settle();
             }
@@ -121,9 +110,9 @@ package starlogo.search
 
         private function settle():void
         {
-            for (var i:int = 0; i < movedBeforeCount; i++)
+            for (var i:int = 0; i < movedBefore.count; i++)
             {
-                var row:int = movedBefore[i];
+                var row:int = movedBefore.numbers[i];
                 if (now.revisions[row] < last.revisions[row])
                 {
                     now.copyRow(last, row);

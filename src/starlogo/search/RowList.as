@@ -40,6 +40,9 @@ package starlogo.search
         /** By row: the agent, or null. Agents of a list that was refused may still have rows. */
         public var agents:Vector.<Agent> = new <Agent>[null, null];
 
+        /** By row: the row itself. For tests whose candidates are rows. */
+        internal var itself:Vector.<int> = new Vector.<int>();
+
         /** The rows of the agents of the list that was proposed last. */
         protected var proposed:Vector.<int> = new Vector.<int>();
 
@@ -47,16 +50,12 @@ package starlogo.search
          * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
          * same order in both lists.
          */
-        internal var departed:Vector.<int> = new Vector.<int>();
-
-        /** The number of these rows. */
-        internal var departedCount:int = 0;
+        internal var departed:NumberList = new NumberList();
 
         /** Whether the list that was proposed last was accepted. */
         protected var isAccepted:Boolean = true;
 
-        private var _free:Vector.<int> = new Vector.<int>();
-        private var _freeCount:int = 0;
+        private var _free:NumberList = new NumberList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
         private var _rowsById:IdTable = new IdTable();
 
@@ -159,6 +158,10 @@ package starlogo.search
         protected function grow(length:int):void
         {
             agents.length = ranks.length = _lastLists.length = length;
+            for (var row:int = itself.length; row < length; row++)
+            {
+                itself[row] = row;
+            }
         }
 
         /** Frees the row of an agent that is not listed. */
@@ -166,9 +169,8 @@ package starlogo.search
         {
             _rowsById.remove(agents[row].number);
             agents[row] = null;
-            leave(row);
-            _free[_freeCount] = row;
-            _freeCount++;
+            departed.add(row);
+            _free.add(row);
         }
 
         /**
@@ -193,10 +195,10 @@ package starlogo.search
         private function add(agent:Agent):int
         {
             var row:int = _end;
-            if (_freeCount > 0)
+            if (_free.count > 0)
             {
-                _freeCount--;
-                row = _free[_freeCount];
+                _free.count--;
+                row = _free.numbers[_free.count];
             }
             else
             {
@@ -230,21 +232,15 @@ package starlogo.search
                 {
                     if (end > 1 && ranks[inOrder[int(end - 2)]] > rank)
                     {
-                        leave(row);
+                        departed.add(row);
                         continue;
                     }
                     end--;
-                    leave(inOrder[end]);
+                    departed.add(inOrder[end]);
                 }
                 inOrder[end] = row;
                 end++;
             }
-        }
-
-        private function leave(row:int):void
-        {
-            departed[departedCount] = row;
-            departedCount++;
         }
 
         private function freeUnlisted():void

@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Points;
     import starlogo.engine;
 
     use namespace engine;
@@ -10,23 +11,19 @@ package starlogo.search
      *
      * @private
      */
-    public final class RowPlaces
+    public final class RowPlaces extends Points
     {
         /** In place of a revision: the agent has no motion from its place. It is less than the revision of any jump. */
         public static const NOT_SEEN:int = -2;
 
-        /** The agent's place. */
-        public var x:Vector.<Number> = new Vector.<Number>();
-        public var y:Vector.<Number> = new Vector.<Number>();
-        public var z:Vector.<Number> = new Vector.<Number>();
-
         /** The agent's revision at that place. */
         public var revisions:Vector.<int> = new Vector.<int>();
 
-        /** Makes this number of rows. New rows are at the origin. */
-        public function grow(length:int):void
+        /** @inheritDoc */
+        override public function grow(length:int):void
         {
-            x.length = y.length = z.length = revisions.length = length;
+            super.grow(length);
+            revisions.length = length;
         }
 
         /** Reads the place of one agent. */

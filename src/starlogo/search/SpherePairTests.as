@@ -3,6 +3,7 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Circles;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -33,24 +34,17 @@ package starlogo.search
         private var _points:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
-        /**
-         * Keeps the candidates that touch a member of the bins, and moves them to the beginning of the list. All rows must be spheres.
-         *
-         * @param slot the member's slot
-         * @param others the slots of the candidates, whose circles on the ground overlap the member's circle
-         * @param count the number of candidates
-         * @return the number of candidates that it keeps
-         */
-        public function keepTouchingSlots(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
+        /** See NarrowPhase.keepTouching. All rows must be spheres. */
+        public function keepTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var xs:Vector.<Number> = bins.x;
-            var ys:Vector.<Number> = bins.y;
-            var zs:Vector.<Number> = bins.z;
-            var radii:Vector.<Number> = bins.radius;
-            var atX:Number = xs[slot];
-            var atY:Number = ys[slot];
-            var atZ:Number = zs[slot];
-            var radius:Number = radii[slot];
+            var xs:Vector.<Number> = circles.x;
+            var ys:Vector.<Number> = circles.y;
+            var zs:Vector.<Number> = circles.z;
+            var radii:Vector.<Number> = circles.radius;
+            var atX:Number = xs[at];
+            var atY:Number = ys[at];
+            var atZ:Number = zs[at];
+            var radius:Number = radii[at];
             var slack:Number = bins.slack;
             var kept:int = 0;
             tests += count;
@@ -70,46 +64,13 @@ package starlogo.search
                     {
                         continue;
                     }
-                    if (!areTouching(table.bodyOf(bins.rowAt[slot]), table.bodyOf(bins.rowAt[other])))
+                    if (!areTouching(table.bodyOf(rows[at]), table.bodyOf(rows[other])))
                     {
                         continue;
                     }
                 }
                 others[kept] = other;
                 kept++;
-            }
-            return kept;
-        }
-
-        /** See NarrowPhase.keepTouching. All rows must be spheres. */
-        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
-        {
-            var xs:Vector.<Number> = table.extents.x;
-            var ys:Vector.<Number> = table.extents.y;
-            var zs:Vector.<Number> = table.extents.z;
-            var radii:Vector.<Number> = table.extents.halfZ;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = rows[others[i]];
-                var z:Number = zs[other] - zs[row];
-                var reach:Number = radii[row] + bins.slack + radii[other];
-                if (z > reach || z < -reach)
-                {
-                    continue;
-                }
-                tests++;
-                var x:Number = xs[other] - xs[row];
-                var y:Number = ys[other] - ys[row];
-                var squared:Number = x * x + y * y + z * z;
-                reach = radii[row] + radii[other];
-                // as in keepTouchingSlots
-                var far:Number = reach + bins.slack;
-                if (squared <= reach * reach || squared <= far * far && areTouching(table.bodyOf(row), table.bodyOf(other)))
-                {
-                    others[kept] = others[i];
-                    kept++;
-                }
             }
             return kept;
         }

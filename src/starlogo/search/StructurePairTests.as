@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Circles;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.contact.ContactFinder;
@@ -40,21 +41,22 @@ package starlogo.search
         }
 
         /** See NarrowPhase.keepTouching. The row is no tree. */
-        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
+            var row:int = rows[at];
             var spheres:SpherePairTests = _narrowPhase.spheres;
             var forms:Vector.<int> = table.forms;
             var form:int = forms[row];
-            var xs:Vector.<Number> = table.extents.x;
-            var ys:Vector.<Number> = table.extents.y;
-            var zs:Vector.<Number> = table.extents.z;
+            var xs:Vector.<Number> = circles.x;
+            var ys:Vector.<Number> = circles.y;
+            var zs:Vector.<Number> = circles.z;
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
             var revisions:Vector.<int> = table.now.revisions;
-            var atX:Number = xs[row];
-            var atY:Number = ys[row];
-            var atZ:Number = zs[row];
+            var atX:Number = xs[at];
+            var atY:Number = ys[at];
+            var atZ:Number = zs[at];
             var reachZ:Number = halfZs[row] + bins.slack;
             var box:Box = boxes[row];
             var body:Body = null;
@@ -70,7 +72,7 @@ package starlogo.search
                 // two boxes need no test of their extents, except for the heights
                 var other:int = others[i];
                 var otherRow:int = rows[other];
-                var distance:Number = zs[otherRow] - atZ;
+                var distance:Number = zs[other] - atZ;
                 var reach:Number = reachZ + halfZs[otherRow];
                 if (distance > reach)
                 {
@@ -96,13 +98,13 @@ package starlogo.search
                 else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
                 {
                     sphereTests++;
-                    var x:Number = xs[otherRow] - atX;
-                    var y:Number = ys[otherRow] - atY;
+                    var x:Number = xs[other] - atX;
+                    var y:Number = ys[other] - atY;
                     var squared:Number = x * x + y * y + distance * distance;
                     reach = halfZs[row] + halfZs[otherRow];
                     if (squared > reach * reach)
                     {
-                        // as in SpherePairTests.keepTouchingSlots
+                        // as in SpherePairTests.keepTouching
                         reach += bins.slack;
                         if (squared > reach * reach || !spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
                         {

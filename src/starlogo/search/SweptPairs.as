@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.ContactInterval;
@@ -19,10 +20,8 @@ package starlogo.search
     {
         // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
         // ground and the edges of the world do not move.
-        internal var x:Vector.<Number> = new <Number>[0, 0];
-        internal var y:Vector.<Number> = new <Number>[0, 0];
-        internal var z:Vector.<Number> = new <Number>[0, 0];
-        internal var isSweeping:Vector.<Boolean> = new <Boolean>[false, false];
+        private var _motions:Points = new Points();
+        private var _isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
         internal var extents:Extents = new Extents();
 
         // How far the first body moved against the normal, in the last pair whose contact was found.
@@ -63,7 +62,12 @@ package starlogo.search
          */
         public function find(table:AgentTable, bins:Bins, rows:Vector.<int>, count:int):void
         {
-            makeRows(table.agents.length);
+            if (table.agents.length > _isSweeping.length)
+            {
+                _isSweeping.length = table.agents.length;
+                _motions.grow(_isSweeping.length);
+                extents.grow(_isSweeping.length);
+            }
             var standing:Extents = table.extents;
             var swept:Extents = extents;
             for (var i:int = 0; i < count; i++)
@@ -79,10 +83,10 @@ package starlogo.search
                 var motionZ:Number = hasMotion ? table.now.z[row] - table.last.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-                isSweeping[row] = hasMotion && table.agents[row].isSweeping;
-                x[row] = motionX;
-                y[row] = motionY;
-                z[row] = motionZ;
+                _isSweeping[row] = hasMotion && table.agents[row].isSweeping;
+                _motions.x[row] = motionX;
+                _motions.y[row] = motionY;
+                _motions.z[row] = motionZ;
                 swept.x[row] = standing.x[row] - motionX / 2;
                 swept.y[row] = standing.y[row] - motionY / 2;
                 swept.z[row] = standing.z[row] - motionZ / 2;
@@ -106,9 +110,10 @@ package starlogo.search
         public function findTime(table:AgentTable, bins:Bins, a:int, b:int):void
         {
             var motion:RelativeMotion = _motion;
-            motion.endAfter(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
+            var way:Points = _motions;
+            motion.endAfter(way.x[a] - way.x[b], way.y[a] - way.y[b], way.z[a] - way.z[b]);
             motion.time = RelativeMotion.NEVER;
-            var isSwept:Boolean = isSweeping[a] || isSweeping[b];
+            var isSwept:Boolean = _isSweeping[a] || _isSweeping[b];
             var areSpheres:Boolean = (table.forms[a] | table.forms[b]) == BoundingStructure.SPHERE;
             if (!isSwept && bins != null && !NarrowPhase.areNear(table.extents, bins, a, b))
             {
@@ -117,7 +122,7 @@ package starlogo.search
             if (!isSwept || motion.x == 0 && motion.y == 0 && motion.z == 0)
             {
                 // two that move alike touch from the beginning on: time 0. Two that do not sweep or have not moved touch where they are: time 1
-                var found:Number = isSwept && (x[a] != 0 || y[a] != 0 || z[a] != 0) ? 0 : 1;
+                var found:Number = isSwept && (way.x[a] != 0 || way.y[a] != 0 || way.z[a] != 0) ? 0 : 1;
                 motion.time = _narrowPhase.areTouching(table.bodyOf(a), table.bodyOf(b)) ? found : RelativeMotion.NEVER;
             }
             else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))
@@ -150,7 +155,7 @@ package starlogo.search
          */
         public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
         {
-            if (isSwept && (isSweeping[a] || isSweeping[b]))
+            if (isSwept && (_isSweeping[a] || _isSweeping[b]))
             {
                 findTime(table, null, a, b);
                 var time:Number = _motion.time;
@@ -158,9 +163,9 @@ package starlogo.search
                 {
                     separate(table.bodyOf(a), table.bodyOf(b), out);
                     // the motion was relative to b at its present place, so the point is moved back to where b was at that time
-                    out.x -= (1 - time) * x[b];
-                    out.y -= (1 - time) * y[b];
-                    out.z -= (1 - time) * z[b];
+                    out.x -= (1 - time) * _motions.x[b];
+                    out.y -= (1 - time) * _motions.y[b];
+                    out.z -= (1 - time) * _motions.z[b];
                     return time;
                 }
             }
@@ -185,22 +190,14 @@ package starlogo.search
             approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
         }
 
-        private function makeRows(length:int):void
-        {
-            if (length > x.length)
-            {
-                x.length = y.length = z.length = isSweeping.length = length;
-                extents.grow(length);
-            }
-        }
-
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.
         private function overlapOnMotions(standing:Extents, bins:Bins, a:int, b:int):Boolean
         {
             _times.last = 1;
             _times.gap = bins.slack;
             _times.reset();
-            return !isGap(standing.x, standing.halfX, x, a, b) && !isGap(standing.y, standing.halfY, y, a, b) && !isGap(standing.z, standing.halfZ, z, a, b);
+            return !isGap(standing.x, standing.halfX, _motions.x, a, b) && !isGap(standing.y, standing.halfY, _motions.y, a, b)
+                && !isGap(standing.z, standing.halfZ, _motions.z, a, b);
         }
 
         // Tests one direction. It gets the places at the end of the motions, half the lengths, and the motions.

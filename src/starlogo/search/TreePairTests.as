@@ -1,13 +1,10 @@
 package starlogo.search
 {
-    import starlogo.broadphase.Bins;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.solid.SolidHierarchy;
     import starlogo.solid.TreePairQuery;
 
     use namespace engine;
@@ -42,47 +39,6 @@ package starlogo.search
         public function TreePairTests()
         {
             _separation = new PenetrationSearch(this);
-        }
-
-        /** See NarrowPhase.keepTouching. The row is a tree. */
-        public function keepTouching(table:AgentTable, bins:Bins, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
-        {
-            var body:Body = table.bodyOf(row);
-            var tree:SolidHierarchy = body.shape.hierarchy;
-            var order:int = body.order;
-            var placement:Placement = body.placement;
-            var depth:int = depthOf(body);
-            var isExact:Boolean = exact;
-            var pair:TreePairQuery = _pair;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var otherRow:int = rows[others[i]];
-                if (!NarrowPhase.areNear(table.extents, bins, row, otherRow))
-                {
-                    continue;
-                }
-                _tests++;
-                var otherBody:Body = table.bodyOf(otherRow);
-                var other:SolidHierarchy = otherBody.shape.hierarchy;
-                var otherPlacement:Placement = otherBody.placement;
-                var otherDepth:int = depthOf(otherBody);
-                var isTouching:Boolean;
-                if (other == null || otherBody.order > order)
-                {
-                    isTouching = pair.areOverlapping(tree, placement, depth, other, otherBody.shape.structure, otherPlacement, otherDepth, isExact);
-                }
-                else
-                {
-                    isTouching = pair.areOverlapping(other, otherPlacement, otherDepth, tree, null, placement, depth, isExact);
-                }
-                if (isTouching)
-                {
-                    others[kept] = others[i];
-                    kept++;
-                }
-            }
-            return kept;
         }
 
         /** @inheritDoc */

@@ -102,7 +102,7 @@ package starlogo.handlers
                 {
                     if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
                     {
-                        _found.dropped[dropped.length] = i;
+                        _found.dropped.numbers[dropped.length] = i;
                         dropped.push(pairs[i]);
                     }
                     else
@@ -110,7 +110,7 @@ package starlogo.handlers
                         left.push(pairs[i]);
                     }
                 }
-                _found.droppedCount = dropped.length;
+                _found.dropped.count = dropped.length;
                 pairs = left.concat();
                 // some pairs that were dropped, and new ones
                 var found:Array = dropped.filter(function(...rest):Boolean
@@ -140,9 +140,9 @@ package starlogo.handlers
                 for (i = 0; i < places.length; i++)
                 {
                     pairs.splice(places[i], 0, found[i]);
-                    _found.added[i] = places[i];
+                    _found.added.numbers[i] = places[i];
                 }
-                _found.addedCount = found.length;
+                _found.added.count = found.length;
                 _found.count = pairs.length;
                 assertEquals("pairs were kept", frame > 1, _tracker.areKept(_found));
                 _tracker.begin(_found);

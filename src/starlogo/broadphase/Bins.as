@@ -192,10 +192,10 @@ package starlogo.broadphase
             var sum:int = 0;
             for (var i:int = 0; i < counters; i++)
             {
-                var members:int = counts[i];
+                var inCell:int = counts[i];
                 counts[i] = 0;
                 ends[i + 1] = sum;
-                sum += members;
+                sum += inCell;
             }
             return sum;
         }

@@ -14,6 +14,8 @@ package starlogo.solid
      */
     public final class SolidHierarchy extends Hierarchy
     {
+        private static const OPEN:AxisEscapeTest = new AxisEscapeTest();
+
         /** @private The surface, or null if nothing is known of it. */
         engine var surface:SurfaceTopology = null;
 
@@ -22,8 +24,6 @@ package starlogo.solid
 
         /** The value of <code>facets</code>, or null if that is not prepared yet. */
         internal var readyFacets:Solid = null;
-
-        private var _open:AxisEscapeTest = null;
 
         public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
@@ -63,8 +63,7 @@ package starlogo.solid
                 || Math.abs(middle.y - root.y) > root.halfY - radius || Math.abs(middle.z - root.z) > root.halfZ - radius;
             if (!isOutside && readySolid == null)
             {
-                _open ||= new AxisEscapeTest();
-                isOutside = _open.hasOpenSide(middle, root, facets.tree);
+                isOutside = OPEN.hasOpenSide(middle, root, facets.tree);
             }
             return !isOutside && solid.isInside(middle);
         }

@@ -61,13 +61,12 @@ package starlogo.solid
         private var _sweptBoxes:SweptBoxTraversal = new SweptBoxTraversal();
         private var _distances:BoxDistanceTraversal = new BoxDistanceTraversal();
 
-        // The tests that decide about leaves. _decider is the one of the last sweep, or null if boxes decided.
+        // The tests that decide about leaves.
         private var _leaf:StructureLeaf;
         private var _trianglePairs:LeafOverlapTest;
         private var _sweptPairs:LeafSweepTest;
         private var _nearest:LeafDistanceTest;
         private var _triangles:LeafStructureTest = new LeafStructureTest();
-        private var _decider:LeafTest;
         private var _containment:ContainmentTest;
 
         // For contacts: nodes, and for each kind, a structure of the second model in the first model's space.
@@ -156,7 +155,7 @@ package starlogo.solid
             var traversal:NodePairTraversal = pose.isUpright ? _uprightBoxes : _boxes;
             if (exact && a.hasTriangles && b == null)
             {
-                return findTriangle(a, structureB, RelativeMotion.NONE, _boxes) || isOneInside(a, null, structureB);
+                return findTriangle(a, structureB, RelativeMotion.NONE) || isOneInside(a, null, structureB);
             }
             if (exact && a.hasTriangles && b.hasTriangles)
             {
@@ -276,7 +275,7 @@ package starlogo.solid
             else if (needsPoint && _isExact && _b == null)
             {
                 // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
-                findTriangle(_a, _structureB, RelativeMotion.NONE, _boxes);
+                findTriangle(_a, _structureB, RelativeMotion.NONE);
                 _triangles.takeCorner(_leaf.moved, out);
             }
             out.settle(areTouching);
@@ -360,7 +359,7 @@ package starlogo.solid
         }
 
         // Finds the first triangle of a model that touches a structure in the place of the second model.
-        private function findTriangle(a:SolidHierarchy, structureB:BoundingStructure, motion:RelativeMotion, byAxes:NodePairTraversal):Boolean
+        private function findTriangle(a:SolidHierarchy, structureB:BoundingStructure, motion:RelativeMotion):Boolean
         {
             _triangles.begin(a, structureB, _pose, motion);
             if (_triangles.isCompact)
@@ -368,7 +367,8 @@ package starlogo.solid
                 return _triangles.find();
             }
             _leaf.begin(structureB, _pose);
-            return byAxes.find(_leaf.pose, a.root, int.MAX_VALUE, _leaf.node, 1, _triangles);
+            var traversal:NodePairTraversal = motion === RelativeMotion.NONE ? _boxes : _sweptBoxes;
+            return traversal.find(_leaf.pose, a.root, int.MAX_VALUE, _leaf.node, 1, _triangles);
         }
 
         // Finds the first two triangles or nodes that touch while the first model moves, and the time.
@@ -377,13 +377,12 @@ package starlogo.solid
             var isFound:Boolean;
             if (_isExact && _b == null)
             {
-                _decider = _triangles;
-                isFound = findTriangle(_a, _structureB, _pose.motion, _sweptBoxes);
+                isFound = findTriangle(_a, _structureB, _pose.motion);
                 _time = _triangles.least;
                 return isFound;
             }
-            _decider = _isExact ? preparePairs(_a, _b, _sweptPairs) : (_b == null ? prepareLeaf(_structureB, _pose.motion) : null);
-            isFound = search(_sweptBoxes, _decider);
+            var decider:LeafTest = _isExact ? preparePairs(_a, _b, _sweptPairs) : (_b == null ? prepareLeaf(_structureB, _pose.motion) : null);
+            isFound = search(_sweptBoxes, decider);
             _time = _sweptBoxes.least;
             return isFound;
         }
@@ -396,8 +395,9 @@ package starlogo.solid
                 findContactOf(_sweptBoxes.firstA.writeBox(_boxA), _b == null ? _structureB : _sweptBoxes.firstB.writeBox(_boxB), motion, out);
                 return;
             }
+            var decider:LeafTest = _b == null ? _triangles : _sweptPairs;
             _pose.motion.time = motion.time;
-            _decider.findContact(out);
+            decider.findContact(out);
             moveToWorld(motion, out);
         }
 

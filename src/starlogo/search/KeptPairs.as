@@ -36,7 +36,7 @@ package starlogo.search
 
         // What the pairs depend on besides the rows: the interests and other settings; the ground and the edges; whether there was a filter.
         private var _interests:BreedInterests = null;
-        private var _settings:Vector.<int> = new Vector.<int>(3, true);
+        private var _settings:Vector.<int> = new Vector.<int>(4, true);
         private var _fixtures:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _edges:Vector.<Number> = null;
         private var _groundRevision:int = 0;
@@ -85,7 +85,8 @@ package starlogo.search
             var trees:TreePairTests = _search.narrowPhase.trees;
             isSame = isStill(0, interests.revision) && isSame;
             isSame = isStill(1, trees == null || trees.exact ? 0 : trees.maxDepth) && isSame;
-            isSame = isStill(2, (_search.areBreedsRead ? 1 : 0) + (_search.isSwept ? 2 : 0)) && isSame;
+            isSame = isStill(2, _search.areBreedsRead ? 1 : 0) && isSame;
+            isSame = isStill(3, _search.isSwept ? 1 : 0) && isSame;
             var among:int = _search.areSpheres || !interests.areAll ? OF_FAST : OF_ALL;
             var changes:int = _table.moved.count + _table.departed.count;
             if (_search.isSwept)

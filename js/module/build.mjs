@@ -19,7 +19,7 @@ const NAME = "starlogo-collision";
 const types = publicSignatures();
 const program = translate(transpiled, types, { roots: moduleRoots(types) });
 const classes = program.text();
-const lost = /\$missing\("(.*?)"\)/.exec(classes);
+const lost = /(?<![\w$])\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
 const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));

@@ -101,35 +101,22 @@ export class Program {
 		return `${parts.join("\n\n")}\n\n${this.#staticsText()}`;
 	}
 
-	// A private member has its name from the source, unless another class of the same objects has that name too.
+	// A private member has its name from the source, unless a base or an extending class has a member of that name too.
 	#nameMembers() {
-		const families = new Map();
+		const plainOf = (unit, name) => (name.startsWith(unit.mangled) ? name.slice(unit.mangled.length) : name);
+		const basesOf = (unit) => (unit ? [unit, ...basesOf(this.#units.get(unit.base))] : []);
+		const owners = new Map(); // for each name, the classes with such a member
 		for (const unit of this.#units.values()) {
-			const root = this.#rootOf(unit);
-			families.set(root, [...(families.get(root) ?? []), unit]);
-		}
-		for (const family of families.values()) {
-			const owners = new Map();
-			for (const unit of family) {
-				for (const name of new Set([...unit.types.keys(), ...unit.members.filter((member) => !member.isStatic).map((member) => member.name)])) {
-					const plain = name.startsWith(unit.mangled) ? name.slice(unit.mangled.length) : name;
-					owners.set(plain, new Set([...(owners.get(plain) ?? []), unit]));
-				}
-			}
-			for (const unit of family) {
-				for (const name of [...unit.types.keys(), ...unit.members.map((member) => member.name)]) {
-					if (name.startsWith(unit.mangled)) {
-						const plain = name.slice(unit.mangled.length);
-						this.#privateNames.set(name, owners.get(plain).size > 1 ? `${plain}$${unit.name}` : plain);
-					}
-				}
+			for (const name of [...unit.types.keys(), ...unit.members.map((member) => member.name)]) {
+				const plain = plainOf(unit, name);
+				if (!owners.has(plain)) owners.set(plain, new Set());
+				owners.get(plain).add(unit);
 			}
 		}
-	}
-
-	#rootOf(unit) {
-		const base = this.#units.get(unit.base);
-		return base ? this.#rootOf(base) : unit;
+		for (const [plain, units] of owners) {
+			const shared = new Set([...units].flatMap((unit) => basesOf(unit).filter((base) => base !== unit && units.has(base)).flatMap((base) => [unit, base])));
+			for (const unit of units) this.#privateNames.set(unit.mangled + plain, shared.has(unit) ? `${plain}$${unit.name}` : plain);
+		}
 	}
 
 	#member(name) {
@@ -142,8 +129,9 @@ export class Program {
 		try {
 			const doc = this.#docOf(unit, unit.doc);
 			if (unit.kind === "interface") return this.#interfaceText(unit);
-			if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#functionText(unit.main, unit.doc)}${this.#wrapperText(unit, doc)}`;
-			return this.#isShown(unit) ? `${doc}const ${this.shortName(unit.qname)} = /* @__PURE__ */ ${this.#helper("shown")}(${this.#classText(unit)});` : `${doc}${this.#classText(unit)}`;
+			if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#functionText(unit.main, unit.doc)}${this.#wrapperText(unit)}`;
+			const text = this.#classText(unit);
+			return `${this.#isShown(unit) ? `const ${this.shortName(unit.qname)} = /* @__PURE__ */ ${this.#helper("shown")}(${text});` : doc + text}${this.#functionsText(unit)}`;
 		} catch (error) {
 			throw new Error(`${unit.file}: ${error.message}`, { cause: error });
 		}
@@ -155,13 +143,13 @@ export class Program {
 	}
 
 	// The export for a package function that the engine calls in its loops.
-	#wrapperText(unit, doc) {
+	#wrapperText(unit) {
 		if (!isWrapped(this.signatures.get(unit.qname))) return "";
 		const { parameters } = this.#opened(unit.main, unit.doc);
 		this.#scopes.pop();
 		const passed = unit.main.params.map((parameter) => parameter.name).join(", ");
 		const lines = [...this.#checks.of(unit.qname, unit.name, "function"), `return ${this.shortName(unit.qname)}(${passed});`];
-		return `\n\n${doc}function ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map(indent).join("\n")}\n}`;
+		return `\n\nfunction ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map(indent).join("\n")}\n}`;
 	}
 
 	// Tools show only the public state of public classes.
@@ -190,7 +178,7 @@ export class Program {
 		for (const field of unit.staticValues) {
 			const name = this.#member(field.name);
 			if (!this.#isSeen(unit, field.name)) continue;
-			lines.push(`${this.#docOf(unit, field.doc ?? "")}static get ${name}() {\n\treturn ${this.#staticName(unit, field.name)};\n}`);
+			lines.push(`static get ${name}() {\n\treturn ${this.#staticName(unit, field.name)};\n}`);
 			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n\t${this.#staticName(unit, field.name)} = value;\n}`);
 		}
 		// Errors name classes, also if a bundler shortens the names. A field would turn V8's class into a dictionary, and V8 never finishes
@@ -207,7 +195,9 @@ export class Program {
 		for (const member of unit.members) {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
 			const name = this.#member(member.name);
-			if (member.node === null) {
+			if (this.#isLoose(unit, member)) {
+				if (this.hasAllStatics) lines.push(`static get ${name}() {\n\treturn ${this.#staticName(unit, member.name)};\n}`);
+			} else if (member.node === null) {
 				lines.push(member.kind === "get" ? `get ${name}() {\n\treturn super.${name};\n}` : `set ${name}(value) {\n\tsuper.${name} = value;\n}`);
 			} else {
 				const taken = this.#checks.of(unit.qname, member.name, member.kind);
@@ -218,6 +208,16 @@ export class Program {
 		}
 		if (ADDED[unit.qname]) lines.push(ADDED[unit.qname].text);
 		return `class ${this.shortName(unit.qname)}${base} {\n${indent(lines.filter((line) => line !== "").join("\n\n"))}\n}`;
+	}
+
+	// A static method that is not for users becomes a function of the module, like statics: a bundle then has it only if it calls it.
+	#isLoose(unit, member) {
+		return member.isStatic && member.kind === "method" && !this.#isPublicStatic(unit, member.name);
+	}
+
+	#functionsText(unit) {
+		return unit.members.filter((member) => this.#isLoose(unit, member))
+			.map((member) => `\n\n${this.#docOf(unit, member.doc)}function ${this.#staticName(unit, member.name)}${this.#functionText(member.node, member.doc)}`).join("");
 	}
 
 	#constructorText(unit) {
@@ -443,10 +443,10 @@ export class Program {
 		return `${target}[${this.#text(node.property)}]`;
 	}
 
-	// The class that declares a static variable: the named class, or one that it extends.
+	// The class that declares a static that is a variable or function of the module: the named class, or one that it extends.
 	#ownerOf(qname, name) {
 		for (let unit = this.#units.get(qname); unit; unit = this.#units.get(unit.base)) {
-			if (unit.staticValues.some((field) => field.name === name)) return unit;
+			if (unit.staticValues.some((field) => field.name === name) || unit.members.some((member) => member.name === name && this.#isLoose(unit, member))) return unit;
 		}
 		return null;
 	}
@@ -458,7 +458,10 @@ export class Program {
 	}
 
 	#isSeen(unit, name) {
-		if (this.hasAllStatics) return true;
+		return this.hasAllStatics || this.#isPublicStatic(unit, name);
+	}
+
+	#isPublicStatic(unit, name) {
 		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && member.isPublic && !member.isPrivate && member.name === name));
 	}
 
@@ -659,7 +662,7 @@ export class Program {
 	// The text of an initial value, marked so that a bundler may leave it out.
 	#pure(node) {
 		const text = this.#text(node);
-		return hasCall(node) ? `/* @__PURE__ */ (() => (${text}))()` : text;
+		return mayRun(node) ? `/* @__PURE__ */ (() => (${text}))()` : text;
 	}
 
 	// The definitions that run when an expression does: those that it names, and those that their constructors name.
@@ -684,8 +687,9 @@ function isConstant(field) {
 	return /@const/.test(field.doc ?? "");
 }
 
-function hasCall(node) {
-	return node.type === "NewExpression" || node.type === "CallExpression" || node.type === "ObjectExpression" || childrenOf(node).some(hasCall);
+// Whether a bundler has to suppose that computing a value has effects. An operator may call a function of its operands.
+function mayRun(node) {
+	return /^(?:New|Call|Object|Binary)Expression$/.test(node.type) || childrenOf(node).some(mayRun);
 }
 
 function rank(unit) {

@@ -77,7 +77,7 @@ class Unit {
 		if (accessor) {
 			accessor.splice(0, 3, name, accessor[1], (accessor[0] ?? "") + accessor[2]);
 			const lazy = isStatic ? lazyValue(value) : null;
-			if (lazy) this.staticValues.push({ name: accessor[2], value: lazy });
+			if (lazy) this.staticValues.push({ name: accessor[2], value: lazy, doc: /writable: false/.test(this.source.slice(value.start, value.end)) ? "@const" : "" });
 			else if (!(isStatic && this.staticValues.some((known) => known.name === accessor[2]))) {
 				this.members.push({ name: accessor[2], node: value, doc, isStatic, kind: accessor[1] });
 			}

@@ -199,7 +199,7 @@ package starlogo.intersection
                 for (var i:int = 0; i < 9; i += 3)
                 {
                     setEdge(i);
-                    endBefore(latest);
+                    _motion.latest = time < latest ? time : latest;
                     findTimeOfImpact(structure, _edge, _motion);
                     time = _motion.time < time ? _motion.time : time;
                 }
@@ -338,12 +338,17 @@ package starlogo.intersection
             _edge.radius = Tolerances.ROUNDING * (_size + Math.sqrt(_face.squared) + Math.abs(p[_at]) + Math.abs(p[int(_at + 1)]) + Math.abs(p[int(_at + 2)]));
         }
 
+        // Without setTo(), because V8 makes objects for its numbers where it does not inline it.
         private function setEdge(first:int):void
         {
             var from:int = _at + first;
             var to:int = first == 6 ? _at : from + 3;
-            _edge.start.setTo(_triangle[from], _triangle[int(from + 1)], _triangle[int(from + 2)]);
-            _edge.end.setTo(_triangle[to], _triangle[int(to + 1)], _triangle[int(to + 2)]);
+            _edge.start.x = _triangle[from];
+            _edge.start.y = _triangle[int(from + 1)];
+            _edge.start.z = _triangle[int(from + 2)];
+            _edge.end.x = _triangle[to];
+            _edge.end.y = _triangle[int(to + 1)];
+            _edge.end.z = _triangle[int(to + 2)];
         }
 
         private function speedAlong(contact:ContactPoint):Number
@@ -364,12 +369,6 @@ package starlogo.intersection
             var high:Number = _face.greatest;
             _face.measure(_corners, 0, _end);
             return high - _face.least + radius - Math.min(way, 0) < least || _face.greatest - low + radius + Math.max(way, 0) < least;
-        }
-
-        // Ends the motion at the earliest touch so far. A function of its own, so that V8 makes no object for the time.
-        private function endBefore(latest:Number):void
-        {
-            _motion.latest = time < latest ? time : latest;
         }
 
         // Finds when a corner of the structure comes to the triangle's face. Returns whether no other part of it comes to the face's plane

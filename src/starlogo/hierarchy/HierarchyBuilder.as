@@ -2,7 +2,6 @@ package starlogo.hierarchy
 {
     import starlogo.engine;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -21,12 +20,10 @@ package starlogo.hierarchy
         private static const ITEMS_PER_STEP:int = 1000;
 
         private var _hierarchy:Hierarchy;
-        private var _minVerticesToSplit:int;
         private var _maxDepth:int;
-        private var _splitByMean:Boolean;
+        private var _divider:NodeDivider;
         private var _items:TreeItems;
         private var _tree:StoredTree = null;
-        private var _maker:NodeMaker;
 
         /**
          * @param hierarchy receives the nodes, and the order of its items
@@ -37,9 +34,8 @@ package starlogo.hierarchy
         public function HierarchyBuilder(hierarchy:Hierarchy, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean)
         {
             _hierarchy = hierarchy;
-            _minVerticesToSplit = minVerticesToSplit;
             _maxDepth = maxDepth;
-            _splitByMean = splitByMean;
+            _divider = new NodeDivider(minVerticesToSplit, maxDepth, splitByMean);
             call(beginItems);
         }
 
@@ -82,23 +78,15 @@ package starlogo.hierarchy
 
         private function addDivision():void
         {
-            slices(_items.count, ITEMS_PER_STEP, _items.measure).call(makeRoot).begin(newDivider);
+            slices(_items.count, ITEMS_PER_STEP, _items.measure).call(makeRoot).add(_divider);
         }
 
         private function makeRoot():void
         {
-            _maker = new NodeMaker(_hierarchy, _items.bounds);
-            _hierarchy.root = _maker.make(1, 0, _items.count, _items.bounds);
+            var maker:NodeMaker = new NodeMaker(_hierarchy, _items.bounds);
+            _hierarchy.root = maker.make(1, 0, _items.count, _items.bounds);
             _hierarchy.items = _hierarchy.hasTriangles ? _items : null;
-        }
-
-        private function newDivider():Steps
-        {
-            var divider:NodeDivider = new NodeDivider(_hierarchy.root, _items, _maker);
-            divider.minVerticesToSplit = _minVerticesToSplit;
-            divider.maxDepth = _maxDepth;
-            divider.splitByMean = _splitByMean;
-            return divider;
+            _divider.begin(_hierarchy.root, _items, maker);
         }
     }
 }

@@ -16,27 +16,22 @@ package starlogo.hierarchy
      * <p>The thesis defines minVerticesToSplit in two ways: in §4.4 as the number of vertices up to which a node is not split, in §4.8 as
      * the smallest number that is split. A node with exactly that many vertices is a leaf here, as in §4.4, because §4.4 describes the
      * algorithm and §4.8 only lists its parameters.</p>
+     *
+     * @private
      */
-    internal final class NodeDivider implements Steps
+    public final class NodeDivider implements Steps
     {
         // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
         private static const ITEMS_PER_NODE:int = 10;
 
-        /** A node with at most this many vertices is a leaf. */
-        public var minVerticesToSplit:int = 1;
+        private var _minVerticesToSplit:int;
+        private var _maxDepth:int;
+        private var _splitByMean:Boolean;
 
-        /** A node on this level is a leaf. */
-        public var maxDepth:int = 1;
-
-        /** Whether to split at the mean. */
-        public var splitByMean:Boolean = false;
-
-        /**
-         * If not null, it replaces the three fields above: it tells which nodes are leaves, and takes the boxes. Nodes below the thesis's
-         * leaves do not stay.
-         */
-        public var tree:PackedTree = null;
+        // If not null, it replaces the three fields above: it tells which nodes are leaves, and takes the boxes. Nodes below the thesis's
+        // leaves do not stay.
+        private var _tree:PackedTree = null;
 
         private var _items:TreeItems;
         private var _maker:NodeMaker;
@@ -54,15 +49,33 @@ package starlogo.hierarchy
         private var _next:int;
 
         /**
-         * @param root the node to begin with; it keeps children that it has
-         * @param items the items to divide
-         * @param maker makes the nodes
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf
+         * @param maxDepth a node on this level is a leaf
+         * @param splitByMean whether to split at the mean
          */
-        public function NodeDivider(root:HierarchyNode, items:TreeItems, maker:NodeMaker)
+        public function NodeDivider(minVerticesToSplit:int = 1, maxDepth:int = 1, splitByMean:Boolean = false)
+        {
+            _minVerticesToSplit = minVerticesToSplit;
+            _maxDepth = maxDepth;
+            _splitByMean = splitByMean;
+        }
+
+        /** Begins with the root of a hierarchy whose items are measured. Must be called before the first step. */
+        public function begin(root:HierarchyNode, items:TreeItems, maker:NodeMaker):void
         {
             _waiting = new <HierarchyNode>[root];
             _items = items;
             _maker = maker;
+        }
+
+        /**
+         * Begins with a finished hierarchy of measured triangles. Its leaves are divided down to a few triangles each, and all boxes are
+         * packed, for tests of triangles and rays. A hierarchy that was read with all its nodes is not divided again.
+         */
+        public function beginBelow(hierarchy:Hierarchy):void
+        {
+            _tree = hierarchy.tree = new PackedTree(hierarchy.root, hierarchy.items);
+            begin(hierarchy.root, hierarchy.items, _tree.maker);
         }
 
         /** @inheritDoc */
@@ -78,7 +91,7 @@ package starlogo.hierarchy
                     left -= ITEMS_PER_NODE;
                     if (_isDividing)
                     {
-                        begin(node);
+                        beginNode(node);
                     }
                 }
                 if (_isDividing)
@@ -92,31 +105,26 @@ package starlogo.hierarchy
                     if (node.low != null)
                     {
                         _waiting.push(node.high, node.low);
-                        pack(node);
+                        if (_tree != null)
+                        {
+                            _tree.pack(node);
+                            node.forgetChildren();
+                        }
                     }
                 }
             }
             return _waiting.length > 0;
         }
 
-        private function pack(node:HierarchyNode):void
-        {
-            if (tree != null)
-            {
-                tree.pack(node);
-                node.forgetChildren();
-            }
-        }
-
         private function isLarge(node:HierarchyNode):Boolean
         {
-            if (tree != null)
+            if (_tree != null)
             {
                 return PackedTree.isLarge(node);
             }
             var count:int = node.end - node.first;
-            var few:int = minVerticesToSplit;
-            if (node.level >= maxDepth || count == 1)
+            var few:int = _minVerticesToSplit;
+            if (node.level >= _maxDepth || count == 1)
             {
                 return false;
             }
@@ -128,11 +136,11 @@ package starlogo.hierarchy
             return count > few * (few - 1) * (few - 2) / 6 || node.vertexCount > few;
         }
 
-        private function begin(node:HierarchyNode):void
+        private function beginNode(node:HierarchyNode):void
         {
             _axis = node.longestAxis();
             _isBySpread = false;
-            _isAveraging = splitByMean;
+            _isAveraging = _splitByMean;
             if (_isAveraging)
             {
                 _sum = 0;
@@ -163,9 +171,9 @@ package starlogo.hierarchy
                 if (!_isBySpread)
                 {
                     _isBySpread = true;
-                    return _items.beginWhereCentresSpread(node.first, node.end) || tree != null;
+                    return _items.beginWhereCentresSpread(node.first, node.end) || _tree != null;
                 }
-                if (tree == null)
+                if (_tree == null)
                 {
                     return false;
                 }
@@ -173,7 +181,7 @@ package starlogo.hierarchy
                 middle = (node.first + node.end) >> 1;
             }
             _maker.divide(node, _items.axis, _maker.make(node.level + 1, node.first, middle, left),
-                    _maker.make(node.level + 1, middle, node.end, right), tree != null ? HierarchyNode.LARGEST_DEPTH : node.level);
+                    _maker.make(node.level + 1, middle, node.end, right), _tree != null ? HierarchyNode.LARGEST_DEPTH : node.level);
             return false;
         }
 

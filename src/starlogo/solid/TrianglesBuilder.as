@@ -1,7 +1,8 @@
 package starlogo.solid
 {
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyRefiner;
+    import starlogo.hierarchy.NodeDivider;
+    import starlogo.hierarchy.TreeItems;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -14,6 +15,7 @@ package starlogo.solid
 
         private var _hierarchy:SolidHierarchy;
         private var _solid:Solid;
+        private var _divider:NodeDivider = new NodeDivider();
 
         /**
          * @param hierarchy of triangles; receives the solid, of which the inside is not known yet
@@ -22,7 +24,18 @@ package starlogo.solid
         {
             _hierarchy = hierarchy;
             _solid = new Solid(hierarchy.root, hierarchy.order);
-            add(new HierarchyRefiner(hierarchy)).slices(hierarchy.order.length, TRIANGLES_PER_STEP, place).call(conclude);
+            var count:int = hierarchy.order.length;
+            if (hierarchy.items == null)
+            {
+                hierarchy.items = new TreeItems(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
+                slices(count, TRIANGLES_PER_STEP, hierarchy.items.measure);
+            }
+            call(divide).add(_divider).slices(count, TRIANGLES_PER_STEP, place).call(conclude);
+        }
+
+        private function divide():void
+        {
+            _divider.beginBelow(_hierarchy);
         }
 
         private function place(first:int, end:int):void

@@ -37,7 +37,8 @@ mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022" });
+// Without keepNames, which would define the name of each class and so make a dictionary of it: see #classText in translate.mjs.
+const small = transformSync(text, { minify: true, format: "esm", target: "es2022" });
 writeFileSync(join(out, minified), small.code);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
@@ -55,7 +56,6 @@ buildSync({
 	alias: { [NAME]: resolve(out, readable) },
 	bundle: true,
 	minify: true,
-	keepNames: true,
 	format: "iife",
 	globalName: "StarLogoCollision",
 	target: "es2022",

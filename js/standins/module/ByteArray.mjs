@@ -4,6 +4,10 @@ const DEFAULT_ROOM = 64;
 
 /** Bytes, with a position for reading and writing. */
 export class ByteArray {
+	static get name() {
+		return "ByteArray";
+	}
+
 	#bytes;
 	#view;
 	#length;

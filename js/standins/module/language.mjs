@@ -345,6 +345,10 @@ function comparison(how) {
 
 /** Thrown if an argument is of the wrong kind or has a wrong value. */
 export class ArgumentError extends Error {
+	static get name() {
+		return "ArgumentError";
+	}
+
 	constructor(message = "") {
 		super(message);
 		this.name = "ArgumentError";

@@ -8,14 +8,12 @@
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * It is the time of the processors, of all threads of this process, so that other programs count as little as possible.
- * One row's numbers are taken in turns. Before each turn young garbage is collected, so that none pays for another's.
+ * One row's numbers are taken in turns.
  */
 import { execFileSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { setFlagsFromString } from "node:v8";
-import { runInNewContext } from "node:vm";
 import { install } from "../adapters/peers.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, scatter } from "./games.mjs";
@@ -38,16 +36,12 @@ function processorTime() {
 	return (user + system) / 1000;
 }
 
-setFlagsFromString("--expose-gc");
-const collectGarbage = runInNewContext("gc");
-
 /** Milliseconds that each of some tasks takes: the tasks in turns, each with what prepares it untimed. */
 function measure(tasks, rounds) {
 	const times = tasks.map(() => []);
 	for (let round = 0; round < 2 * rounds; round++) {
 		tasks.forEach(({ prepare, run }, i) => {
 			prepare?.(round);
-			collectGarbage({ type: "minor" });
 			const start = processorTime();
 			run();
 			const time = processorTime() - start;

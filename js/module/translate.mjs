@@ -212,7 +212,7 @@ export class Program {
 
 	// A static method that is not for users becomes a function of the module, like statics: a bundle then has it only if it calls it.
 	#isLoose(unit, member) {
-		return member.isStatic && member.kind === "method" && !this.#isPublicStatic(unit, member.name);
+		return member.isStatic && member.kind === "method" && !this.#isShownStatic(unit, member.name);
 	}
 
 	#functionsText(unit) {
@@ -458,11 +458,12 @@ export class Program {
 	}
 
 	#isSeen(unit, name) {
-		return this.hasAllStatics || this.#isPublicStatic(unit, name);
+		return this.hasAllStatics || this.#isShownStatic(unit, name);
 	}
 
-	#isPublicStatic(unit, name) {
-		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && member.isPublic && !member.isPrivate && member.name === name));
+	// Whether the types show it: to users, or to classes that extend this one.
+	#isShownStatic(unit, name) {
+		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && (member.isPublic || member.isProtected) && !member.isPrivate && member.name === name));
 	}
 
 	// Whether a computed name reads a member of an object of a known class. Methods are then read as closures.

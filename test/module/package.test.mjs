@@ -128,6 +128,15 @@ test("every public class is exported, declared, and used by the sample", async (
 	assert.ok(exported.length > 50);
 });
 
+test("every static member that the types show is there, for extending classes too", async () => {
+	const engine = await import(pathToFileURL(minified));
+	const declarations = readFileSync(path.join(folder, "index.d.ts"), "utf8");
+	const members = [...declarations.matchAll(/^export (?:abstract )?class (\w+)[^]*?^}/gm)]
+		.flatMap(([text, name]) => [...text.matchAll(/^\t(?:protected )?static (?:readonly |get )?(\w+)/gm)].map(([, member]) => [name, member]));
+	assert.ok(members.some(([name, member]) => name === "BoundingStructure" && member === "checkLength"));
+	assert.deepEqual(members.filter(([name, member]) => engine[name][member] === undefined), []);
+});
+
 test("names of classes are the sources' own, minified too", async () => {
 	const all = await import(pathToFileURL(minified));
 	const classes = Object.entries(all).filter(([, value]) => /^class/.test(String(value)));

@@ -5,7 +5,7 @@
 import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
 import { chiefOf } from "./shared/files.js";
-import { further, learn, speak, texts } from "./shared/language.js";
+import { failure, further, learn, speak, texts } from "./shared/language.js";
 import { recall, remember } from "./shared/memory.js";
 import { DOCS } from "./shared/served.js";
 
@@ -113,7 +113,7 @@ async function show() {
 		globalThis.playground = view;
 		place.dataset.ready = name;
 	} catch (error) {
-		place.replaceChildren(h("div.notice", { role: "alert" }, h("p", {}, texts.failed(error.message)), button(texts.again, () => location.reload())));
+		place.replaceChildren(h("div.notice", { role: "alert" }, h("p", {}, failure(error)), button(texts.again, () => location.reload())));
 	}
 }
 

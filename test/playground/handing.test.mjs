@@ -180,7 +180,7 @@ test('a model that cannot be read hinders nobody else, and what was played once 
 	await page.setInputFiles('input[type=file]', [work('Ada', { solutions, models: { broken: Buffer.from('v 1 2 x').toString('base64') } }), work('Ben', { solutions })]);
 	await page.waitForSelector('[data-checked="class"]');
 	const signs = () => [...document.querySelectorAll('.class tbody tr')].map((row) => row.textContent.replaceAll(/[^✓?]/g, '')).join();
-	assert.equal(await page.evaluate(signs), '✓?,✓');
+	assert.equal(await page.evaluate(signs), '?,✓', 'what could not be played is not said to have been');
 	await go(page, 'teach');
 	await page.waitForSelector('a[href="#teach/class"]');
 	await page.evaluate(() => {
@@ -195,18 +195,26 @@ test('a model that cannot be read hinders nobody else, and what was played once 
 	await leave();
 });
 
-test('a class whose models do not come says so, and is played when they come', async () => {
+test('a view and a class whose models do not come say so in the page\'s language, and the class is played when they come', async () => {
 	const { page, said, leave } = await open(site, 'teach', SIZES.laptop);
+	await page.evaluate(() => localStorage.setItem('starlogo-playground.language', 'de'));
+	await page.reload();
+	await ready(page, 'teach');
 	await page.route('**/models/*.json', (route) => route.abort());
+	await go(page, 'inspect');
+	await page.waitForFunction(() => /kann nicht gezeigt werden\. Das konnte nicht geladen werden: \w+\.json\. *$/.test(document.querySelector('main .status')?.textContent));
+	await go(page, 'compare');
+	assert.match(await page.textContent('main [role=alert] p'), /^Das konnte nicht geladen werden: \w+\.json\.$/);
 	await go(page, 'teach/class');
 	await page.waitForSelector('.class');
 	const work = { kind: 'starlogo-nova-work', pupil: 'Ben', done: ['helmet'], won: [], programs: [{ name: 'Mine', lesson: 'helmet', program: { blocks: { blocks: [] } } }], solutions: { helmet: { system: 'exact' } } };
 	await page.setInputFiles('input[type=file]', { name: 'Ben.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(work)) });
 	await page.waitForSelector('.class .problem');
-	assert.match(await page.textContent('.class .problem'), /^This could not be loaded: .+ Try again$/);
+	assert.match(await page.textContent('.class .problem'), /^Das konnte nicht geladen werden: \w+\.json\. Noch einmal versuchen$/);
 	assert.equal(await page.locator('[data-checked="class"]').count(), 0);
+	assert.deepEqual(await page.locator('.class tbody [role=img]').evaluateAll((signs) => signs.map(({ textContent, title }) => [textContent, title])), [['?', 'gelöst, sagt die Datei; nicht gespielt']]);
 	await page.unrouteAll();
-	await press(page, 'Try again');
+	await press(page, 'Noch einmal versuchen');
 	await page.waitForSelector('[data-checked="class"][data-drawn="class"]');
 	assert.deepEqual([await page.locator('.class tbody .done').count(), await page.locator('.class .problem').count()], [1, 0]);
 	assert.deepEqual(said.filter((each) => !/ERR_FAILED/.test(each)), []);

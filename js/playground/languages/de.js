@@ -8,7 +8,7 @@ export const texts = {
 	page: { name: "Kollisionswerkstatt", views: "Ansichten", language: "Sprache", help: "Dokumentation", guide: "Anleitung", api: "API" },
 	views: { play: "Spielen", inspect: "Untersuchen", compare: "Vergleichen", measure: "Messen", level: "Level", teach: "Lehrkräfte" },
 	loading: "Wird geladen …",
-	failed: (problem) => `Das konnte nicht geladen werden: ${problem}`,
+	failed: (file) => `Das konnte nicht geladen werden${file ? `: ${file}` : ""}.`,
 	title: (view) => `${view} – Kollisionswerkstatt von StarLogo Nova`,
 	copying: { copy: "Kopieren", copied: "Es liegt in der Zwischenablage.", notCopied: "Dieser Browser erlaubt es nicht. Das Programm ist markiert: Kopiere es von Hand." },
 	again: "Noch einmal versuchen",

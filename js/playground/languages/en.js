@@ -13,7 +13,7 @@ export const texts = {
 	page: { name: "Collision playground", views: "Views", language: "Language", help: "Documentation", guide: "Guide", api: "API" },
 	views: { play: "Play", inspect: "Inspect", compare: "Compare", measure: "Measure", level: "Level", teach: "For teachers" },
 	loading: "Loading…",
-	failed: (problem) => `This could not be loaded: ${problem}`,
+	failed: (file) => `This could not be loaded${file ? `: ${file}` : ""}.`,
 	title: (view) => `${view} – StarLogo Nova collision playground`,
 	copying: { copy: "Copy", copied: "It is on the clipboard.", notCopied: "This browser refused. The program is selected: copy it by hand." },
 	again: "Try again",

@@ -5,7 +5,7 @@ import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
 import { VERDICTS } from "../shared/colours.js";
 import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { Figures } from "../shared/figures.js";
-import { texts } from "../shared/language.js";
+import { failure, texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { loadRapier } from "../shared/served.js";
 import { Crowd, DRAWN } from "./crowd.js";
@@ -53,7 +53,7 @@ export class Live {
 		this.said = h("small.hint", { role: "status" });
 		this.canvas = h("canvas.parts", { role: "img", "aria-label": words.graph });
 		this.parts = new Parts(this.canvas, PARTS, OTHERS);
-		this.figures = new Figures(words.figures, (name) => ({ class: `part-${name}`, hidden: !loadRapier && /rapier/i.test(name) }));
+		this.figures = new Figures(words.figures, (name) => ({ class: `part-${name}` }));
 		const count = slider(words.count, { min: 0, max: COUNTS.length - 1, step: 1, value: COUNTS.indexOf(FIRST), format: (i) => COUNTS[i].toLocaleString(texts.code) }, (i) => {
 			this.#count = COUNTS[i];
 			this.#begin();
@@ -72,6 +72,7 @@ export class Live {
 					this.#isBeside = isOn;
 					this.#found.near = NaN;
 					this.parts.clear();
+					if (!this.#loop.isRunning) this.#show();
 				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
 			h("div.scene", {}, h("div.screen", {}, this.host),
 				h("div.times", {}, this.figures.element,
@@ -119,7 +120,7 @@ export class Live {
 				this.#library = library;
 				this.said.textContent = "";
 			} catch (error) {
-				this.said.textContent = texts.failed(error.message);
+				this.said.textContent = failure(error);
 			}
 		}
 		this.parts.clear();
@@ -175,7 +176,8 @@ export class Live {
 		this.parts.draw((ms) => short(ms));
 		const { near, inRapier } = this.#found;
 		const counts = Object.entries({ pairs: this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
-		this.figures.show(Object.fromEntries([...Object.entries(middles).map(([name, ms]) => [name, short(ms)]), ...counts]));
+		const others = { ...!this.#isBeside && { kdbush: null, near: null }, ...!this.rapier && { rapier: null, inRapier: null } };
+		this.figures.show({ ...Object.fromEntries([...Object.entries(middles).map(([name, ms]) => [name, short(ms)]), ...counts]), ...others });
 	}
 
 	close() {

@@ -11,9 +11,12 @@ export class Figures {
 		this.element = h("dl.figures", {}, ...Object.entries(names).map(([key, name]) => h("div", propertiesOf(key), this.cells[key], h("dt", {}, name))));
 	}
 
-	/** Shows some figures by their keys. The others stay. */
+	/** Shows some figures by their keys, and hides those whose value is null. The others stay. */
 	show(values) {
-		for (const [key, value] of Object.entries(values)) this.cells[key].textContent = value;
+		for (const [key, value] of Object.entries(values)) {
+			this.cells[key].textContent = value;
+			this.cells[key].parentElement.hidden = value === null;
+		}
 	}
 }
 

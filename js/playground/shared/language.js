@@ -22,6 +22,21 @@ export async function learn(name) {
 	await further[name].loaded;
 }
 
+/** A file could not be loaded. Its message is in the page's language. */
+export class LoadError extends Error {
+	/** @param {string} file the file's name */
+	constructor(file) {
+		super(texts.failed(file));
+	}
+}
+
+/** What the page says if something could not be loaded. The browser's own messages are in another language, so they go to the console. */
+export function failure(error) {
+	if (error instanceof LoadError) return error.message;
+	console.error(error);
+	return texts.failed();
+}
+
 /** A number with this many decimals, with the language's decimal sign. */
 export const fixed = (value, digits) => value.toFixed(digits).replace(".", texts.numbers.decimal);
 

@@ -2,25 +2,30 @@
  * What the page loads from the folder that it is served from. The page in one file has another module in place of this one, which
  * single.mjs writes: the same exports, with the files' content.
  */
+import { LoadError } from "./language.js";
+
 export const ICON = "icon.svg";
 /** The folder of Blockly's pictures. */
 export const MEDIA = "media/";
 /** The folder of the documentation; null if it is not there. */
 export const DOCS = "docs/";
 
-/** A model's file as text. */
-export async function readModel(name) {
-	const response = await fetch(`models/${name}.json`);
-	if (!response.ok) throw new Error(`${name}.json: ${response.status}`);
-	return response.text();
+/** The content of a model's file, in one of the forms that a Response gives. */
+async function read(file, form) {
+	try {
+		const response = await fetch(`models/${file}`);
+		if (response.ok) return await response[form]();
+	} catch {
+		// the browser's message is not in the page's language
+	}
+	throw new LoadError(file);
 }
 
+/** A model's file as text. */
+export const readModel = (name) => read(`${name}.json`, "text");
+
 /** The bytes of the level's GLB file. */
-export async function readLevel() {
-	const response = await fetch("models/level.glb");
-	if (!response.ok) throw new Error(`level.glb: ${response.status}`);
-	return response.arrayBuffer();
-}
+export const readLevel = () => read("level.glb", "arrayBuffer");
 
 /** Loads Rapier, 2 MB. It is null where the page does not have it. */
 export const loadRapier = () => import("../measure/rapier.js");

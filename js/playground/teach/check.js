@@ -16,18 +16,18 @@ function* candidates({ programs, solutions }, name) {
 }
 
 /**
- * The lessons that a pupil's programs do. Fails if the page's own models cannot be loaded.
+ * The lessons that a pupil's programs do; null if models of the pupil's own cannot be read, because no program is played then. Fails if the
+ * page's own models cannot be loaded.
  *
  * @param {object} work
  * @param {() => boolean} isWanted whether to go on
- * @returns {Promise<Set<string>>}
+ * @returns {Promise<Set<string>|null>}
  */
 export async function solvedBy(work, isWanted) {
 	const solved = new Set();
 	await landFor();
-	// with models of the pupil's own that cannot be read no program is played
 	const { greatLand } = await landFor(work.models).catch(() => ({}));
-	if (!greatLand) return solved;
+	if (!greatLand) return null;
 	let begun = performance.now();
 	for (const name of Object.keys(LESSONS)) {
 		for (const program of candidates(work, name)) {

@@ -1,12 +1,12 @@
 /** The page of a class: what pupils have handed in, who has solved what, and each program with its picture, to play at a click. */
 import { button, fileButton, h } from "../shared/dom.js";
 import { handed } from "../shared/handed.js";
-import { texts } from "../shared/language.js";
+import { failure, texts } from "../shared/language.js";
 
 const words = texts.handing;
 const LESSONS = texts.lessons.list;
 
-/** The lessons that each work was seen to do, for as long as the work is there; a work whose programs were not played yet has none. */
+/** The lessons that each work was seen to do, or null if its programs cannot be played. A work that was not played yet is not in it. */
 const solved = new WeakMap();
 
 export class ClassPage {
@@ -92,17 +92,19 @@ export class ClassPage {
 
 	/** Says that something could not be loaded. */
 	#fail(error) {
-		this.list.prepend(h("p.status.problem.no-print", { role: "alert" }, texts.failed(error.message), " ", button(texts.again, () => this.#show())));
+		this.list.prepend(h("p.status.problem.no-print", { role: "alert" }, failure(error), " ", button(texts.again, () => this.#show())));
 	}
 
 	/** Writes the signs into the table: what was seen to be solved, what a pupil's file says, what is begun. */
 	#mark() {
 		const sign = (text, title) => h("span", { role: "img", "aria-label": title, title }, text);
 		for (const { work, name, cell } of this.marks.flat()) {
-			const isSeen = solved.get(work)?.has(name);
+			const seen = solved.get(work);
+			const isSeen = seen?.has(name);
+			const said = seen ? sign("✓?", words.notSeen) : sign("?", words.notPlayed);
 			const isBegun = work.programs.some(({ lesson }) => lesson === name);
 			cell.className = isSeen ? "done" : "";
-			cell.replaceChildren(isSeen ? sign("✓", texts.lessons.done) : work.done.includes(name) ? sign("✓?", words.said) : isBegun ? sign("…", words.tried) : "");
+			cell.replaceChildren(isSeen ? sign("✓", texts.lessons.done) : work.done.includes(name) ? said : isBegun ? sign("…", words.tried) : "");
 		}
 		this.sums.forEach((cell, i) => {
 			cell.textContent = this.marks.filter((row) => row[i].cell.className === "done").length;

@@ -36,8 +36,8 @@ export const texts = {
 		classTitle: "The work of a class", classNote: "Pupils press “Hand in…” in Play. Open their files here, all at once, or paste their codes. This browser keeps them until you remove them. They go nowhere else.",
 		openFiles: "Open files…", codeHere: "Or paste codes here", takeCode: "Take the codes", nothing: "Nothing is open yet. You can also drop the files here.",
 		taken: (added, again) => `${count(added, "work is", "works are")} new.${again > 0 ? ` ${count(again, "was", "were")} here already.` : ""}`, broken: (files) => `No work of this page: ${files}.`, brokenCode: "No whole code is in this text. Copy all of it, from SL1 on.",
-		table: "Who has solved what", pupil: "Pupil", games: "Games won", programs: "Programs", all: (pupils) => `All ${pupils}`, tried: "begun", signs: "✓ solved: this page has played it. ✓? solved as the file says, but none of its programs does it. … begun. A click on a picture plays the program.",
-		forgetClass: "Remove all…", askForget: (count) => `This removes the works of all ${count} pupils from this browser. It cannot be undone.`, said: "solved, as the file says", notKept: "This browser does not keep them: they are here as long as the page is open.",
+		table: "Who has solved what", pupil: "Pupil", games: "Games won", programs: "Programs", all: (pupils) => `All ${pupils}`, tried: "begun", signs: "✓ solved: this page has played it. ✓? solved as the file says, but none of its programs does it. ? solved as the file says, but this page has not played it. … begun. A click on a picture plays the program.",
+		forgetClass: "Remove all…", askForget: (count) => `This removes the works of all ${count} pupils from this browser. It cannot be undone.`, notSeen: "solved as the file says, but none of its programs does it", notPlayed: "solved as the file says; not played", notKept: "This browser does not keep them: they are here as long as the page is open.",
 		remove: (pupil) => `Remove the work of ${pupil}`, noPrograms: "No programs.",
 	},
 };

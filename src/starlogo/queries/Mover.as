@@ -173,6 +173,14 @@ package starlogo.queries
             }
         }
 
+        /** Whether the body would go into a row on a straight way from a place. */
+        public function meets(row:int, from:Vector3D, motion:Vector3D):Boolean
+        {
+            _sweep.beginMotion(from, motion);
+            _sweep.aim(from, motion);
+            return _sweep.find(row);
+        }
+
         // Lifts the row out of rows that it overlaps a little at its place. If no round frees it, the last round puts it back at its place.
         private function liftOut():void
         {

@@ -214,6 +214,19 @@ package starlogo.queries
             return other;
         }
 
+        /** The body that an agent would have if its heading were greater by some degrees. */
+        public function bodyOfTurned(agent:Agent, degrees:Number):Body
+        {
+            var body:Body = bodyOfMoving(agent);
+            if (degrees == 0 || body.shape == null)
+            {
+                return body;
+            }
+            other.readShrunk(body, null, 0);
+            other.turn(agent, degrees);
+            return other;
+        }
+
         /** The body that an agent would have at a place. */
         public function bodyAt(agent:Agent, x:Number, y:Number, z:Number):Body
         {

@@ -110,6 +110,13 @@ package starlogo.queries
             _dx = dx;
             _dy = dy;
             findNear(agent, 0);
+            if (platform >= 0 && !_moves.isNear(platform))
+            {
+                // the filter excludes it, so it does not carry
+                platform = -1;
+                _turn = 0;
+                findNear(agent, 0);
+            }
             _dx /= _pieces;
             _dy /= _pieces;
             _whole /= _pieces;
@@ -118,16 +125,13 @@ package starlogo.queries
             _extent = 2 * body.largestHalf;
             _close = CLOSE * _extent;
             _bottom = body.z - body.halfZ - _start.z;
-            var isCarried:Boolean = platform >= 0 && _moves.isNear(platform);
-            if (isCarried)
+            if (platform >= 0)
             {
-                beginAt(_start, platform);
-                _mover.go(_carry, Mover.SLIDE);
-                _start.copyFrom(_mover.at);
+                carryWith(platform);
             }
             beginAt(_start, -1);
             var stands:Boolean = go(agent);
-            _moves.put(agent, _mover.at, isCarried ? _turn : 0);
+            _moves.put(agent, _mover.at, _turn);
             noteStanding(standing, stands ? _row : -1);
             return write(stands, out || new Footing());
         }
@@ -136,6 +140,7 @@ package starlogo.queries
         private function findPlatform(standing:PlatformLink):int
         {
             _carry.setTo(0, 0, 0);
+            _turn = 0;
             if (!_options.carried || !standing.isValid)
             {
                 return -1;
@@ -147,6 +152,35 @@ package starlogo.queries
             }
             _turn = standing.carry(_seen.table.bodyOf(row).placement, _carry);
             return _turn != 0 || _carry.length > 0 ? row : -1;
+        }
+
+        // Carries the agent with the platform. It slides along others that are in its way, but not into the platform. The platform has moved
+        // already, so only the rest of its way, which the agent misses, can lead into it.
+        private function carryWith(platform:int):void
+        {
+            beginAt(_start, platform);
+            _mover.go(_carry, Mover.SLIDE);
+            if (_mover.fraction < 1 && missesInto(platform))
+            {
+                _plain.copyFrom(_mover.at);
+                _mover.at.copyFrom(_start);
+                _mover.go(_carry, Mover.SHORT);
+                if (missesInto(platform))
+                {
+                    _mover.at.copyFrom(_plain);
+                }
+            }
+            _start.copyFrom(_mover.at);
+        }
+
+        // Whether the way from where the platform would carry the agent to where it is leads into the platform.
+        private function missesInto(platform:int):Boolean
+        {
+            _above.copyFrom(_start);
+            _above.incrementBy(_carry);
+            _way.copyFrom(_mover.at);
+            _way.decrementBy(_above);
+            return _mover.meets(platform, _above, _way);
         }
 
         private function noteStanding(standing:PlatformLink, row:int):void
@@ -166,7 +200,7 @@ package starlogo.queries
         {
             var up:Number = _pieces * _options.stepHeight;
             var down:Number = _pieces * _options.snap + _options.fall;
-            _moves.begin(agent, _seen.bodyOfMoving(agent), _dx, _dy, 0, _options.filter, _reach + distance, up, down);
+            _moves.begin(agent, _seen.bodyOfTurned(agent, _turn), _dx, _dy, 0, _options.filter, _reach + distance, up, down);
             _mover = _moves.mover;
         }
 
@@ -319,15 +353,15 @@ package starlogo.queries
         private function isOnAnother():Boolean
         {
             _below.copyFrom(_mover.at);
-            slideDown(_close);
+            slideDown(_close, _extent);
             _mover.at.copyFrom(_below);
             return _mover.floor.normalZ > -1 && isWalkable(_mover.floor, _mover.floorRow);
         }
 
-        private function slideDown(depth:Number):void
+        private function slideDown(depth:Number, widest:Number):void
         {
             _way.setTo(0, 0, -depth);
-            _mover.go(_way, Mover.SLIDE, -2, _slide / 2, _tangent);
+            _mover.go(_way, Mover.SLIDE, -2, widest, _tangent);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -347,15 +381,19 @@ package starlogo.queries
                 goDown(Math.min(left, piece));
                 left -= _mover.fraction * Math.min(left, piece);
             }
-            if (!_mover.hasContact || isWalkable(_mover.contact, _mover.contactRow))
+            if (_mover.hasContact)
             {
-                return _mover.hasContact;
+                if (isWalkable(_mover.contact, _mover.contactRow))
+                {
+                    return true;
+                }
+                slideDown(Math.min(left, _slide), _slide / 2);
+                if (_above.z - _mover.at.z < REST * _extent)
+                {
+                    _mover.at.copyFrom(_above);
+                }
             }
-            slideDown(Math.min(left, _slide));
-            if (_above.z - _mover.at.z < REST * _extent)
-            {
-                _mover.at.copyFrom(_above);
-            }
+            // a fall can also end where the ground begins, without being stopped
             return findGround(_close);
         }
 

@@ -198,6 +198,17 @@ package starlogo.search
             settle();
         }
 
+        /** For a body that a question has made of an agent: turns it as the agent is if its heading is greater by some degrees. */
+        public function turn(agent:Agent, degrees:Number):void
+        {
+            if (!shape.isUpright)
+            {
+                placement.setRotation(agent.heading + degrees, agent.pitch, agent.roll);
+                shape.structure.rotatedExtentsInto(placement, sExtents);
+                takeExtents();
+            }
+        }
+
         /** For the body of a row: goes to the row's place. */
         internal function follow(agent:Agent, places:RowPlaces, row:int):void
         {

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.EachCollider;
@@ -137,6 +138,86 @@ package starlogo.queries
                     _queries.walk(_walker, 1, 0, _options, _footing);
                     assertTrue(name + ": and climbs it " + [z, _walker.z], Math.abs(_walker.z - z - 0.7) < 1e-3);
                 }
+            }
+        }
+
+        // A fall that ends on the ground stands there in the same walk, even if nothing has stopped it.
+        [Test]
+        public function aFallOfTheWholeHeightStands():void
+        {
+            var terrain:Terrain = new Terrain(5, 5, 1, -2, -2);
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                _terrain = terrain;
+                _walker = agentAt("cube", 0, 0, 0);
+                ask(name);
+                land(0, 0);
+                var lowest:Number = _walker.z;
+                for each (var fall:Number in [0.5, 0.25])
+                {
+                    _options.fall = fall;
+                    _walker.moveTo(0, 0, lowest + 0.5);
+                    var falls:int = 0;
+                    do
+                    {
+                        falls++;
+                        _queries.walk(_walker, 0.01, 0, _options, _footing);
+                    }
+                    while (!_footing.stands && falls < 9);
+                    assertEquals(name, 0.5 / fall, falls);
+                    assertTrue(name + ": " + _walker.z, Math.abs(_walker.z - lowest) < NEAR);
+                }
+            }
+        }
+
+        // A sphere touches a floor and an edge that is too high for it. The way down meets the edge first.
+        [Test]
+        public function whatStandsDoesNotDependOnTheFall():void
+        {
+            for each (var above:Number in [1e-7, 4e-7, 8e-7])
+            {
+                _walker = agentAt("sphere", 0, 0, above);
+                _walker.collideAs = "sphere";
+                var floor:Agent = agentAt("cube", 0, 0, -4);
+                floor.size = 4;
+                var edge:Agent = agentAt("cube", 0.5 + Math.sqrt(0.25 - (0.2 + above) * (0.2 + above)) + 1e-9, 0, -0.7);
+                _terrain = null;
+                ask("tightest fits", [floor, edge]);
+                _options.stepHeight = 0.1;
+                for each (var fall:Number in [0, 0.5])
+                {
+                    _options.fall = fall;
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertTrue([above, fall].join(), _footing.stands && _footing.on === floor && _walker.x == 0 && _walker.z == above);
+                }
+            }
+        }
+
+        // A sphere stands on the upper edge of a thin wall, and walks off. The edge stops its fall and leads it aside, so it comes farther than its
+        // way, by half of the fall at most.
+        [Test]
+        public function aThinWallLeadsAFallAside():void
+        {
+            _greatLand.prepareExact = true;
+            _greatLand.addModel(new Model("sheets", new <Number>[-3, -3, 0, 3, -3, 0, 3, 3, 0, -3, 3, 0, 0, -3, 0.2, 0, 3, 0.2, 0, -3, 0, 0, 3, 0],
+                        new <uint>[0, 1, 2, 0, 2, 3, 6, 7, 5, 6, 5, 4], Model.AS_GIVEN));
+            var sheets:Agent = agentAt("sheets", 0, 0, 0);
+            sheets.hierarchical = true;
+            for each (var fall:Number in [0, 0.1, 0.2, 0.5])
+            {
+                _walker = agentAt("sphere", -0.03, 0, 0.3);
+                _walker.size = 0.7;
+                _terrain = null;
+                ask("combinations, exact", [sheets]);
+                _options.fall = Infinity;
+                _queries.walk(_walker, 0, 0, _options, _footing);
+                var z:Number = _walker.z;
+                _options.fall = fall;
+                _queries.walk(_walker, 0.3, 0, _options, _footing);
+                var farther:Number = _walker.x + 0.03 - 0.3;
+                assertTrue([fall, z, farther].join(), Math.abs(z - 0.1987) < 1e-4 && Math.abs(_footing.part - 1) < NEAR);
+                assertTrue([fall, farther].join(), farther > -NEAR && farther < fall / 2 + NEAR && farther > NEAR == fall > 0.1);
+                assertEquals(fall == 0.5, _footing.stands);
             }
         }
 

@@ -171,6 +171,48 @@ package starlogo.queries
             }
         }
 
+        // A box that a platform turns beside a wall gets pushed away from the wall in the same walk.
+        [Test]
+        public function aPlatformTurnsNothingIntoAWall():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(0.7501, 0, 0);
+                var pushed:Number = 0;
+                for (var i:int = 1; i <= 9; i++)
+                {
+                    _floor.heading += 10;
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    pushed += _footing.pushed;
+                    assertTrue(name + ": turned " + [i, _walker.x, _walker.heading], _footing.stands && !_queries.touchesAny(_walker)
+                            && Math.abs(_walker.heading - 10 * i) < NEAR);
+                }
+                assertTrue(name + ": " + pushed, Math.abs(pushed - (0.25 * Math.SQRT2 - 0.25)) < 0.01);
+            }
+        }
+
+        // A platform carries a box under a slope. The slope must not lead the box down into the platform.
+        [Test]
+        public function aSlopeLeadsNothingIntoItsPlatform():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(1.2, 0, 0);
+                _wall.pitch = -30;
+                for (var i:int = 1; i <= 6; i++)
+                {
+                    _floor.moveTo(0.2 * i, 0, -4);
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertTrue(name + ": " + [i, _walker.x, _walker.z, _footing.pushed], _footing.stands && _footing.pushed == 0 && !_queries.touchesAny(_walker));
+                }
+                assertTrue(name + ": at the slope " + _walker.x, _walker.x > 0.05 && _walker.x < 0.15);
+            }
+        }
+
         [Test]
         public function whatHasLeftIsNotCarried():void
         {
@@ -215,9 +257,19 @@ package starlogo.queries
             assertThrows(Error, /accepts/, _queries.walk, _walker, 1, 0, _options, _footing);
             assertEquals(0, _walker.x);
             assertEquals(0, _walker.heading);
-            _options.filter = null;
+            // a platform that the filter excludes does not carry
+            _options.filter = AgentFilter.ofBreeds("walls");
+            _options.fall = 0;
             _queries.walk(_walker, 0, 0, _options, _footing);
-            assertTrue([_walker.x, _walker.heading, _footing.pushed].join(), Math.abs(_walker.heading - 20) < NEAR && !_queries.touchesAny(_walker, AgentFilter.ofBreeds("floors")));
+            assertEquals(0, _walker.heading);
+            _options.filter = null;
+            begin("tightest fits");
+            _floor.moveTo(1, 0, -4);
+            _floor.heading = 20;
+            _wall.moveTo(0.7, 0, 0);
+            _queries.update(_agents);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertTrue([_walker.x, _walker.heading, _footing.pushed].join(), Math.abs(_walker.heading - 20) < NEAR && !_queries.touchesAny(_walker));
         }
 
         private function carryOnce(x:Number):void

@@ -24,7 +24,7 @@ export async function learn(name) {
 
 /** A file could not be loaded. Its message is in the page's language. */
 export class LoadError extends Error {
-	/** @param {string} file the file's name */
+	/** @param {string} file the file's name, with the server's answer if there was one */
 	constructor(file) {
 		super(texts.failed(file));
 	}

@@ -12,13 +12,11 @@ export const DOCS = "docs/";
 
 /** The content of a model's file, in one of the forms that a Response gives. */
 async function read(file, form) {
-	try {
-		const response = await fetch(`models/${file}`);
-		if (response.ok) return await response[form]();
-	} catch {
-		// the browser's message is not in the page's language
-	}
-	throw new LoadError(file);
+	// the browser's own messages are not in the page's language
+	const response = await fetch(`models/${file}`).catch(() => null);
+	const content = response?.ok ? await response[form]().catch(() => null) : null;
+	if (content === null) throw new LoadError(response ? `${file} (${response.status})` : file);
+	return content;
 }
 
 /** A model's file as text. */

@@ -367,10 +367,9 @@ package starlogo.agents
             var overY:Number = y / largest;
             var overZ:Number = z / largest;
             var overW:Number = w / largest;
-            var length:Number = largest * Math.sqrt(overX * overX + overY * overY + overZ * overZ + overW * overW);
-            if (!(Math.abs(length - 1) <= NEARLY_UNIT))
+            var length:Number = Math.sqrt(overX * overX + overY * overY + overZ * overZ + overW * overW);
+            if (!(Math.abs(largest * length - 1) <= NEARLY_UNIT))
             {
-                length /= largest;
                 setQuaternion(overX / length, overY / length, overZ / length, overW / length);
                 return;
             }

@@ -138,6 +138,18 @@ package starlogo.agents
         }
 
         [Test]
+        public function aQuaternionMayHaveAnyLengthButZero():void
+        {
+            for each (var each:Number in [1.7e308, 1e200, 1e-200, 5e-324])
+            {
+                var agent:Agent = new Agent("bear");
+                agent.setQuaternion(each, -each, each, each);
+                assertEquals(String(each), "0.5,-0.5,0.5,0.5", agent.getQuaternion().join());
+            }
+            assertThrows(RangeError, "must not be 0", agent.setQuaternion, 0, 0, 0, 0);
+        }
+
+        [Test]
         public function theSameQuaternionAgainIsNoChange():void
         {
             var agent:Agent = new Agent("bear");

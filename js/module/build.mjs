@@ -6,9 +6,10 @@
  *
  * TRANSPILED is the output of Apache's compiler. It may have more than the engine: only what the public classes use is taken.
  */
-import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
+import { ADDED } from "./added.mjs";
 import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
@@ -37,9 +38,8 @@ mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-// Without keepNames, which would define the name of each class and so make a dictionary of it: see #classText in translate.mjs.
-const small = transformSync(text, { minify: true, format: "esm", target: "es2022" });
-writeFileSync(join(out, minified), small.code);
+const small = minify(text, hiddenNames());
+writeFileSync(join(out, minified), small);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
@@ -53,7 +53,7 @@ cpSync(join(ROOT, "js/adapters/nova"), join(out, "nova"), { recursive: true, fil
 buildSync({
 	entryPoints: [join(out, "nova/index.js")],
 	outfile: join(out, "nova.js"),
-	alias: { [NAME]: resolve(out, readable) },
+	alias: { [NAME]: resolve(out, minified) },
 	bundle: true,
 	minify: true,
 	format: "iife",
@@ -61,7 +61,7 @@ buildSync({
 	target: "es2022",
 	legalComments: "inline",
 });
-console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
+console.log(`written: ${out} (${Math.round(small.length / 1024)} KB minified)`);
 
 /**
  * The text without Flash's error numbers (the engine itself removes those of streams), and with escapes for characters that make tools
@@ -72,11 +72,39 @@ function cleaned(code) {
 		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);
 }
 
+/** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
+function hiddenNames() {
+	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
+	const code = [standinsText(), ...Object.values(ADDED).map((added) => added.text), ...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/bake.mjs"), "utf8")].join("\n");
+	const outside = [...code.replaceAll(/\/\*[\s\S]*?\*\/|\/\/.*/g, "").matchAll(/[.{,]\s*([\w$]+)/g), ...text.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
+	const kept = new Set([...outside, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
+	return program.hiddenNames.filter((name) => !kept.has(name)).sort();
+}
+
+function adapterTexts(folder) {
+	const path = join(ROOT, "js/adapters", folder);
+	return readdirSync(path).filter((file) => file.endsWith(".js")).map((file) => readFileSync(join(path, file), "utf8"));
+}
+
+/**
+ * The text for bundlers and for pages, with short names for hidden members. esbuild leaves out marks of calls without effects together with
+ * white space, so they are names meanwhile. It would also drop them with the rest of the syntax, which bundlers make shorter anyway.
+ * keepNames would define the name of each class and so make a dictionary of it: see #classText in translate.mjs.
+ */
+function minify(code, hidden) {
+	// $stateOf shows no names with a _
+	const mangleCache = Object.fromEntries(hidden.filter((name) => /^[_$]/.test(name)).map((name, i) => [name, `_${i.toString(36)}`]));
+	const mangleProps = new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`);
+	const options = { minifyWhitespace: true, minifyIdentifiers: true, mangleProps, mangleCache, format: "esm", target: "es2022" };
+	return transformSync(code.replaceAll("/* @__PURE__ */", "__PURE__ &&"), options).code.replaceAll("__PURE__&&", "/* @__PURE__ */");
+}
+
 function fail(qname) {
 	throw new Error(`${qname} is public, but was not compiled`);
 }
 
 function manifest() {
+	const engine = { types: "./index.d.ts", node: `./${readable}`, development: `./${readable}`, default: `./${minified}` };
 	return {
 		name: NAME,
 		version,
@@ -90,8 +118,8 @@ function manifest() {
 		engines: { node: ">=18" },
 		types: "./index.d.ts",
 		exports: {
-			".": { types: "./index.d.ts", default: `./${readable}` },
-			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+			".": engine,
+			"./readable": engine,
 			"./package.json": "./package.json",
 			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },
 			"./nova": { types: "./nova/index.d.ts", default: "./nova/index.js" },

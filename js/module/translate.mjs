@@ -34,6 +34,7 @@ export class Program {
 	#scopes = [];
 	#beforeSuper = null;
 	#target = null; // the definition that is assigned to
+	#open = new Set(); // names of members of objects whose class is not known
 	#checks;
 
 	/**
@@ -99,6 +100,27 @@ export class Program {
 		};
 		for (const unit of this.#units.values()) write(unit);
 		return `${parts.join("\n\n")}\n\n${this.#staticsText()}`;
+	}
+
+	/**
+	 * The names of members that only the program's own text reads, of objects whose class it knows. They may be exchanged for others. It is
+	 * known after text().
+	 */
+	get hiddenNames() {
+		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter((member) => isShown(member)).map((member) => member.name);
+		const kept = new Set([...shown, ...this.#open]);
+		const found = new Set();
+		for (const unit of this.#units.values()) {
+			const methods = unit.members.filter((member) => member.kind === "method").map((member) => member.name);
+			for (const known of new Set([...unit.types.keys(), ...unit.members.map((member) => member.name)])) {
+				const name = this.#member(known);
+				// tools show the state of public classes: the names without _ or $
+				const isState = this.signatures.has(unit.qname) && !/^[_$]/.test(name) && !methods.includes(known);
+				(isState ? kept : found).add(name);
+			}
+			for (const setting of this.#checks.settings(unit.qname)) found.add(`_${setting.name}`);
+		}
+		return [...found].filter((name) => !kept.has(name));
 	}
 
 	// A private member has its name from the source, unless a base or an extending class has a member of that name too.
@@ -262,7 +284,7 @@ export class Program {
 	// Enters a function. Returns its parameters with their defaults, and the rest of its body.
 	#opened(node, doc) {
 		const scope = new Map();
-		for (const match of doc.matchAll(/@param \{([^\n]*?)=?\} (\w+)/g)) scope.set(match[2], match[1]);
+		for (const match of this.#typesDoc(node, doc).matchAll(/@param \{([^\n]*?)=?\} (\w+)/g)) scope.set(match[2], match[1]);
 		for (const parameter of node.params) if (!scope.has(parameter.name)) scope.set(parameter.name, this.#typeBefore(parameter));
 		this.#collectLocals(node.body, scope);
 		this.#scopes.push(scope);
@@ -277,6 +299,15 @@ export class Program {
 		});
 		const parameters = node.params.map(({ name }) => (defaults.has(name) ? `${name} = ${defaults.get(name)}` : name)).join(", ");
 		return { parameters, body };
+	}
+
+	// The compiler writes no types for a method that has its documentation from its base.
+	#typesDoc(node, doc) {
+		const name = this.#unit.members.find((member) => member.node === node)?.name;
+		for (let base = this.#units.get(this.#unit.base); name && base && !/@param \{/.test(doc); base = this.#units.get(base.base)) {
+			doc = base.members.find((member) => member.name === name)?.doc ?? doc;
+		}
+		return doc;
 	}
 
 	#collectLocals(node, scope) {
@@ -430,6 +461,7 @@ export class Program {
 		const target = this.#text(node.object);
 		if (!node.computed) {
 			const name = this.#member(node.property.name);
+			if (/^(?:\*|\??Object)/.test(this.#typeOf(node.object))) this.#open.add(name);
 			if (this.#beforeSuper && node.object.type === "ThisExpression") {
 				if (!this.#beforeSuper.has(name)) throw new Error(`this.${name} is read before super()`);
 				return this.#beforeSuper.get(name);
@@ -463,7 +495,7 @@ export class Program {
 
 	// Whether the types show it: to users, or to classes that extend this one.
 	#isShownStatic(unit, name) {
-		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && (member.isPublic || member.isProtected) && !member.isPrivate && member.name === name));
+		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && isShown(member) && member.name === name));
 	}
 
 	// Whether a computed name reads a member of an object of a known class. Methods are then read as closures.
@@ -682,6 +714,10 @@ export class Program {
 		for (const child of childrenOf(node)) this.#needed(child, unit, found);
 		return found;
 	}
+}
+
+function isShown(member) {
+	return (member.isPublic || member.isProtected) && !member.isPrivate;
 }
 
 function isConstant(field) {

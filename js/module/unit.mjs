@@ -99,6 +99,7 @@ class Unit {
 	#readAccessors(call) {
 		if (pathOf(call.arguments[0]) !== `${this.qname}.prototype`) return;
 		for (const property of call.arguments[1].properties) {
+			this.types.set(nameOf(property.key), /@type \{(.*)\}/.exec(this.#docBefore(property))?.[1] ?? "*");
 			for (const half of property.value.properties) {
 				const path = half.value.type === "MemberExpression" ? pathOf(half.value) : "";
 				if (path !== "" && !path.startsWith(`${this.qname}.`)) {

@@ -8,7 +8,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, write
 import { gzipSync } from "node:zlib";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { build, transform } from "esbuild";
+import { build } from "esbuild";
 import { models } from "../../assets/generator/models/index.mjs";
 import { palette } from "../../assets/generator/palette.mjs";
 import { flatten } from "../../assets/generator/scene.mjs";
@@ -19,8 +19,8 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out, api] = process.argv.slice(2).map((folder) => path.resolve(folder));
 const npm = path.join(here, "node_modules");
 const { exports } = JSON.parse(readFileSync(path.join(engine, "package.json"), "utf8"));
-const readable = path.join(engine, exports["./readable"].default);
-const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(readable));
+const module = path.join(engine, exports["."].default);
+const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(module));
 
 const STYLE = 'style:"display: none;"';
 const WARNINGS = /[\w$]+\("Blockly\.Workspace\.get\w*Variable\w*","v12","v13","[^"]+"\);/g;
@@ -49,24 +49,9 @@ const tameBlockly = (isSingle) => ({
 const formatsApart = (isSingle) => ({
 	name: "formats-apart",
 	setup({ onResolve }) {
-		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: readable, suffix: !isSingle && importer.endsWith("formats.js") ? "?formats" : "" }));
+		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: module, suffix: !isSingle && importer.endsWith("formats.js") ? "?formats" : "" }));
 	},
 });
-
-/**
- * Gives the engine's private members, and those that only its packages share, short names. All uses of them are in the engine's one file.
- * Only its marks of classes ($isAgent) are named in texts.
- */
-const shortEngine = {
-	name: "short-engine",
-	setup({ onLoad }) {
-		onLoad({ filter: /starlogo-collision\.js$/ }, async ({ path: file }) => {
-			const text = readFileSync(file, "utf8");
-			if (/["'](_|\$(?!is[A-Z]))[a-z]/i.test(text)) throw new Error(`${file} is not as it was: it names private members in texts`);
-			return { contents: (await transform(text, { mangleProps: /^[_$][a-z]/i, reserveProps: /^\$is[A-Z]/, target: "es2022" })).code, loader: "js" };
-		});
-	},
-};
 
 /** Rapier writes a console warning about how it calls its own WebAssembly. */
 const tameRapier = {
@@ -179,7 +164,7 @@ const settings = (isSingle) => ({
 	chunkNames: "parts/[name]-[hash]",
 	alias: { ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
-	plugins: [tameBlockly(isSingle), formatsApart(isSingle), shortEngine, tameRapier, fewMessages, leanThree],
+	plugins: [tameBlockly(isSingle), formatsApart(isSingle), tameRapier, fewMessages, leanThree],
 	logLevel: "warning",
 });
 

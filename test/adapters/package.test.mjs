@@ -52,8 +52,10 @@ test("esbuild takes one engine and one three.js into a bundle, of it what is use
 
 test("there is no address of a second engine, for which the adapter's models would be foreign", () => {
 	const { exports } = JSON.parse(readFileSync(path.join(root, "bin/module/package.json"), "utf8"));
-	const files = Object.values(exports).map((each) => each.default ?? each).filter((file) => /starlogo-collision[^/]*\.js$/.test(file));
-	assert.deepEqual([...new Set(files)], ["./starlogo-collision.js"]);
+	for (const [condition, engine] of [["node", "./starlogo-collision.js"], ["development", "./starlogo-collision.js"], ["default", "./starlogo-collision.min.js"]]) {
+		const files = Object.values(exports).map((each) => each[condition]).filter((file) => /starlogo-collision[^/]*\.js$/.test(file));
+		assert.deepEqual([...new Set(files)], [engine]);
+	}
 });
 
 test("where two copies are loaded all the same, the error says so", async () => {

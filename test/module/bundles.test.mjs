@@ -60,9 +60,9 @@ const RESULT = "49,49";
 
 test("a bundle has what is used and no more", () => {
 	const limits = [
-		[["Vector3D"], 8],
-		[["Agent", "Collision", "BinCollider"], 39],
-		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 77],
+		[["Vector3D"], 2],
+		[["Agent", "Collision", "BinCollider"], 37],
+		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 73],
 	];
 	const sizes = limits.map(([names, limit]) => {
 		const size = weigh(bundle(names)) / KB;

@@ -456,7 +456,7 @@ test("a load may be awaited, and aborted alone", async () => {
 });
 
 test("an object of another copy of the engine is named as that", async () => {
-	const other = await import(pathToFileURL(path.join(folder, "starlogo-collision.min.js")));
+	const other = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
 	const COPIES = "not one of another copy of the engine. There are two copies of the engine: ";
 	const land = makeLand();
 	const foreign = new other.GreatLand();
@@ -564,7 +564,7 @@ test("an error that nothing catches shows a line, not the whole file", () => {
 	assert.equal(status, 1);
 	assert.match(stderr, /x must be a number, not "3"/);
 	assert.ok(stderr.length < 2000, `${stderr.length} characters`);
-	assert.ok(manifest.exports["."].default.endsWith("starlogo-collision.js"));
+	assert.ok(manifest.exports["."].node.endsWith("starlogo-collision.js"));
 	const longest = Math.max(...readFileSync(path.join(folder, "starlogo-collision.js"), "utf8").split("\n").map((line) => line.length));
 	assert.ok(longest < 3000, `the longest line has ${longest} characters`);
 });

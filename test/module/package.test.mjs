@@ -17,7 +17,7 @@ const tools = createRequire(path.join(root, "js/module/package.json"));
 const esbuild = tools("esbuild");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const minified = path.join(folder, "starlogo-collision.min.js");
-const readable = path.join(folder, manifest.exports["."].default);
+const readable = path.join(folder, manifest.exports["."].node);
 const sample = path.join(root, "test/module/sample.ts");
 const bear = readFileSync(path.join(root, "assets/bear.obj"), "utf8");
 

@@ -2,6 +2,7 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.geometry.requireGiven;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
 
@@ -24,10 +25,7 @@ package starlogo.blocks
          */
         public function DetectionBlocks(collisions:CollisionBlocks)
         {
-            if (collisions == null)
-            {
-                throw new ArgumentError("collision blocks are needed, not null");
-            }
+            requireGiven("collisions", collisions);
             _collisions = collisions;
             _queries = new AgentQueries(collisions.collision);
         }

@@ -2,6 +2,7 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.debug.CollisionLines;
+    import starlogo.geometry.requireGiven;
     import starlogo.search.IdTable;
 
     /**
@@ -26,10 +27,7 @@ package starlogo.blocks
          */
         public function StructureBlocks(collisions:CollisionBlocks)
         {
-            if (collisions == null)
-            {
-                throw new ArgumentError("collision blocks are needed, not null");
-            }
+            requireGiven("collisions", collisions);
             _collisions = collisions;
             _lines = new CollisionLines(collisions.greatLand);
         }

@@ -1,6 +1,7 @@
 package starlogo.blocks
 {
     import starlogo.agents.Agent;
+    import starlogo.geometry.requireGiven;
 
     /**
      * The blocks that set how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as" (thesis §7.1 to §7.3).
@@ -26,10 +27,7 @@ package starlogo.blocks
          */
         public function TraitBlocks(agents:Vector.<Agent>)
         {
-            if (agents == null)
-            {
-                throw new ArgumentError("a list of agents is needed, not null");
-            }
+            requireGiven("the list of agents", agents);
             _agents = agents;
         }
 

@@ -10,6 +10,7 @@ package starlogo.debug
     import starlogo.collision.CollisionSystem;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.requireGiven;
     import starlogo.models.Model;
     import starlogo.search.AgentShapes;
     import starlogo.search.ModelShape;
@@ -38,10 +39,7 @@ package starlogo.debug
          */
         public function CollisionLines(greatLand:GreatLand)
         {
-            if (greatLand == null)
-            {
-                throw new ArgumentError("a GreatLand is needed, not null");
-            }
+            requireGiven("greatLand", greatLand);
             _greatLand = greatLand;
         }
 

@@ -7,6 +7,7 @@ package starlogo.debug
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
     import starlogo.geometry.PointTable;
+    import starlogo.geometry.requireGiven;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.TerrainSurface;
@@ -37,10 +38,7 @@ package starlogo.debug
          */
         public static function ofStructure(structure:BoundingStructure, out:Vector.<Number> = null):Vector.<Number>
         {
-            if (structure == null)
-            {
-                throw new ArgumentError("the structure to draw must not be null");
-            }
+            requireGiven("the structure to draw", structure);
             var pen:LinePen = new LinePen(out);
             switch (structure.kind)
             {
@@ -78,10 +76,7 @@ package starlogo.debug
          */
         public static function ofLevel(root:HierarchyNode, level:int, out:Vector.<Number> = null):Vector.<Number>
         {
-            if (root == null)
-            {
-                throw new ArgumentError("the hierarchy to draw must not be null");
-            }
+            requireGiven("the hierarchy to draw", root);
             if (level < 1)
             {
                 throw new RangeError("the level must be 1 (the root) or more, not " + level);

@@ -15,6 +15,7 @@ package starlogo.diagnostics
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionStatistics;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
 
     use namespace engine;
 
@@ -103,10 +104,7 @@ package starlogo.diagnostics
 
         public function set collision(value:Collision):void
         {
-            if (value == null)
-            {
-                throw new ArgumentError("collision must not be null");
-            }
+            requireGiven("collision", value);
             _collision = value;
         }
 

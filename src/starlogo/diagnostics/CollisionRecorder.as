@@ -7,6 +7,7 @@ package starlogo.diagnostics
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
 
@@ -46,10 +47,7 @@ package starlogo.diagnostics
         public function CollisionRecorder(collisionSystem:CollisionSystem)
         {
             super(collisionSystem);
-            if (collisionSystem == null)
-            {
-                throw new ArgumentError("collisionSystem must not be null");
-            }
+            requireGiven("collisionSystem", collisionSystem);
             _system = BaseCollider.of(collisionSystem);
         }
 

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
     import starlogo.search.Body;
     import starlogo.terrain.Terrain;
@@ -280,10 +281,7 @@ package starlogo.queries
          */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
-            if (bounds == null)
-            {
-                throw new ArgumentError("bounds must not be null");
-            }
+            requireGiven("bounds", bounds);
             var body:Body = _seen.bodyOf(agent);
             return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _seen.other));
         }

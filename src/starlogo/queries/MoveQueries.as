@@ -146,9 +146,10 @@ package starlogo.queries
          * @param reach how far the body may go in any direction. If it is 0, the body goes only along the motion
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
+         * @param turn how much greater the agent's heading will be, in degrees
          */
         public function begin(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, reach:Number = 0, up:Number = 0,
-                down:Number = 0):void
+                down:Number = 0, turn:Number = 0):void
         {
             requireInWorld("a motion", dx, dy, dz);
             _way.setTo(dx, dy, dz);
@@ -164,6 +165,10 @@ package starlogo.queries
             }
             body = _copy;
             body.readShrunk(asking, null, 0);
+            if (turn != 0)
+            {
+                body.turn(asker, turn);
+            }
             _found.begin(Collector.ALL, Infinity, asker, filter);
             _seen.beginWay(_search, body);
             _search.widen(reach, up, down);

@@ -11,6 +11,7 @@ package starlogo.queries
     import starlogo.collision.Collision;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.requireGiven;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -83,10 +84,7 @@ package starlogo.queries
         /** See AgentQueries.update. */
         public function update(agents:Vector.<Agent>):void
         {
-            if (agents == null)
-            {
-                throw new ArgumentError("agents must not be null");
-            }
+            requireGiven("agents", agents);
             requireQuiet("update");
             var collider:Collider = findCollider();
             var next:AgentTable = collider.narrowPhase === narrowPhase ? table : tableFor(collider);
@@ -211,19 +209,6 @@ package starlogo.queries
                 return body;
             }
             other.readPlaced(body);
-            return other;
-        }
-
-        /** The body that an agent would have if its heading were greater by some degrees. */
-        public function bodyOfTurned(agent:Agent, degrees:Number):Body
-        {
-            var body:Body = bodyOfMoving(agent);
-            if (degrees == 0 || body.shape == null)
-            {
-                return body;
-            }
-            other.readShrunk(body, null, 0);
-            other.turn(agent, degrees);
             return other;
         }
 

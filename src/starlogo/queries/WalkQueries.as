@@ -46,8 +46,8 @@ package starlogo.queries
         private var _defaults:WalkOptions = new WalkOptions();
 
         // The walk: its options, and the cosine and the tangent of the steepest slope; the number of pieces; the way of a piece, its length, and the
-        // place where it begins; how far the agent may come; the part of the way that it has come; how far it was pushed; how far it slides down
-        // after a fall; its largest extent; the depth of ground that is close; and its lowest point as seen from its place.
+        // place where it begins; how far the agent may come; how far it slides down after a fall; its largest extent; the depth of ground that is
+        // close; and its lowest point as seen from its place.
         private var _options:WalkOptions;
         private var _cosine:Number = 0;
         private var _tangent:Number = 0;
@@ -57,8 +57,6 @@ package starlogo.queries
         private var _whole:Number = 0;
         private var _start:Vector3D = new Vector3D();
         private var _reach:Number = 0;
-        private var _part:Number = 1;
-        private var _pushed:Number = 0;
         private var _slide:Number = 0;
         private var _extent:Number = 0;
         private var _close:Number = 0;
@@ -102,7 +100,6 @@ package starlogo.queries
             _slide = Math.min(_options.fall, size);
             _whole = Math.sqrt(dx * dx + dy * dy);
             _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
-            _pushed = 0;
             var standing:PlatformLink = agent.standing ||= new PlatformLink(agent);
             var platform:int = findPlatform(standing);
             // on the steepest slope the way is this long
@@ -130,10 +127,17 @@ package starlogo.queries
                 carryWith(platform);
             }
             beginAt(_start, -1);
-            var stands:Boolean = go(agent);
+            var footing:Footing = out || new Footing();
+            footing.stands = go(agent, footing);
             _moves.put(agent, _mover.at, _turn);
-            noteStanding(standing, stands ? _row : -1);
-            return write(stands, out || new Footing());
+            noteStanding(standing, footing.stands ? _row : -1);
+            footing.on = footing.stands ? _seen.table.agents[_row] : null;
+            if (!footing.stands)
+            {
+                _normal.setTo(0, 0, 1);
+            }
+            footing.normal.copyFrom(_normal);
+            return footing;
         }
 
         // Returns the row of the agent below if it has moved since the last walk, or -1. Writes how it carries the agent.
@@ -200,7 +204,7 @@ package starlogo.queries
         {
             var up:Number = _pieces * _options.stepHeight;
             var down:Number = _pieces * _options.snap + _options.fall;
-            _moves.begin(agent, _seen.bodyOfTurned(agent, _turn), _dx, _dy, 0, _options.filter, _reach + distance, up, down);
+            _moves.begin(agent, _seen.bodyOfMoving(agent), _dx, _dy, 0, _options.filter, _reach + distance, up, down, _turn);
             _mover = _moves.mover;
         }
 
@@ -211,27 +215,15 @@ package starlogo.queries
             _mover.at.copyFrom(place);
         }
 
-        private function write(stands:Boolean, footing:Footing):Footing
-        {
-            footing.part = _part;
-            footing.pushed = _pushed;
-            footing.stands = stands;
-            footing.on = stands ? _seen.table.agents[_row] : null;
-            if (!stands)
-            {
-                _normal.setTo(0, 0, 1);
-            }
-            footing.normal.copyFrom(_normal);
-            return footing;
-        }
-
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
-        private function go(agent:Agent):Boolean
+        // Writes how far it was pushed, and which part of the way it has come.
+        private function go(agent:Agent, footing:Footing):Boolean
         {
             var stands:Boolean = findGround(_close);
+            var pushed:Number = 0;
             if (_mover.isDeep)
             {
-                pushOut(agent);
+                pushed = pushOut(agent);
                 stands = findGround(_close);
             }
             // a walk that begins in the air stays there
@@ -250,20 +242,21 @@ package starlogo.queries
             }
             x = at.x - x;
             y = at.y - y;
-            _part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (_pieces * _whole)) : 1;
+            footing.pushed = pushed;
+            footing.part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (_pieces * _whole)) : 1;
             stands ||= _moves.body.shape != null && fall();
             _mover.restoreClearance(false);
             return stands;
         }
 
-        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else.
-        private function pushOut(agent:Agent):void
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far.
+        private function pushOut(agent:Agent):Number
         {
             var at:Vector3D = _mover.at;
             at.copyFrom(_start);
             if (!_mover.findDeepest())
             {
-                return;
+                return 0;
             }
             var left:Number = _mover.overlap;
             findNear(agent, left);
@@ -278,8 +271,8 @@ package starlogo.queries
             }
             _way.copyFrom(at);
             _way.decrementBy(_start);
-            _pushed = _way.length;
             _start.copyFrom(at);
+            return _way.length;
         }
 
         // Goes a piece of the way, and down to the ground. Returns whether the agent stands at the end.

@@ -198,7 +198,7 @@ package starlogo.search
             settle();
         }
 
-        /** For a body that a question has made of an agent: turns it as the agent is if its heading is greater by some degrees. */
+        /** Turns a body that a question has made of an agent, as if the agent's heading were greater by some degrees. */
         public function turn(agent:Agent, degrees:Number):void
         {
             if (!shape.isUpright)

@@ -3,6 +3,7 @@ package starlogo.terrain
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
     import starlogo.ground.HeightGrid;
 
@@ -166,10 +167,7 @@ package starlogo.terrain
         public function setHeights(column:int, row:int, columns:int, rows:int, heights:Vector.<Number>):void
         {
             requireRegion(column, row, columns, rows);
-            if (heights == null)
-            {
-                throw new ArgumentError("heights must not be null");
-            }
+            requireGiven("heights", heights);
             if (heights.length != columns * rows)
             {
                 throw new RangeError(columns + " by " + rows + " heights are needed, not " + heights.length);
@@ -298,10 +296,7 @@ package starlogo.terrain
          */
         public function isUnder(agent:Agent):Boolean
         {
-            if (agent == null)
-            {
-                throw new ArgumentError("an agent is needed, not null");
-            }
+            requireGiven("agent", agent);
             return heightAt(agent.x, agent.y) > agent.z;
         }
 

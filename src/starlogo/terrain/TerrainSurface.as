@@ -1,6 +1,7 @@
 package starlogo.terrain
 {
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
     import starlogo.ground.GroundTriangles;
     import starlogo.ground.HeightGrid;
 
@@ -45,10 +46,7 @@ package starlogo.terrain
          */
         public function TerrainSurface(terrain:Terrain, minX:Number = Number.NEGATIVE_INFINITY, minY:Number = Number.NEGATIVE_INFINITY, maxX:Number = Infinity, maxY:Number = Infinity)
         {
-            if (terrain == null)
-            {
-                throw new ArgumentError("there is no terrain to draw: null");
-            }
+            requireGiven("terrain", terrain);
             if (isNaN(minX) || isNaN(minY) || isNaN(maxX) || isNaN(maxY))
             {
                 throw new RangeError("the borders of a rectangle must be numbers, not " + [minX, minY, maxX, maxY]);

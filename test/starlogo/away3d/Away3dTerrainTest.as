@@ -122,7 +122,7 @@ package starlogo.away3d
         [Test]
         public function thereMustBeATerrain():void
         {
-            assertThrows(ArgumentError, /no terrain/, create, Away3dTerrain, null);
+            assertThrows(ArgumentError, /terrain must not be null/, create, Away3dTerrain, null);
         }
 
         private static function pointAt(numbers:Vector.<Number>, index:int):Vector3D

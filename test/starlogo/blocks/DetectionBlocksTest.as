@@ -142,7 +142,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"can see\?" needs another agent, but got the same/, _blocks.canSee, _turtle, _turtle);
             assertThrows(BlockError, /"distance to" needs another agent, but got nothing/, _blocks.distanceTo, _turtle, null);
             assertThrows(BlockError, /"distance to" needs another agent, but got the same/, _blocks.distanceTo, _turtle, _turtle);
-            assertThrows(ArgumentError, /blocks are needed/, create, DetectionBlocks, null);
+            assertThrows(ArgumentError, /collisions must not be null/, create, DetectionBlocks, null);
         }
 
         private function add(breed:String, x:Number):Agent

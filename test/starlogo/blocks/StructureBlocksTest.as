@@ -152,7 +152,7 @@ package starlogo.blocks
         public function wrongUsesSaySo():void
         {
             assertThrows(BlockError, /^The block "show bounding structures" needs an agent or a breed, but got nothing/, _blocks.show, null, true);
-            assertThrows(ArgumentError, /collision blocks/, create, StructureBlocks, null);
+            assertThrows(ArgumentError, /collisions must not be null/, create, StructureBlocks, null);
         }
 
         [Test]

@@ -1,6 +1,6 @@
 /** A game on nothing but the engine and a canvas. */
 import { Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, ModelLoader } from "../../module/starlogo-collision.min.js";
-import { Pictures } from "./pictures.js";
+import { Pictures } from "../shared/pictures.js";
 
 const ASSETS = new URL("../../assets/", import.meta.url);
 const PIXELS_A_PATCH = 10;
@@ -11,7 +11,7 @@ const PAINTS = ["#d94f3d", "#3d7bd9", "#e0a526", "#8a4fc9"];
 
 const context = document.querySelector("canvas").getContext("2d");
 const score = document.querySelector("output");
-const pictures = new Pictures(context, PIXELS_A_PATCH);
+const pictures = new Pictures();
 const greatLand = new GreatLand();
 const collision = new Collision(new CombinationCollider(greatLand));
 const agents = [];
@@ -112,6 +112,11 @@ function draw() {
 	context.setTransform(1, 0, 0, 1, 0, 0);
 	context.fillStyle = "#bcd8e0";
 	context.fillRect(0, 0, context.canvas.width, context.canvas.height);
-	for (const agent of agents) pictures.draw(agent, colours.get(agent));
+	for (const agent of agents) {
+		const picture = pictures.of(agent.shape, colours.get(agent), Math.ceil(agent.size * PIXELS_A_PATCH));
+		context.setTransform(1, 0, 0, 1, context.canvas.width / 2 + agent.x * PIXELS_A_PATCH, context.canvas.height / 2 - agent.y * PIXELS_A_PATCH);
+		context.rotate((-agent.heading * Math.PI) / 180);
+		context.drawImage(picture, -picture.width / 2, -picture.height / 2);
+	}
 	score.textContent = `frame ${counts.frames}: ${counts.turns} turns, ${counts.hits} hits, ${collision.statistics.candidatePairs} pairs looked at`;
 }

@@ -1,4 +1,6 @@
 /** Draws an example on a canvas, in patches. It also moves agents, follows the pointer and calls each frame. It finds no collisions. */
+import { Pictures } from "./pictures.js";
+
 export const red = 0xe4572e, orange = 0xf3a712, yellow = 0xf7d154, green = 0x4caf6e, blue = 0x3f88c5, purple = 0x8f5fbf, grey = 0xa3adb8, white = 0xffffff;
 
 const FRAMES_A_SECOND = 60;
@@ -13,8 +15,7 @@ export class Stage {
 	pointer = { x: 0, y: 0, isDown: false };
 
 	#context = null;
-	#faces = new Map();
-	#drawn = new Map();
+	#pictures;
 	#isGuided = true;
 	#frame = 0;
 	#seed = 7;
@@ -31,6 +32,7 @@ export class Stage {
 		this.width = width;
 		this.height = (width * 2) / 3;
 		this.isSideView = isSideView;
+		this.#pictures = new Pictures(isSideView);
 		this.canvas = document.createElement("canvas");
 		this.canvas.setAttribute("role", "img");
 		this.canvas.setAttribute("aria-label", document.title);
@@ -149,7 +151,7 @@ export class Stage {
 			context.save();
 			context.translate(right * this.width, up * this.height);
 			for (const agent of agents) {
-				if (this.#faces.has(agent.shape)) this.#drawModel(agent);
+				if (this.#pictures.has(agent.shape)) this.#drawModel(agent);
 				else if (agent.shape === "cube") this.#drawCube(agent);
 				else this.#drawBall(agent, faces);
 			}
@@ -172,15 +174,8 @@ export class Stage {
 	}
 
 	/** Agents may have the shape of this model from now on. */
-	addModel({ name, vertices, triangles }) {
-		const faces = [];
-		for (let i = 0; i < triangles.length; i += 3) {
-			const corners = [0, 1, 2].map((k) => vertices.slice(3 * triangles[i + k], 3 * triangles[i + k] + 3));
-			const near = this.isSideView ? ([, y]) => -y : ([, , z]) => z;
-			const light = nearOf(corners, this.isSideView);
-			if (light > 0) faces.push({ corners: corners.map(([x, y, z]) => [x, this.isSideView ? z : y]), light, near: Math.max(...corners.map(near)) });
-		}
-		this.#faces.set(name, faces.sort((a, b) => a.near - b.near));
+	addModel(model) {
+		this.#pictures.addModel(model);
 	}
 
 	line(from, to, colour, width = 0.08) {
@@ -280,7 +275,7 @@ export class Stage {
 		if (this.canvas.width !== width) {
 			this.canvas.width = width;
 			this.canvas.height = Math.round((width * 2) / 3);
-			this.#drawn.clear();
+			this.#pictures.clear();
 		}
 		this.scale = width / this.width;
 		const context = this.#context;
@@ -342,36 +337,13 @@ export class Stage {
 
 	#drawModel(agent) {
 		const context = this.#context;
-		const picture = this.#pictureOf(agent.shape, css(agent.color), Math.ceil(agent.size * this.scale));
+		const picture = this.#pictures.of(agent.shape, css(agent.color), Math.ceil(agent.size * this.scale));
 		context.save();
 		context.translate(agent.x, this.#up(agent));
 		context.rotate(this.isSideView ? 0 : radians(agent.heading));
-		// a picture is three times as wide as the model, because models may be taller than they are wide
 		context.scale(agent.size * 3, -agent.size * 3);
 		context.drawImage(picture, -0.5, -0.5, 1, 1);
 		context.restore();
-	}
-
-	/** A model's picture, drawn once. */
-	#pictureOf(shape, colour, pixels) {
-		const key = `${shape} ${colour} ${pixels}`;
-		if (!this.#drawn.has(key)) {
-			const picture = new OffscreenCanvas(3 * pixels, 3 * pixels);
-			const context = picture.getContext("2d");
-			context.setTransform(pixels, 0, 0, -pixels, 1.5 * pixels, 1.5 * pixels);
-			context.lineWidth = 1 / pixels;
-			for (const { corners, light } of this.#faces.get(shape)) {
-				// steep faces are darker. A line of the same colour closes the seam to the next face
-				context.fillStyle = context.strokeStyle = `color-mix(in srgb, ${colour} ${Math.round(45 + 55 * light)}%, #1c2a30)`;
-				context.beginPath();
-				for (const [x, y] of corners) context.lineTo(x, y);
-				context.closePath();
-				context.fill();
-				context.stroke();
-			}
-			this.#drawn.set(key, picture);
-		}
-		return this.#drawn.get(key);
 	}
 
 	#listen(hasKeys) {
@@ -397,11 +369,4 @@ export class Stage {
 		addEventListener("keyup", ({ key }) => this.keys.delete(key));
 		addEventListener("blur", () => this.keys.clear());
 	}
-}
-
-/** How much a triangle faces the viewer: 1 fully, less than 0 if it faces away. */
-function nearOf([a, b, c], isSideView) {
-	const [u, v] = [b, c].map((corner) => corner.map((value, axis) => value - a[axis]));
-	const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-	return (isSideView ? -normal[1] : normal[2]) / (Math.hypot(...normal) || 1);
 }

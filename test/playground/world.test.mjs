@@ -3,9 +3,8 @@ import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import path from 'node:path';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { deflateRawSync } from 'node:zlib';
@@ -14,50 +13,11 @@ import { palette } from '../../assets/generator/palette.mjs';
 import { flatten } from '../../assets/generator/scene.mjs';
 import { serve } from '../headless/server.mjs';
 import { root } from './browser.mjs';
+import { made, makeLand, parts } from './parts.mjs';
 
-const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
-const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
-let parts;
-let greatLand;
-const made = new Map();
-
-before(async () => {
-	const out = path.join(root, 'bin/generated/playground-world.mjs');
-	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
-	const names = ['play/world.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
-	// words come before what is made of them
-	const english = path.join(root, 'bin/generated/english.mjs');
-	const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
-	mkdirSync(path.dirname(english), { recursive: true });
-	writeFileSync(english, `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\nspeak(further);\n`);
-	buildSync({
-		stdin: { contents: [`import ${JSON.stringify(english)};`, ...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
-		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', nodePaths: [path.join(root, 'js/playground/node_modules')],
-		alias: { 'starlogo-collision/three': path.join(root, 'bin/module', exports['./three'].default), 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
-	});
-	parts = await import(pathToFileURL(out).href);
-	greatLand = new parts.GreatLand();
-	greatLand.addModel(parts.BuiltInModel.sphere());
-	greatLand.addModel(parts.BuiltInModel.cylinder());
-	for (const file of FILES) {
-		const [name] = file.split('.');
-		const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
-		greatLand.addModel(file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes));
-	}
-	for (const name of ['turtle', 'wall']) {
-		made.set(name, parts[name]());
-		greatLand.addModel(made.get(name));
-	}
-});
-
-const number = (value) => ({ shadow: { type: 'math_number', fields: { NUM: value } } });
-const chain = (...blocks) => blocks.reduceRight((next, block) => (next ? { ...block, next: { block: next } } : block), undefined);
-const inside = (...blocks) => ({ DO: { block: chain(...blocks) } });
-const program = (...scripts) => ({ blocks: { blocks: scripts } });
-const start = (...blocks) => ({ type: 'starlogo_start', inputs: inside(...blocks) });
-const each = (BREED, ...blocks) => ({ type: 'starlogo_each', fields: { BREED }, inputs: inside(...blocks) });
-const create = (count, BREED, SHAPE, ...blocks) => ({ type: 'starlogo_create', fields: { BREED, SHAPE }, inputs: { COUNT: number(count), ...inside(...blocks) } });
-const forward = (steps) => ({ type: 'starlogo_forward', inputs: { STEPS: number(steps) } });
+const { number, chain, program, start, each, create, move: forward } = parts.notation;
+const inside = (...blocks) => ({ DO: parts.notation.inside(...blocks) });
+const greatLand = makeLand();
 const value = (type, fields, inputs) => ({ block: { type, fields, inputs } });
 
 /** A world after some frames of a program. */
@@ -437,46 +397,13 @@ const changed = (state, change) => {
 const script = (type, BREED, ...blocks) => ({ type, fields: { BREED }, inputs: inside(...blocks) });
 const nearestTurtle = value('starlogo_nearest', { BREED: 'turtles' }, { DISTANCE: number(50) });
 const say = (what) => ({ type: 'starlogo_say', inputs: { TEXT: what } });
-/** Puts blocks behind the last one of a script. */
-function append(scripts, type, ...blocks) {
-	let last = scripts.find((each) => each.type === type).inputs.DO.block;
-	while (last.next) {
-		last = last.next.block;
-	}
-	last.next = { block: chain(...blocks) };
-}
-
 const SYSTEMS = ['unit spheres', 'tightest fits', 'hierarchies', 'combination', 'exact'];
 const NONE = [];
 
-/**
- * What does each lesson: a change of its program; the systems in which the changed program does it, and those in which the given one does it.
- */
-const SOLUTIONS = {
-	blocks: { change: (scripts) => append(scripts, 'starlogo_each', forward(0.05)), solved: SYSTEMS, given: NONE },
-	helmet: { solved: SYSTEMS.slice(1), given: SYSTEMS.slice(1) },
-	wing: { solved: ['hierarchies', 'exact'], given: ['hierarchies', 'exact'] },
-	main: { change: (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_hierarchical', fields: { WHO: 'dragons', ON: 'on' } }), solved: ['combination'], given: NONE },
-	fast: { change: (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_sweep', fields: { WHO: 'paintballs', ON: 'on' } }), solved: SYSTEMS, given: NONE },
-	starts: {
-		change: (scripts) => {
-			scripts.find(({ type }) => type === 'starlogo_collision').type = 'starlogo_touch_start';
-		},
-		solved: SYSTEMS, given: NONE,
-	},
-	room: {
-		change: (scripts) => scripts.push({ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_bounce' }) }),
-		solved: SYSTEMS, given: NONE,
-	},
-	near: { change: (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) })))), solved: SYSTEMS, given: NONE },
-	see: { change: (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: nearestTurtle })))), solved: SYSTEMS, given: NONE },
-	hunt: {
-		change: (scripts) => {
-			scripts.find(({ type, fields }) => type === 'starlogo_each' && fields.BREED === 'bears').inputs = inside({ type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.15));
-		},
-		solved: SYSTEMS, given: NONE,
-	},
-};
+/** The systems in which a solved lesson is done, and those in which it is done as it is given. Of the others all and none. */
+const SOLVED = { helmet: SYSTEMS.slice(1), wing: ['hierarchies', 'exact'], main: ['combination'] };
+const GIVEN = { helmet: SYSTEMS.slice(1), wing: ['hierarchies', 'exact'] };
+const LESSONS = Object.keys(parts.LESSONS);
 const LONGEST_LESSON = 1900;
 
 /** Whether a lesson is done by a program, which a system plays; the lesson main names its own in a block. */
@@ -493,11 +420,11 @@ function does(name, state, system, most) {
 	return false;
 }
 
-for (const [name, { change, solved, given }] of Object.entries(SOLUTIONS)) {
+for (const name of LESSONS) {
 	test(`the lesson ${name} is done by what it teaches, and not before, in every collision system`, () => {
 		const { program: state } = parts.LESSONS[name];
-		assert.deepEqual(SYSTEMS.filter((system) => does(name, state, system, 620)), given, 'as it is given');
-		assert.deepEqual(SYSTEMS.filter((system) => does(name, change ? changed(state, change) : state, system, LONGEST_LESSON)), solved, 'solved');
+		assert.deepEqual(SYSTEMS.filter((system) => does(name, state, system, 620)), GIVEN[name] ?? NONE, 'as it is given');
+		assert.deepEqual(SYSTEMS.filter((system) => does(name, parts.solved(name), system, LONGEST_LESSON)), SOLVED[name] ?? SYSTEMS, 'solved');
 		const { challenge, why } = parts.texts.lessons.list[name];
 		assert.ok(challenge.length > 10 && why.length > 10);
 	});
@@ -521,27 +448,27 @@ const MISTAKES = {
 	blocks: [['still'], ['once', (scripts) => {
 		scripts.find(({ type }) => type === 'starlogo_start').inputs.DO.block.inputs = { COUNT: number(5), ...inside({ type: 'starlogo_scatter' }, wait(0.2), forward(1)) };
 	}],
-		['none', (scripts) => append(scripts, 'starlogo_start', without('turtles'))]],
-	helmet: [['through'], ['changed', (scripts) => append(scripts, 'starlogo_start', without('firemen')), 'exact']],
-	wing: [['air'], ['air', null, 'unit spheres'], ['changed', (scripts) => append(scripts, 'starlogo_start', without('dragons')), 'exact']],
+		['none', (scripts) => parts.append(scripts, 'starlogo_start', without('turtles'))]],
+	helmet: [['through'], ['changed', (scripts) => parts.append(scripts, 'starlogo_start', without('firemen')), 'exact']],
+	wing: [['air'], ['air', null, 'unit spheres'], ['changed', (scripts) => parts.append(scripts, 'starlogo_start', without('dragons')), 'exact']],
 	main: [['box'], ['system', null, 'exact'], ['balls', (scripts) => ['dragons', 'paintballs'].forEach((breed) => atStart(scripts, hierarchical(breed)))],
-		['changed', (scripts) => append(scripts, 'starlogo_start', hierarchical('dragons'), without('paintballs'))]],
-	fast: [['through'], ['slow', (scripts) => inEach(scripts, 'paintballs', forward(0.5))], ['walls', (scripts) => append(scripts, 'starlogo_start', sweeping('walls'))]],
+		['changed', (scripts) => parts.append(scripts, 'starlogo_start', chain(hierarchical('dragons'), without('paintballs')))]],
+	fast: [['through'], ['slow', (scripts) => inEach(scripts, 'paintballs', forward(0.5))], ['walls', (scripts) => parts.append(scripts, 'starlogo_start', sweeping('walls'))]],
 	starts: [['frames'], ['few', (scripts) => {
 		scripts.find(({ type }) => type === 'starlogo_collision').inputs = {};
 	}]],
-	room: [['out'], ['gone', (scripts) => append(scripts, 'starlogo_start', without('walls'))],
+	room: [['out'], ['gone', (scripts) => parts.append(scripts, 'starlogo_start', without('walls'))],
 		['still', (scripts) => inEach(scripts, 'bears', { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'walls' }, inputs: { STEPS: number(0.1) } })]],
 	near: [['silent'], ['others', (scripts) => scripts.push(script('starlogo_each', 'turtles', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) }))))],
-		['other', (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('text', { TEXT: 'Hello' }))))], ['none', (scripts) => append(scripts, 'starlogo_start', without('bears'))]],
+		['other', (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('text', { TEXT: 'Hello' }))))], ['none', (scripts) => parts.append(scripts, 'starlogo_start', without('bears'))]],
 	see: [['silent'], ['others', (scripts) => scripts.push(script('starlogo_each', 'turtles', say(value('text', { TEXT: 'Hello' }))))],
-		['other', (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: value('starlogo_nearest', { BREED: 'bears' }, { DISTANCE: number(10) }) }))))], ['none', (scripts) => append(scripts, 'starlogo_start', without('bears'))]],
-	hunt: [['straight'], ['none', (scripts) => append(scripts, 'starlogo_start', without('bears'))],
+		['other', (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: value('starlogo_nearest', { BREED: 'bears' }, { DISTANCE: number(10) }) }))))], ['none', (scripts) => parts.append(scripts, 'starlogo_start', without('bears'))]],
+	hunt: [['straight'], ['none', (scripts) => parts.append(scripts, 'starlogo_start', without('bears'))],
 		['late', (scripts) => inEach(scripts, 'bears', { type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.005))]],
 };
 
 test('a wrong solution of a lesson is told what is wrong with it, and a right one is not', () => {
-	assert.deepEqual(Object.keys(MISTAKES), Object.keys(parts.LESSONS));
+	assert.deepEqual(Object.keys(MISTAKES), LESSONS);
 	/** What is said of a game, in order, until it is done. */
 	const told = (name, state, system) => {
 		const world = played(state, 0);
@@ -563,17 +490,15 @@ test('a wrong solution of a lesson is told what is wrong with it, and a right on
 			assert.ok(said.includes(what) && !said.includes('done'), `${name}: ${what} of ${said}`);
 			assert.ok(said.every((each) => each === null || words.includes(each)), `${name}: ${said}`);
 		}
-		const { change, solved } = SOLUTIONS[name];
-		for (const system of solved) assert.deepEqual(told(name, change ? changed(state, change) : state, system).filter((each) => each !== null), ['done'], `${name}, ${system}`);
+		for (const system of SOLVED[name] ?? SYSTEMS) assert.deepEqual(told(name, parts.solved(name), system).filter((each) => each !== null), ['done'], `${name}, ${system}`);
 	}
 });
 
 test('all lessons are tried, and begin with a system in which they are not done yet', () => {
-	assert.deepEqual(Object.keys(SOLUTIONS), Object.keys(parts.LESSONS));
-	assert.deepEqual(Object.keys(parts.LESSONS), Object.keys(parts.texts.lessons.list));
-	assert.equal(Object.keys(SOLUTIONS).length, 10);
-	for (const [name, { given }] of Object.entries(SOLUTIONS)) {
-		assert.ok(!given.includes(played(parts.LESSONS[name].program, 0).collisions.systemName), name);
+	assert.deepEqual(LESSONS, Object.keys(parts.texts.lessons.list));
+	assert.equal(LESSONS.length, 10);
+	for (const name of LESSONS) {
+		assert.ok(!GIVEN[name]?.includes(played(parts.LESSONS[name].program, 0).collisions.systemName), name);
 	}
 });
 

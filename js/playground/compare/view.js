@@ -2,7 +2,7 @@
 import { Agent, CollisionBlocks } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
 import { listing } from "../shared/copying.js";
-import { button, choice, field, h, short } from "../shared/dom.js";
+import { button, choice, field, h, modes, short } from "../shared/dom.js";
 import { Lab } from "../shared/lab.js";
 import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
@@ -59,8 +59,12 @@ class CompareView {
 		this.meeting = h("p.note", { role: "status" });
 		this.code = h("code");
 		this.shared = h("span", { role: "status" });
+		this.modes = modes(words, "pair", (mode) => {
+			this.#turnTo(mode);
+			this.#keep();
+		});
 		main.replaceChildren(
-			h("div.tools", {}, this.#modes(), button(texts.play.share, () => this.#share()), this.shared),
+			h("div.tools", {}, this.modes, button(texts.play.share, () => this.#share()), this.shared),
 			h("section.pair", { "aria-label": words.pair },
 				h("div.seen", {}, h("div.screen", {}, this.pairHost), this.verdicts),
 				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)),
@@ -90,18 +94,10 @@ class CompareView {
 	}
 
 	/** Shows either two agents or a whole game. Each has the window to itself. */
-	#modes() {
-		this.modes = Object.entries(words.modes).map(([name, text]) => h("label.tick", {}, h("input", { type: "radio", name: "mode", value: name, checked: name === "pair", onchange: () => {
-			this.#turnTo(name);
-			this.#keep();
-		} }), text));
-		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...this.modes);
-	}
-
 	#turnTo(mode) {
 		this.main.querySelector(".pair").hidden = mode !== "pair";
 		this.main.querySelector(".scattered").hidden = mode === "pair";
-		for (const { firstChild: pick } of this.modes) pick.checked = pick.value === mode;
+		for (const pick of this.modes.querySelectorAll("input")) pick.checked = pick.value === mode;
 		this.isGame = mode !== "pair";
 		if (this.isGame) this.#time();
 	}

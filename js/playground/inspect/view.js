@@ -1,7 +1,7 @@
 /** Inspect: shows a model, the structures around it, and their costs. */
 import { Agent, Model } from "starlogo-collision";
 import { AGENTS, LINES } from "../shared/colours.js";
-import { button, choice, field, fileButton, h, short, slider, tick } from "../shared/dom.js";
+import { button, choice, field, fileButton, h, modes, short, slider, tick } from "../shared/dom.js";
 import { contentOf } from "../shared/files.js";
 import { Lab } from "../shared/lab.js";
 import { loadModel, parseModel } from "../shared/models.js";
@@ -49,7 +49,7 @@ class InspectView {
 					fileButton(words.choose, ".obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), h("small.hint", {}, words.drop)),
 				this.upHint,
 				h("div.saying", {}, this.status), h("div.screen", {}, this.worldHost)),
-			h("section.facts", { "aria-label": words.structures }, this.#modes(), this.structures));
+			h("section.facts", { "aria-label": words.structures }, modes(words, "structures", (mode) => this.#turnTo(mode)), this.structures));
 		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
 		orbitByKeys(this.stage, this.worldHost);
 		this.questions = new Questions(this.stage);
@@ -57,13 +57,10 @@ class InspectView {
 	}
 
 	/** Shows either the structures around the model or the questions. */
-	#modes() {
-		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
-			h("input", { type: "radio", name: "mode", value: name, checked: name === "structures", onchange: () => {
-				this.structures.hidden = name === "questions";
-				this.questions.element.hidden = !this.structures.hidden;
-				this.#showModel();
-			} }), text)));
+	#turnTo(mode) {
+		this.structures.hidden = mode === "questions";
+		this.questions.element.hidden = !this.structures.hidden;
+		this.#showModel();
 	}
 
 	#settingsForm() {

@@ -3,7 +3,7 @@
  */
 import { CollisionBlocks } from "starlogo-collision";
 import { CAST } from "../compare/game.js";
-import { button, choice, field, fileButton, h, short } from "../shared/dom.js";
+import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
 import { recallList, rememberValue } from "../shared/memory.js";
@@ -49,7 +49,7 @@ class MeasureView {
 			button(words.downloadChart, () => hand(fileOf(this.picture.firstChild), words.chartName, "image/svg+xml"))];
 		this.live = new Live(greatLand);
 		this.series = h("div.series", { hidden: true });
-		main.replaceChildren(this.#modes(), this.live.element, this.series);
+		main.replaceChildren(modes(words, "live", (mode) => this.#turnTo(mode)), this.live.element, this.series);
 		this.series.append(
 			h("section.measuring", { "aria-label": words.title },
 				h("div.tools", {}, this.startButton, field(words.most, most), field(words.machine, this.name), ...this.keepers),
@@ -63,11 +63,6 @@ class MeasureView {
 	}
 
 	/** Shows either a game that runs or the series of all systems. */
-	#modes() {
-		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
-			h("input", { type: "radio", name: "mode", value: name, checked: name === "live", onchange: () => this.#turnTo(name) }), text)));
-	}
-
 	#turnTo(mode) {
 		if (mode === "series") this.live.stop();
 		else if (this.#isRunning) this.#stop(words.stopped);

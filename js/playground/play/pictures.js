@@ -72,3 +72,16 @@ export class Studio {
 		this.host.remove();
 	}
 }
+
+/**
+ * Draws the beginning of one program's game into an image element, which is removed if nothing can be drawn.
+ *
+ * @param {HTMLElement} parent contains the stage while it draws
+ */
+export async function drawInto(picture, parent, program, own = {}) {
+	const studio = new Studio(parent);
+	const address = await studio.pictureOf(program, own);
+	studio.close();
+	if (address) picture.src = address;
+	else picture.remove();
+}

@@ -38,6 +38,10 @@ export function choice(options, value, onChange) {
 	return select;
 }
 
+/** The modes of a view, of which one is chosen: words.mode names them, and words.modes has the text of each. */
+export const modes = (words, chosen, onPick) => h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
+	h("input", { type: "radio", name: "mode", value: name, checked: name === chosen, onchange: () => onPick(name) }), text)));
+
 /** A check box with its label. */
 export function tick(label, checked, onChange) {
 	const box = h("input", { type: "checkbox", checked, onchange: () => onChange(box.checked) });

@@ -45,13 +45,9 @@ export async function showProgram(main, address) {
 		h("div.tools.no-print", {}, h("a", { href: `#play/${address}` }, words.backToPlay), button(words.print, () => print(), { class: "primary" })),
 		h("h2", {}, name), h("p.by", {}, `${texts.handing.name}: `, pupil ? h("strong", {}, pupil) : h("span.blank-line")), picture,
 		h("p.note", {}, `${texts.play.system}: ${system}`), h("h3", {}, words.blocks), blocks));
-	const [{ Studio }, { Models }] = await Promise.all([import("../play/pictures.js"), import("../play/kept.js"), loadMessages()]);
-	const studio = new Studio(main);
+	const [{ drawInto }, { Models }] = await Promise.all([import("../play/pictures.js"), import("../play/kept.js"), loadMessages()]);
 	const own = Object.entries(models ?? await Models.kept()).filter(([each]) => JSON.stringify(program).includes(JSON.stringify(each)));
-	const drawn = await studio.pictureOf(program, Object.fromEntries(own));
-	studio.close();
-	if (drawn) picture.src = drawn;
-	else picture.remove();
+	await drawInto(picture, main, program, Object.fromEntries(own));
 	const { showBlocks } = await import("../play/editor.js");
 	if (!blocks.isConnected) return true;
 	showBlocks(blocks, program, HIGHEST, SMALLEST);

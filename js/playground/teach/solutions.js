@@ -4,8 +4,8 @@ import { aim, bounce, collision, count, each, move, nearest, sweep } from "../pl
 
 const say = (what) => ({ type: "starlogo_say", inputs: { TEXT: what } });
 
-/** Puts a block behind the last one of the first script of a type. */
-function append(scripts, type, block) {
+/** Puts a block, with those below it, behind the last one of the first script of a type. */
+export function append(scripts, type, block) {
 	let last = scripts.find((script) => script.type === type).inputs.DO.block;
 	while (last.next) last = last.next.block;
 	last.next = { block };

@@ -95,14 +95,10 @@ class TeachView {
 
 	/** Draws the pictures, which come late. The words can be read meanwhile. */
 	async #draw(name, picture, blocks, solvedBlocks) {
-		const [{ LESSONS }, { Studio }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js"), import("./solutions.js")]);
+		const [{ LESSONS }, { drawInto }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js"), import("./solutions.js")]);
 		if (!picture.isConnected) return;
 		const { program } = LESSONS[name];
-		const studio = new Studio(this.main);
-		const address = await studio.pictureOf(program);
-		studio.close();
-		if (address) picture.src = address;
-		else picture.remove();
+		await drawInto(picture, this.main, program);
 		await loadMessages();
 		const { showBlocks } = await import("../play/editor.js");
 		if (!blocks.isConnected) return;

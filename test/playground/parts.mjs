@@ -1,0 +1,48 @@
+/** The playground's modules without a page, and the engine's models for their worlds. */
+import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { root } from './browser.mjs';
+
+const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
+const MODULES = ['play/world.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'];
+const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
+const folder = path.join(root, 'bin/generated');
+
+/** Writes a file of this folder in one go, because another process may read it meanwhile. */
+function write(name, text) {
+	const file = path.join(folder, name);
+	writeFileSync(`${file}.${process.pid}`, text);
+	renameSync(`${file}.${process.pid}`, file);
+	return file;
+}
+
+mkdirSync(folder, { recursive: true });
+const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
+const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
+// words come before what is made of them
+const english = write('english.mjs', `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\nspeak(further);\n`);
+const { outputFiles: [{ text }] } = buildSync({
+	stdin: { contents: [`import ${JSON.stringify(english)};`, ...MODULES.map((file) => `export * from "./${file}";`), 'export * as notation from "./play/notation.js";', 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
+	bundle: true, format: 'esm', write: false, logLevel: 'warning', nodePaths: [path.join(root, 'js/playground/node_modules')],
+	alias: { 'starlogo-collision/three': path.join(root, 'bin/module', exports['./three'].default), 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
+});
+
+/** What the modules export, with the engine's names; notation has the functions for programs. */
+export const parts = await import(pathToFileURL(write('playground-world.mjs', text)));
+
+/** The turtle and the wall, which are made by the page. */
+export const made = new Map(['turtle', 'wall'].map((name) => [name, parts[name]()]));
+
+/** The models of all shapes that programs have. */
+export function makeLand() {
+	const greatLand = new parts.GreatLand();
+	for (const model of [parts.BuiltInModel.sphere(), parts.BuiltInModel.cylinder(), ...made.values()]) greatLand.addModel(model);
+	for (const file of FILES) {
+		const [name] = file.split('.');
+		const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
+		greatLand.addModel(file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes));
+	}
+	return greatLand;
+}

@@ -575,7 +575,7 @@ export class Program {
 			if (base.isGetter) return `super.${this.#member(base.name)}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
 		}
-		if (node.callee.property?.name === "sort" && args.length === 1) {
+		if (node.callee.property?.name === "sort" && args.length === 1 && args[0].type !== "FunctionExpression") {
 			return `${this.#helper("sort")}(${this.#text(node.callee.object)}, ${this.#text(args[0])})`;
 		}
 		const vector = node.callee.type === "MemberExpression" ? vectorType(node.callee.object) : null;

@@ -7,7 +7,6 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactFeature;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.Zonotope;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findBoxImpact;
 
@@ -29,10 +28,6 @@ package starlogo.intersection
         private var _featureA:ContactFeature = new ContactFeature();
         private var _featureB:ContactFeature = new ContactFeature();
 
-        // Created when they are first needed, because their class extends CapsuleBoxKernel, which has a BoxBoxKernel.
-        private var _edgesA:BoxEdgeDistance = null;
-        private var _edgesB:BoxEdgeDistance = null;
-
         // The axis to try next, and the shortest separating displacement so far.
         private var _direction:Vector3D = new Vector3D();
         private var _depth:Number = Infinity;
@@ -42,33 +37,6 @@ package starlogo.intersection
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             findBoxImpact(a as Box, b as Box, motion);
-        }
-
-        /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
-        {
-            var boxA:Box = a as Box;
-            var boxB:Box = b as Box;
-            // The order is always the same, so that rounding is the same for (a, b) and (b, a).
-            if (boxA.center.x > boxB.center.x || (boxA.center.x == boxB.center.x && isAfter(boxA.center, boxB.center)))
-            {
-                findClosest(b, a, out);
-                out.swapShapes();
-                return;
-            }
-            _edgesA ||= new BoxEdgeDistance();
-            _edgesB ||= new BoxEdgeDistance();
-            _edgesA.findNearest(boxA, boxB);
-            if (_edgesA.squared > 0 && !_edgesA.isLeast())
-            {
-                _edgesB.findNearest(boxB, boxA);
-                if (_edgesB.squared < _edgesA.squared)
-                {
-                    _edgesB.write(boxA, true, out);
-                    return;
-                }
-            }
-            _edgesA.write(boxB, false, out);
         }
 
         /**

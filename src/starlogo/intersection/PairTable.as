@@ -14,5 +14,8 @@ package starlogo.intersection
                 new SphereSphereKernel(), new SphereCapsuleKernel(), new SphereBoxKernel(),
                 null, new CapsuleCapsuleKernel(), new CapsuleBoxKernel(),
                 null, null, new BoxBoxKernel()];
+
+        /** The kernels that find distances. */
+        public static const DISTANCES:Vector.<PairKernel> = KERNELS.slice(0, 8).concat(new <PairKernel>[new BoxDistanceKernel()]);
     }
 }

@@ -19,12 +19,12 @@ package starlogo.intersection.distance
     {
         if (a.kind > b.kind)
         {
-            PairTable.KERNELS[3 * b.kind + a.kind].findClosest(b, a, out);
+            PairTable.DISTANCES[3 * b.kind + a.kind].findClosest(b, a, out);
             out.swapShapes();
         }
         else
         {
-            PairTable.KERNELS[3 * a.kind + b.kind].findClosest(a, b, out);
+            PairTable.DISTANCES[3 * a.kind + b.kind].findClosest(a, b, out);
         }
     }
 }

@@ -18,7 +18,7 @@ package starlogo.queries
     public class QueriesAllocationTest
     {
         private static const AGENTS:int = 40;
-        private static const ASK_EVERY:int = 8;
+        private static const ASK_EVERY:int = 20;
         // frames in which all turn about once, an even number: then they are where they were
         private static const TURN:int = 6;
 
@@ -221,9 +221,9 @@ package starlogo.queries
             if (_agents.indexOf(agent) < 0)
             {
                 agent.moveTo(-4, 0.5, 1);
-                for (var i:int = 0; i < 4; i++)
+                for (var i:int = 0; i < 2; i++)
                 {
-                    _answers += _queries.walk(agent, 0.4, 0, _options, _footing).stands ? 1 : 0;
+                    _answers += _queries.walk(agent, 0.8, 0, _options, _footing).stands ? 1 : 0;
                 }
                 agent.moveTo(0, 0, 0);
             }

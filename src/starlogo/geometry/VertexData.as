@@ -52,17 +52,19 @@ package starlogo.geometry
          *
          * @param triangles three vertex indices each; not null, may be empty
          * @param vertexCount the number of vertices
+         * @param first the index of the first number to look at
+         * @param last the index after the last one
          * @return null if nothing is wrong, otherwise a sentence that begins with a small letter
          */
-        public static function triangleProblem(triangles:Vector.<uint>, vertexCount:int):String
+        public static function triangleProblem(triangles:Vector.<uint>, vertexCount:int, first:int = 0, last:int = int.MAX_VALUE):String
         {
             if (triangles.length % 3 != 0)
             {
                 return "triangles have three vertices each, but there are " + triangles.length + " indices in all";
             }
-            var length:int = triangles.length;
+            var length:int = Math.min(last, triangles.length);
             var end:uint = vertexCount;
-            for (var i:int = 0; i < length; i++)
+            for (var i:int = first; i < length; i++)
             {
                 if (triangles[i] >= end)
                 {

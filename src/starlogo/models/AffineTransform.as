@@ -1,6 +1,8 @@
 package starlogo.models
 {
     import starlogo.geometry.Placement;
+    import starlogo.steps.Slices;
+    import starlogo.steps.Steps;
 
     /**
      * An affine transform of points: a node's place in a scene. x' = m00 x + m01 y + m02 z + m03, and the next two rows give y' and z'.
@@ -10,6 +12,8 @@ package starlogo.models
      */
     public final class AffineTransform
     {
+        private static const POINTS_PER_STEP:int = 4000;
+
         /** Three rows of four numbers. The last number of each row is the translation. */
         public var rows:Vector.<Number>;
 
@@ -50,6 +54,15 @@ package starlogo.models
         {
             var m:Vector.<Number> = rows;
             return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]) < 0;
+        }
+
+        /** The steps that transform all of the points in place. */
+        public function placing(points:Vector.<Number>):Steps
+        {
+            return new Slices(points.length / 3, POINTS_PER_STEP, function(first:int, end:int):void
+                {
+                    place(points, first, end, points, first);
+                });
         }
 
         /**

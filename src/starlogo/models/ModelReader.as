@@ -12,8 +12,6 @@ package starlogo.models
      */
     public class ModelReader extends StepSequence
     {
-        private static const VERTICES_PER_STEP:int = 4000;
-
         /** When all is read: x, y, z, ... as placed in the file, turned to z up. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
@@ -102,11 +100,7 @@ package starlogo.models
         /** The steps that turn the vertices to z up. */
         protected final function turningUp():Steps
         {
-            var turn:AffineTransform = up.turn;
-            return new StepSequence().slices(up.axis == UpAxis.Z ? 0 : vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
-                {
-                    turn.place(vertices, first, end, vertices, first);
-                });
+            return up.axis == UpAxis.Z ? null : up.turn.placing(vertices);
         }
 
         private function normalising():Steps

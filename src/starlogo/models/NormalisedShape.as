@@ -87,7 +87,7 @@ package starlogo.models
             }
             if (triangles != null && triangles.length > 0)
             {
-                check(triangles.length % 3 == 0 ? null : VertexData.triangleProblem(triangles, _count));
+                check(VertexData.triangleProblem(triangles, _count, 0, 0));
                 this.triangles = triangles.slice();
                 slices(triangles.length, CORNERS_PER_STEP, checkCorners).call(turnRound);
             }
@@ -131,10 +131,7 @@ package starlogo.models
             call(function():void
                 {
                     frame.turn(turn, factor);
-                }).slices(_count, VERTICES_PER_STEP, function(first:int, end:int):void
-                {
-                    turn.place(vertices, first, end, vertices, first);
-                });
+                }).add(turn.placing(vertices));
             return measureAll();
         }
 
@@ -207,15 +204,7 @@ package starlogo.models
 
         private function checkCorners(first:int, end:int):void
         {
-            var corners:Vector.<uint> = triangles;
-            var count:uint = _count;
-            for (var i:int = first; i < end; i++)
-            {
-                if (corners[i] >= count)
-                {
-                    check(VertexData.triangleProblem(corners, count));
-                }
-            }
+            check(VertexData.triangleProblem(triangles, _count, first, end));
         }
 
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.

@@ -99,7 +99,7 @@ package starlogo.agents
         /** @private The kind of structure for the agent; ANY_KIND for the tightest. */
         engine var structureKind:int = ANY_KIND;
 
-        /** @private What the agent stands on since its last walk. It is null before the first walk that ends on an agent. */
+        /** @private What the agent stands on since its last walk. It is null before the first walk. */
         engine var standing:PlatformLink = null;
 
         /** The agent's colour, with the client's colour numbers. It has no effect on collisions. */

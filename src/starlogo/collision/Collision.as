@@ -83,9 +83,9 @@ package starlogo.collision
         // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
         private var _updating:BaseCollider = null;
 
-        // The system that found the last frame's pairs, or null; whether it refused the list.
+        // The system that found the last frame's pairs, or null; whether that frame threw before its end.
         private var _searched:Collider = null;
-        private var _isRefused:Boolean = false;
+        private var _hasFailed:Boolean = false;
         private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
 
         // _isLent: the game has got _lastAgents, so it may have changed the list. _listNumber: the number of this list in the table of _searched,
@@ -235,7 +235,7 @@ package starlogo.collision
         {
             _handlers.clear();
             _touches = new TouchTracker();
-            _isRefused = false;
+            _hasFailed = false;
             _searched = null;
             var owned:Collider = _system.ownedCollider;
             if (owned != null)
@@ -279,9 +279,8 @@ package starlogo.collision
             try
             {
                 var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
-                _isRefused = true;
+                _hasFailed = true;
                 findPairs(system, collider, listed, asked == null ? null : _filteredList.takePart);
-                _isRefused = false;
                 keepList(listed, system.collider);
                 if (collider != null)
                 {
@@ -289,6 +288,7 @@ package starlogo.collision
                     collider.search.holdWorld();
                 }
                 _calls.make(system, _handlers, touches, _lastAgents, agents, _handlerErrors);
+                _hasFailed = false;
             }
             finally
             {
@@ -321,14 +321,14 @@ package starlogo.collision
          * @return the bytes, about 25 for each agent of the list, 79 for its traits, and 17 for each pair that touches and has handlers for starts
          *     or ends
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is not one of the engine's or has searched
-         *     another list since the last frame, or if the last frame refused its list
+         *     another list since the last frame, or if the last frame refused its list or failed because a contact could not be computed
          */
         public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {
             requireSearch("snapshot");
-            if (_isRefused)
+            if (_hasFailed)
             {
-                throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
+                throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
             }
             var searched:Collider = _searched || _system.collider;
             return _snapshots.write(_touches, searched.search.table, _lastAgents, _searched == _system.collider, terrain, findFixtures(),
@@ -360,7 +360,7 @@ package starlogo.collision
             var collider:Collider = _system.collider;
             _touches = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
             keepList(agents, collider);
-            _isRefused = false;
+            _hasFailed = false;
         }
 
         // Lets another Collision have a system's collider, unless this one still needs it.

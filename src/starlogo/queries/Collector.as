@@ -198,6 +198,8 @@ package starlogo.queries
             {
                 _seen.asking--;
             }
+            // accepts may have given agents new breeds
+            makeRoomForBreeds();
             if (_admittedCount == wanted)
             {
                 limit = -1;
@@ -289,6 +291,14 @@ package starlogo.queries
             return end;
         }
 
+        private function makeRoomForBreeds():void
+        {
+            if (_breeds.length < Breeds.count)
+            {
+                _breeds.length = Breeds.count;
+            }
+        }
+
         // Marks the filter's breeds and the agents that it excepts.
         private function mark(filter:AgentFilter):void
         {
@@ -299,10 +309,7 @@ package starlogo.queries
             {
                 return;
             }
-            if (_breeds.length < Breeds.count)
-            {
-                _breeds.length = Breeds.count;
-            }
+            makeRoomForBreeds();
             if (_excepted.length < _agents.length)
             {
                 _excepted.length = _agents.length;

@@ -27,12 +27,17 @@ package starlogo.queries
         public var closest:DistanceResult = new DistanceResult();
 
         private var _seen:QueryWorld;
+        private var _bodies:QueryBodies;
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
-        /** @param seen the agents that questions are about */
-        public function DistanceQueries(seen:QueryWorld)
+        /**
+         * @param seen the agents that questions are about
+         * @param bodies the bodies of these agents, and of points
+         */
+        public function DistanceQueries(seen:QueryWorld, bodies:QueryBodies)
         {
             _seen = seen;
+            _bodies = bodies;
         }
 
         /**
@@ -53,15 +58,15 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            return answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _seen.other) : _seen.table.bodyOf(rowB), pointA, pointB);
+            return answer(_bodies.ofAgent(a), rowB < 0 ? _bodies.ofAgent(b, _bodies.second) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
         public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
         {
             _point.center.setTo(point.x, point.y, point.z);
-            _seen.other.readStructure(_point);
-            var distance:Number = answer(_seen.bodyOf(agent), _seen.other, out, null);
+            _bodies.second.readStructure(_point);
+            var distance:Number = answer(_bodies.ofAgent(agent), _bodies.second, out, null);
             if (distance == 0)
             {
                 // without the rounding of the point that was found

@@ -30,6 +30,7 @@ package starlogo.queries
         public var nearCount:int = 0;
 
         private var _seen:QueryWorld;
+        private var _bodies:QueryBodies;
         private var _found:Collector;
         private var _search:SweptBoxSearch;
 
@@ -43,12 +44,14 @@ package starlogo.queries
 
         /**
          * @param seen the agents that questions are about
+         * @param bodies the bodies that ask
          * @param found collects the rows near a way, and then those that are met
          * @param search finds the rows near a way
          */
-        public function MoveQueries(seen:QueryWorld, found:Collector, search:SweptBoxSearch)
+        public function MoveQueries(seen:QueryWorld, bodies:QueryBodies, found:Collector, search:SweptBoxSearch)
         {
             _seen = seen;
+            _bodies = bodies;
             _found = found;
             _search = search;
             _hits = new Hits(found, ShapeHit);
@@ -57,7 +60,7 @@ package starlogo.queries
         /** See AgentQueries.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            begin(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter);
+            begin(agent, _bodies.ofMoving(agent), dx, dy, dz, filter);
             collect(1, Mover.TOUCH);
             var row:int = _found.first();
             var part:Number = row < 0 ? 1 : _found.limit;
@@ -82,7 +85,7 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             // the agent may go anywhere within the length of its way
-            begin(agent, _seen.bodyOfMoving(agent), dx, dy, dz, filter, Math.sqrt(dx * dx + dy * dy + dz * dz));
+            begin(agent, _bodies.ofMoving(agent), dx, dy, dz, filter, Math.sqrt(dx * dx + dy * dy + dz * dz));
             mover.begin(_seen.table, body, near, 0, nearCount);
             mover.go(_way, Mover.SLIDE);
             mover.restoreClearance(true);

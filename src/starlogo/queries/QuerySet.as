@@ -28,6 +28,9 @@ package starlogo.queries
         /** Walks. */
         public var walks:WalkQueries;
 
+        /** The bodies of the agents and structures that questions are about. */
+        public var bodies:QueryBodies;
+
         private var _seen:QueryWorld;
         private var _found:Collector;
         private var _near:NearSearch = new NearSearch();
@@ -39,10 +42,11 @@ package starlogo.queries
         {
             _seen = seen;
             _found = new Collector(seen);
-            distances = new DistanceQueries(seen);
-            rays = new RayQueries(seen, _found, _way);
-            moves = new MoveQueries(seen, _found, _way);
-            walks = new WalkQueries(seen, moves);
+            bodies = new QueryBodies(seen);
+            distances = new DistanceQueries(seen, bodies);
+            rays = new RayQueries(seen, bodies, _found, _way);
+            moves = new MoveQueries(seen, bodies, _found, _way);
+            walks = new WalkQueries(seen, bodies, moves);
         }
 
         /**

@@ -1,10 +1,8 @@
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
     import starlogo.collision.BaseCollider;
     import starlogo.collision.Collider;
@@ -41,13 +39,6 @@ package starlogo.queries
         /** The number of questions under way that are calling a filter's accepts. Meanwhile the list must not change. */
         public var asking:int = 0;
 
-        /** The body of the agent or structure that asks, if a question has to make it. */
-        public var asker:Body = new Body();
-
-        /** The body of a second agent or structure. */
-        public var other:Body = new Body();
-
-        private var _place:Vector3D = new Vector3D();
         private var _source:Object;
         private var _terrain:Terrain = null;
         private var _places:RowTree = new RowTree();
@@ -178,60 +169,6 @@ package starlogo.queries
             }
         }
 
-        /**
-         * The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
-         *
-         * @param made becomes this body if the agent has changed since the last update; null for <code>asker</code>
-         * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
-         */
-        public function bodyOf(agent:Agent, made:Body = null):Body
-        {
-            requireAgent(agent);
-            return table.bodyOfNow(agent, made || asker);
-        }
-
-        /** The body of an agent that can move, as it is now. Throws the errors of <code>placeOf()</code> and <code>bodyOf()</code>. */
-        public function bodyOfMoving(agent:Agent):Body
-        {
-            placeOf(agent);
-            return bodyOf(agent);
-        }
-
-        /**
-         * The body of an agent that goes straight on. A sphere, box or capsule becomes the body of a structure, so that an agent and the same
-         * structure meet the same, to the last bit.
-         */
-        public function bodyOfGoing(agent:Agent):Body
-        {
-            var body:Body = bodyOfMoving(agent);
-            if (body.shape == null || body.form >= ModelShape.TREE)
-            {
-                return body;
-            }
-            other.readPlaced(body);
-            return other;
-        }
-
-        /** The body that an agent would have at a place. */
-        public function bodyAt(agent:Agent, x:Number, y:Number, z:Number):Body
-        {
-            var body:Body = bodyOfMoving(agent);
-            if (body.shape == null)
-            {
-                return body;
-            }
-            _place.setTo(x, y, z);
-            other.readShrunk(body, _place, 0);
-            return other;
-        }
-
-        /** The body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
-        public function bodyOfStructure(structure:BoundingStructure):Body
-        {
-            asker.readStructure(structure);
-            return asker;
-        }
-
         private function findCollider():Collider
         {
             var collision:Collision = _source as Collision;
@@ -257,7 +194,8 @@ package starlogo.queries
             return new AgentTable(new ModelShapes(collider.choice), null);
         }
 
-        private static function requireAgent(agent:Agent):void
+        /** Throws an ArgumentError if an agent is null. */
+        public static function requireAgent(agent:Agent):void
         {
             if (agent == null)
             {

@@ -19,6 +19,7 @@ package starlogo.queries
     public final class RayQueries
     {
         private var _seen:QueryWorld;
+        private var _bodies:QueryBodies;
         private var _found:Collector;
         private var _search:SweptBoxSearch;
         private var _rays:RowRays;
@@ -31,12 +32,14 @@ package starlogo.queries
 
         /**
          * @param seen the agents that questions are about
+         * @param bodies the bodies that ask
          * @param found collects the rows that the ray meets
          * @param search finds the rows near the ray
          */
-        public function RayQueries(seen:QueryWorld, found:Collector, search:SweptBoxSearch)
+        public function RayQueries(seen:QueryWorld, bodies:QueryBodies, found:Collector, search:SweptBoxSearch)
         {
             _seen = seen;
+            _bodies = bodies;
             _found = found;
             _search = search;
             _rays = new RowRays(seen);
@@ -106,7 +109,7 @@ package starlogo.queries
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
             var at:Placement = _seen.placeOf(agent);
-            var body:Body = _seen.bodyOf(agent);
+            var body:Body = _bodies.ofAgent(agent);
             if (body.shape == null)
             {
                 out.setTo(at.x, at.y, at.z);

@@ -40,6 +40,7 @@ package starlogo.queries
         private static const MOST_PUSHES:int = 8;
 
         private var _seen:QueryWorld;
+        private var _bodies:QueryBodies;
         private var _moves:MoveQueries;
         private var _mover:Mover;
         private var _rays:RowRays;
@@ -81,11 +82,13 @@ package starlogo.queries
 
         /**
          * @param seen the agents that are asked about
+         * @param bodies the bodies that ask
          * @param moves finds the agents near the way
          */
-        public function WalkQueries(seen:QueryWorld, moves:MoveQueries)
+        public function WalkQueries(seen:QueryWorld, bodies:QueryBodies, moves:MoveQueries)
         {
             _seen = seen;
+            _bodies = bodies;
             _moves = moves;
             _rays = new RowRays(seen);
         }
@@ -204,7 +207,7 @@ package starlogo.queries
         {
             var up:Number = _pieces * _options.stepHeight;
             var down:Number = _pieces * _options.snap + _options.fall;
-            _moves.begin(agent, _seen.bodyOfMoving(agent), _dx, _dy, 0, _options.filter, _reach + distance, up, down, _turn);
+            _moves.begin(agent, _bodies.ofMoving(agent), _dx, _dy, 0, _options.filter, _reach + distance, up, down, _turn);
             _mover = _moves.mover;
         }
 

@@ -14,6 +14,7 @@ package starlogo.collision
     import starlogo.queries.AgentQueries;
     import support.EachCollider;
     import support.Effort;
+    import support.MoodyBins;
     import support.OwnVectorSystem;
     import support.SolidModels;
     import support.assertThrows;
@@ -159,6 +160,24 @@ package starlogo.collision
             assertEquals(2, calls);
             assertThrows(ArgumentError, /twice/, collision.update, new <Agent>[a, a]);
             assertThrows(IllegalOperationError, /refused its list/, collision.snapshot);
+        }
+
+        [Test]
+        public function aFrameWhoseContactsFailHasNone():void
+        {
+            var system:MoodyBins = new MoodyBins(_greatLand);
+            var collision:Collision = new Collision(system);
+            var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("sphere")];
+            collision.onCollisionStart("turtles", "turtles", function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                });
+            collision.update(agents);
+            system.refuses = true;
+            assertThrows(Error, /no contact/, collision.update, new <Agent>[new Agent("sphere"), new Agent("sphere")]);
+            assertThrows(IllegalOperationError, /failed/, collision.snapshot);
+            system.refuses = false;
+            collision.update(agents);
+            collision.restore(collision.snapshot(), agents);
         }
 
         [Test]

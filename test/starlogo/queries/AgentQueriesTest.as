@@ -4,6 +4,7 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -261,6 +262,30 @@ package starlogo.queries
                 };
             }
             return filter;
+        }
+
+        [Test]
+        public function aNewBreedWhileAFilterIsAsked():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[new Agent("cube", "sheep")];
+            while (agents.length < 100)
+            {
+                var wolf:Agent = new Agent("cube", "wolves");
+                wolf.x = 10 * agents.length;
+                agents.push(wolf);
+            }
+            var queries:AgentQueries = new AgentQueries(new BinCollider(sGreatLand));
+            queries.update(agents);
+            var filter:AgentFilter = AgentFilter.ofBreeds("wolves");
+            var asked:int = 0;
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                asked++;
+                agents[agents.length - asked].breed = "the new breed of " + agent.id;
+                return false;
+            };
+            assertNull(queries.nearest(agents[0], Infinity, filter));
+            assertTrue(asked > 40 && asked < 60);
         }
 
         private function askAllWhatTheyTouch(message:String, system:Collider):void

@@ -263,6 +263,39 @@ package starlogo.queries
         }
 
         [Test]
+        public function questionsWithinAFilterLeaveTheCastBodyAlone():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var ball:Agent = new Agent("sphere", "balls");
+                var wall:Agent = cubeAt(10, "walls");
+                ball.size = 4;
+                var agents:Vector.<Agent> = new <Agent>[ball, wall];
+                queries.update(agents);
+                var bullet:Sphere = new Sphere(new Vector3D(0, 0, 0.5), 2);
+                var filter:AgentFilter = new AgentFilter();
+                filter.accepts = function(agent:Agent):Boolean
+                {
+                    var small:Agent = new Agent("sphere");
+                    small.size = 0.01;
+                    queries.castAgent(small, 1, 0, 0);
+                    queries.castShape(new Sphere(new Vector3D(), 0.01), 1, 0, 0);
+                    queries.overlapping(new Sphere(new Vector3D(3, 3, 3), 0.01));
+                    queries.distanceToPoint(agent, new Vector3D(1, 2, 3));
+                    queries.wouldTouchAt(small, 5, 5, 5);
+                    return true;
+                };
+                assertEquals(name, queries.castAgent(ball, 20, 0, 0).time, queries.castAgent(ball, 20, 0, 0, filter).time);
+                assertEquals(name, queries.castShape(bullet, 20, 0, 0).time, queries.castShape(bullet, 20, 0, 0, filter).time);
+                var plain:Number = queries.moveUntilTouch(ball, 20, 0, 0);
+                ball.moveTo(0, 0, 0);
+                queries.update(agents);
+                assertEquals(name, plain, queries.moveUntilTouch(ball, 20, 0, 0, filter));
+            }
+        }
+
+        [Test]
         public function filtersAndQuestionsOfTheirOwn():void
         {
             for each (var name:String in EachCollider.NAMES)

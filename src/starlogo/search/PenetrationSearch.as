@@ -35,9 +35,11 @@ package starlogo.search
         private static const FARTHER:Number = 3;
 
         // How far a push leads into a corner of an agent at most, as a fraction of the larger extent. After a push, a contact counts as another
-        // side of the same corner if the cosine between its normal and the push is between these two.
+        // side of the same corner if the cosine between its normal and the push is between these two. If the push is also this short for
+        // the smaller extent, the corner may be acute.
         private static const LARGEST_CORNER:Number = 1 / 16;
         private static const LEAST_COSINE:Number = -0.1;
+        private static const LEAST_ACUTE_COSINE:Number = -0.99;
         private static const MOST_COSINE:Number = 0.8;
 
         // A push out of several contacts counts only if the body is free this much farther along it too, as a fraction of the larger extent.
@@ -282,7 +284,8 @@ package starlogo.search
             _isFirstLost = true;
             _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
             var cosine:Number = _left.normalX * _alongX + _left.normalY * _alongY + _left.normalZ * _alongZ;
-            return isGround || cosine > LEAST_COSINE && cosine < MOST_COSINE;
+            var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_a.largestHalf, _b.largestHalf);
+            return isGround || cosine > (isShort ? LEAST_ACUTE_COSINE : LEAST_COSINE) && cosine < MOST_COSINE;
         }
 
         // Takes the push. If the two are free before its end, the depth is refined.

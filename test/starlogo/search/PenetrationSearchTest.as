@@ -6,8 +6,10 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
+    import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -119,6 +121,37 @@ package starlogo.search
             }
             _wrong.assertNone();
             assertTrue(_overlapping + " overlap, " + late + " late", _overlapping > 600 && late > 500);
+        }
+
+        // A ball between a floor and a roof that meets it goes out of both at once, along the line between them.
+        [Test]
+        public function outOfAnAcuteCorner():void
+        {
+            for each (var degrees:Number in [15, 40, 60, 80])
+            {
+                var angle:Number = degrees * Math.PI / 180;
+                var x:Number = 0.5 * Math.cos(angle);
+                var z:Number = 0.5 * Math.sin(angle);
+                var corners:Vector.<Number> = new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0,
+                        -x, -0.5, -z, x, -0.5, z, x, 0.5, z, -x, 0.5, -z];
+                var model:Model = new Model("corner", corners, new <uint>[0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7], Model.AS_GIVEN);
+                var collider:CombinationCollider = new CombinationCollider(landOf(model, BuiltInModel.sphere()));
+                collider.exact = true;
+                var corner:Agent = new Agent("corner");
+                corner.hierarchical = true;
+                corner.size = 100;
+                for (var i:int = Effort.choose(20, 500); i > 0; i--)
+                {
+                    var ball:Agent = new Agent("sphere");
+                    ball.size = _random.logBetween(0.01, 4);
+                    var overlap:Number = ball.size * _random.logBetween(1e-7, 0.02);
+                    ball.moveTo((ball.size / 2 - overlap) / Math.tan(angle / 2), _random.between(-20, 20), -overlap);
+                    var contact:Contact = collider.contactOf(ball, corner);
+                    check("corner", collider, ball, corner, contact);
+                    _wrong.addIf(contact.depth > 3 * overlap / Math.sin(angle / 2), "out of " + degrees + " degrees", describe(ball, corner, contact));
+                }
+            }
+            _wrong.assertNone();
         }
 
         // Where a sheet meets another on its way, a little back against the normal the two are apart too.

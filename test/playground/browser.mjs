@@ -100,7 +100,7 @@ async function start() {
 }
 
 /** A page in a browser that remembers nothing; said is what came on the console, and from elsewhere. */
-async function newPage({ browser, url }, { isDrawn, ...options }) {
+export async function newPage({ browser, url }, { isDrawn, ...options }) {
 	const context = await browser.newContext({ reducedMotion: 'reduce', ...options });
 	if (!isDrawn) await drawNothing(context);
 	const page = await context.newPage();

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { isChromium } from '../headless/browsers.mjs';
-import { begin, drawNothing, open, ready, root } from './browser.mjs';
+import { begin, newPage, open, ready, root } from './browser.mjs';
 
 const folder = path.join(root, 'js/playground/languages');
 const wordsIn = async (file) => (await import(pathToFileURL(path.join(folder, file)).href)).texts;
@@ -111,14 +111,12 @@ test('a browser in German gets German, all of it and nothing of English; a choic
 });
 
 test('where nothing is kept, the choice of a language is in the address', async () => {
-	const context = await site.browser.newContext({ locale: 'en-US' });
-	await drawNothing(context);
-	await context.addInitScript(() => {
+	const { page } = await newPage(site, { locale: 'en-US' });
+	await page.addInitScript(() => {
 		Storage.prototype.setItem = () => {
 			throw new Error('refused');
 		};
 	});
-	const page = await context.newPage();
 	await page.goto(`${site.url}#inspect`);
 	await ready(page, 'inspect');
 	await page.getByLabel('Language').selectOption('de');
@@ -127,7 +125,7 @@ test('where nothing is kept, the choice of a language is in the address', async 
 	assert.match(page.url(), /\?language=de#inspect$/);
 	assert.match(await page.textContent('.facts'), /Einfache Kugel/);
 	assert.match(await page.textContent('.facts td'), /^\d+,\d+$/);
-	await context.close();
+	await page.context().close();
 });
 
 test('what Blockly says is in the language, too', async () => {
@@ -185,9 +183,7 @@ function unmarked() {
 }
 
 test('no word of the page is anywhere but in its language', { skip: isChromium ? false : 'one browser is enough' }, async () => {
-	const context = await site.browser.newContext({ locale: 'en-US', viewport: { width: 1366, height: 768 } });
-	await drawNothing(context);
-	const page = await context.newPage();
+	const { page } = await newPage(site, { locale: 'en-US', viewport: { width: 1366, height: 768 } });
 	await page.route(/\/parts\/en-[^/]*\.js$/, async (route) => {
 		const response = await route.fetch();
 		const text = await response.text();
@@ -221,5 +217,5 @@ test('no word of the page is anywhere but in its language', { skip: isChromium ?
 		await ready(page, view.split('/')[0]);
 		assert.deepEqual(await page.evaluate(unmarked), [], view);
 	}
-	await context.close();
+	await page.context().close();
 });

@@ -5,9 +5,9 @@ import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { isChromium, launch, saysItWaits } from '../headless/browsers.mjs';
+import { isChromium, launch } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, drawNothing, press, ready, root, saved } from './browser.mjs';
+import { SIZES, newPage as openPage, press, ready, root, saved } from './browser.mjs';
 import { parts } from './parts.mjs';
 
 const NAME = 'starlogo-nova.html';
@@ -25,16 +25,7 @@ after(async () => {
 });
 
 /** A page in a browser that remembers nothing; said is what came on the console, and requests for other files. */
-async function newPage(options = {}) {
-	const context = await browser.newContext({ ...SIZES.desktop, reducedMotion: 'reduce', locale: 'en-US', ...options });
-	await drawNothing(context);
-	const page = await context.newPage();
-	const said = [];
-	page.on('console', (message) => saysItWaits(message.text()) || said.push(`${message.type()}: ${message.text()}`));
-	page.on('pageerror', (error) => said.push(String(error)));
-	page.on('request', (request) => /^(blob|data):/.test(request.url()) || request.isNavigationRequest() || said.push(`asked for ${request.url()}`));
-	return { page, said };
-}
+const newPage = (options = {}) => openPage({ browser, url: pathToFileURL(path.join(stick, NAME)).href }, { ...SIZES.desktop, locale: 'en-US', ...options });
 
 const at = (hash) => `${pathToFileURL(path.join(stick, NAME)).href}${hash}`;
 const done = (page) => page.waitForFunction(() => /^Done! .{20}/.test(document.querySelector('.why').textContent));

@@ -283,8 +283,9 @@ package starlogo.queries
         {
             if (!stands)
             {
+                // the fall finds whether it stands
                 slide(0, FLOOR);
-                return findGround(_close);
+                return false;
             }
             if (_whole == 0)
             {

@@ -26,9 +26,6 @@ package starlogo.hierarchy
         /** @private The model's triangles, three vertex indices each; null if only vertices are known. */
         engine var triangles:Vector.<uint>;
 
-        /** @private The measured triangles; null if they are not measured, or not for exact tests. */
-        engine var items:TreeItems = null;
-
         /** @private The boxes down to a few triangles each, or null if they are not prepared. */
         engine var tree:PackedTree = null;
 

@@ -41,24 +41,22 @@ package starlogo.hierarchy
         /** Makes the nodes below the thesis's leaves. */
         internal var maker:NodeMaker;
 
-        private var _items:TreeItems;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
          * Creates a tree without boxes.
          *
          * @param node the hierarchy's root
-         * @param items the measured triangles, in the hierarchy's order
+         * @param extents of the whole model: minX, minY, minZ, maxX, maxY, maxZ
          */
-        public function PackedTree(node:HierarchyNode, items:TreeItems)
+        public function PackedTree(node:HierarchyNode, extents:Vector.<Number>)
         {
             var largest:Number = Math.max(node.halfX, Math.max(node.halfY, node.halfZ));
             x = node.x;
             y = node.y;
             z = node.z;
             scale = largest > 0 ? GRID_STEPS / largest : 1;
-            maker = new NodeMaker(node.hierarchy, items.bounds);
-            _items = items;
+            maker = new NodeMaker(node.hierarchy, extents);
             root = pairOf(node);
             rootLeaf = leafOf(node);
         }
@@ -122,7 +120,7 @@ package starlogo.hierarchy
 
         private function makeChild(parent:HierarchyNode, first:int, end:int, pair:BoxPair):HierarchyNode
         {
-            _items.writeBounds(first, end, _extents);
+            TreeItems.writeBounds(parent.hierarchy, first, end, _extents);
             var child:HierarchyNode = maker.make(parent.level + 1, first, end, _extents);
             child.pair = pair;
             child.stopDepth = pair == null ? int.MAX_VALUE : HierarchyNode.LARGEST_DEPTH;

@@ -1,8 +1,12 @@
 package starlogo.hierarchy
 {
+    import starlogo.engine;
+
+    use namespace engine;
+
     /**
-     * The items of a hierarchy: its triangles or its vertices. Keeps an order in which the items of each node stand side by side, and their
-     * extents in this order. Divides the items of a node in two.
+     * The items of a hierarchy, while it is built: its triangles or its vertices. Keeps an order in which the items of each node stand side
+     * by side. Divides the items of a node in two.
      *
      * @private
      */
@@ -13,9 +17,6 @@ package starlogo.hierarchy
 
         /** The number of items. */
         public var count:int;
-
-        /** The extents of each item, in the order of the items: minX, minY, minZ, maxX, maxY, maxZ. */
-        public var extents:Vector.<Number>;
 
         /** The extents of all items together after <code>measure()</code>. */
         public var bounds:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
@@ -35,7 +36,8 @@ package starlogo.hierarchy
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        private var _isOrdered:Boolean;
+        // The extents of each item, by its index: minX, minY, minZ, maxX, maxY, maxZ.
+        private var _extents:Vector.<Number>;
 
         // The current division. The last item not looked at yet is at _last. The first one is at middle + _waiting, because the item at the
         // middle may wait to be put last.
@@ -53,38 +55,89 @@ package starlogo.hierarchy
             _vertices = vertices;
             _triangles = triangles;
             count = (triangles == null ? vertices.length : triangles.length) / 3;
-            _isOrdered = order != null;
-            this.order = _isOrdered ? order : new Vector.<int>(count, true);
+            this.order = order;
+            if (order == null)
+            {
+                this.order = new Vector.<int>(count, true);
+                for (var i:int = 0; i < count; i++)
+                {
+                    this.order[i] = i;
+                }
+            }
         }
 
         /** Measures a range of items. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
-            extents ||= new Vector.<Number>(6 * count, true);
+            _extents ||= new Vector.<Number>(6 * count, true);
+            var vertices:Vector.<Number> = _vertices;
+            var triangles:Vector.<uint> = _triangles;
+            var extents:Vector.<Number> = _extents;
+            var minX:Number = bounds[0];
+            var minY:Number = bounds[1];
+            var minZ:Number = bounds[2];
+            var maxX:Number = bounds[3];
+            var maxY:Number = bounds[4];
+            var maxZ:Number = bounds[5];
+            var p:Number, q:Number, r:Number, low:Number, high:Number;
             for (var i:int = first; i < end; i++)
             {
-                if (!_isOrdered)
+                var a:int = 3 * i;
+                var b:int = a;
+                var c:int = a;
+                if (triangles != null)
                 {
-                    order[i] = i;
+                    b = triangles[int(a + 1)];
+                    c = triangles[int(a + 2)];
+                    a = triangles[a];
+                    a *= 3;
+                    b *= 3;
+                    c *= 3;
                 }
-                writeExtents(_vertices, _triangles, order[i], extents, 6 * i);
+                var at:int = 6 * i;
+                p = vertices[int(a + 0)];
+                q = vertices[int(b + 0)];
+                r = vertices[int(c + 0)];
+                low = q < p ? q : p;
+                high = q < p ? p : q;
+                low = r < low ? r : low;
+                high = r > high ? r : high;
+                extents[int(at + 0)] = low;
+                extents[int(at + 3)] = high;
+                minX = low < minX ? low : minX;
+                maxX = high > maxX ? high : maxX;
+                p = vertices[int(a + 1)];
+                q = vertices[int(b + 1)];
+                r = vertices[int(c + 1)];
+                low = q < p ? q : p;
+                high = q < p ? p : q;
+                low = r < low ? r : low;
+                high = r > high ? r : high;
+                extents[int(at + 1)] = low;
+                extents[int(at + 4)] = high;
+                minY = low < minY ? low : minY;
+                maxY = high > maxY ? high : maxY;
+                p = vertices[int(a + 2)];
+                q = vertices[int(b + 2)];
+                r = vertices[int(c + 2)];
+                low = q < p ? q : p;
+                high = q < p ? p : q;
+                low = r < low ? r : low;
+                high = r > high ? r : high;
+                extents[int(at + 2)] = low;
+                extents[int(at + 5)] = high;
+                minZ = low < minZ ? low : minZ;
+                maxZ = high > maxZ ? high : maxZ;
             }
-            extend(bounds, 6 * first, 6 * end);
-        }
-
-        /** Writes the extents of a range of items together. */
-        public function writeBounds(first:int, end:int, out:Vector.<Number>):void
-        {
-            write(out, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
-            extend(out, 6 * first, 6 * end);
+            write(bounds, minX, minY, minZ, maxX, maxY, maxZ);
         }
 
         /** Adds the smallest and largest coordinates of a range of items along an axis to a number, one after the other. Returns the sum. */
         public function sumOf(sum:Number, first:int, end:int, axis:int):Number
         {
-            for (var at:int = 6 * first + axis; at < 6 * end; at += 6)
+            for (var i:int = first; i < end; i++)
             {
-                sum += extents[at] + extents[int(at + 3)];
+                sum += sumAlong(axis, i);
             }
             return sum;
         }
@@ -126,9 +179,9 @@ package starlogo.hierarchy
                 // twice the smallest and the largest centre
                 var least:Number = Infinity;
                 var largest:Number = -Infinity;
-                for (var at:int = 6 * first + along; at < 6 * end; at += 6)
+                for (var i:int = first; i < end; i++)
                 {
-                    var sum:Number = extents[at] + extents[int(at + 3)];
+                    var sum:Number = sumAlong(along, i);
                     least = sum < least ? sum : least;
                     largest = sum > largest ? sum : largest;
                 }
@@ -154,7 +207,7 @@ package starlogo.hierarchy
         public function divideSome(most:int):Boolean
         {
             var items:Vector.<int> = order;
-            var all:Vector.<Number> = extents;
+            var all:Vector.<Number> = _extents;
             var along:int = axis;
             var split:Number = _split;
             var i:int = middle;
@@ -176,7 +229,8 @@ package starlogo.hierarchy
             var rightMaxZ:Number = rightExtents[5];
             while (last - i - waiting >= left)
             {
-                var at:int = 6 * (waiting == 0 ? i : last);
+                var item:int = items[waiting == 0 ? i : last];
+                var at:int = 6 * item;
                 var minX:Number = all[at];
                 var minY:Number = all[int(at + 1)];
                 var minZ:Number = all[int(at + 2)];
@@ -188,22 +242,8 @@ package starlogo.hierarchy
                 {
                     if (waiting == 1)
                     {
-                        var item:int = items[last];
                         items[last] = items[i];
                         items[i] = item;
-                        var to:int = 6 * i;
-                        all[at] = all[to];
-                        all[int(at + 1)] = all[int(to + 1)];
-                        all[int(at + 2)] = all[int(to + 2)];
-                        all[int(at + 3)] = all[int(to + 3)];
-                        all[int(at + 4)] = all[int(to + 4)];
-                        all[int(at + 5)] = all[int(to + 5)];
-                        all[to] = minX;
-                        all[int(to + 1)] = minY;
-                        all[int(to + 2)] = minZ;
-                        all[int(to + 3)] = maxX;
-                        all[int(to + 4)] = maxY;
-                        all[int(to + 5)] = maxZ;
                         last--;
                         waiting = 0;
                     }
@@ -236,54 +276,42 @@ package starlogo.hierarchy
         }
 
         /**
-         * Writes an item's extents: minX, minY, minZ, maxX, maxY, maxZ.
+         * Writes the extents of some items together: minX, minY, minZ, maxX, maxY, maxZ.
          *
-         * @param vertices x, y, z of each
-         * @param triangles three vertex indices each, or null if the vertices are the items
-         * @param item the index of the item
+         * @param hierarchy has the items
+         * @param first index of the first of them in the hierarchy's order
+         * @param end index after the last of them
          * @param out receives the extents
-         * @param at index in out at which they begin
+         * @param at index at which they begin
          */
-        public static function writeExtents(vertices:Vector.<Number>, triangles:Vector.<uint>, item:int, out:Vector.<Number>, at:int):void
+        public static function writeBounds(hierarchy:Hierarchy, first:int, end:int, out:Vector.<Number>, at:int = 0):void
         {
-            var a:int = 3 * item;
-            var b:int = a;
-            var c:int = a;
-            if (triangles != null)
+            var corners:int = hierarchy.hasTriangles ? 3 : 1;
+            for (var along:int = 0; along < 3; along++)
             {
-                a = 3 * triangles[int(3 * item)];
-                b = 3 * triangles[int(3 * item + 1)];
-                c = 3 * triangles[int(3 * item + 2)];
-            }
-            for (var end:int = at + 3; at < end; at++)
-            {
-                var p:Number = vertices[a++];
-                var q:Number = vertices[b++];
-                var r:Number = vertices[c++];
-                var low:Number = q < p ? q : p;
-                var high:Number = q < p ? p : q;
-                out[at] = r < low ? r : low;
-                out[int(at + 3)] = r > high ? r : high;
+                var least:Number = Infinity;
+                var largest:Number = -Infinity;
+                for (var i:int = first; i < end; i++)
+                {
+                    var item:int = corners * hierarchy.order[i];
+                    for (var corner:int = item; corner < item + corners; corner++)
+                    {
+                        var vertex:int = hierarchy.hasTriangles ? hierarchy.triangles[corner] : corner;
+                        var coordinate:Number = hierarchy.vertices[int(3 * vertex + along)];
+                        least = coordinate < least ? coordinate : least;
+                        largest = coordinate > largest ? coordinate : largest;
+                    }
+                }
+                out[int(at + along)] = least;
+                out[int(at + along + 3)] = largest;
             }
         }
 
-        // Extends bounds by a range of the items' extents.
-        private function extend(bounds:Vector.<Number>, from:int, to:int):void
+        // Twice the centre of an item's extents along an axis.
+        private function sumAlong(axis:int, place:int):Number
         {
-            for (var along:int = 0; along < 3; along++)
-            {
-                var least:Number = bounds[along];
-                var largest:Number = bounds[along + 3];
-                for (var i:int = from + along; i < to; i += 6)
-                {
-                    var coordinate:Number = extents[i];
-                    least = coordinate < least ? coordinate : least;
-                    coordinate = extents[int(i + 3)];
-                    largest = coordinate > largest ? coordinate : largest;
-                }
-                bounds[along] = least;
-                bounds[along + 3] = largest;
-            }
+            var at:int = 6 * order[place] + axis;
+            return _extents[at] + _extents[int(at + 3)];
         }
 
         private static function write(extents:Vector.<Number>, minX:Number, minY:Number, minZ:Number,

@@ -29,8 +29,8 @@ package starlogo.solid
         public var triangleTests:int = 0;
 
         /**
-         * Whether the structure moves and fills much of its extents, because it is not long and slanted. Then <code>find()</code> finds the
-         * leaves faster than a traversal that knows its axes.
+         * Whether the structure fills much of its extents, because it is not long and slanted. Then <code>find()</code> finds the leaves
+         * faster than a traversal that knows its axes.
          */
         public var isCompact:Boolean = false;
 
@@ -77,7 +77,20 @@ package starlogo.solid
             _isMeasuring = _isFound = false;
             _test.margin = pose.gap + Tolerances.SURFACES * model.root.radius;
             place(model, structure, pose, motion);
-            _startsApart = isCompact = false;
+            _startsApart = false;
+            var extents:Vector.<Number> = _extents;
+            var halfX:Number = (extents[1] - extents[0]) / 2;
+            var halfY:Number = (extents[3] - extents[2]) / 2;
+            var halfZ:Number = (extents[5] - extents[4]) / 2;
+            isCompact = 8 * halfX * halfY * halfZ <= COMPACT * _test.structure.volume;
+            boxes.setPlace(extents[0] + halfX, extents[2] + halfY, extents[4] + halfZ, 0);
+            boxes.halfX = halfX;
+            boxes.halfY = halfY;
+            boxes.halfZ = halfZ;
+            // The extents of a round structure's core, and its radius. The kernels find a touch a little beyond it.
+            var round:Number = _test.radius;
+            boxes.radius = round + Math.sqrt((halfX - round) * (halfX - round) + (halfY - round) * (halfY - round) + (halfZ - round) * (halfZ - round))
+                + Tolerances.EXTENTS * (halfX + halfY + halfZ);
             least = 0;
             if (motion !== RelativeMotion.NONE)
             {
@@ -93,9 +106,9 @@ package starlogo.solid
             _planes = _solid.planes;
             _core.setTo(_test.structure, RelativeMotion.NONE);
             var extents:Vector.<Number> = _extents;
-            var halfX:Number = (extents[1] - extents[0]) / 2;
-            var halfY:Number = (extents[3] - extents[2]) / 2;
-            var halfZ:Number = (extents[5] - extents[4]) / 2;
+            var halfX:Number = boxes.halfX;
+            var halfY:Number = boxes.halfY;
+            var halfZ:Number = boxes.halfZ;
             var margin:Number = Tolerances.EXTENTS * (halfX + halfY + halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _radius = _test.radius + margin;
@@ -106,8 +119,7 @@ package starlogo.solid
             extents[4] += Math.min(motion.z, 0);
             extents[5] += Math.max(motion.z, 0);
             // A structure that stands is a question of its contact: the order of the pairs of boxes chooses among the triangles that it touches.
-            var isMoving:Boolean = motion.x != 0 || motion.y != 0 || motion.z != 0;
-            isCompact = isMoving && 8 * halfX * halfY * halfZ <= COMPACT * _test.structure.volume;
+            isCompact &&= motion.x != 0 || motion.y != 0 || motion.z != 0;
             boxes.setPlace(_core.x, _core.y, _core.z, 0);
             boxes.halfX = halfX + margin;
             boxes.halfY = halfY + margin;
@@ -118,7 +130,14 @@ package starlogo.solid
         /** Searches the model. Returns whether a triangle is touched. If the structure moves, <code>least</code> becomes the time. */
         public function find():Boolean
         {
-            boxes.find(_solid.tree, this);
+            if (_motion === RelativeMotion.NONE)
+            {
+                boxes.findStanding(_solid.tree, this);
+            }
+            else
+            {
+                boxes.find(_solid.tree, this);
+            }
             least = Math.max(0, least);
             return _isFound;
         }
@@ -228,14 +247,19 @@ package starlogo.solid
         // The squared distance of a triangle's extents from the structure's extents.
         private function squaredGap(triangle:int):Number
         {
+            var corners:Vector.<Number> = _solid.corners;
+            var at:int = 9 * triangle;
             var squared:Number = 0;
-            var at:int = 6 * triangle;
             for (var axis:int = 0; axis < 3; axis++)
             {
-                var low:Number = _solid.extents[int(at + axis)] - _extents[int(2 * axis + 1)];
-                var high:Number = _extents[2 * axis] - _solid.extents[int(at + axis + 3)];
+                var p:Number = corners[at];
+                var q:Number = corners[int(at + 3)];
+                var r:Number = corners[int(at + 6)];
+                var low:Number = Math.min(p, Math.min(q, r)) - _extents[int(2 * axis + 1)];
+                var high:Number = _extents[2 * axis] - Math.max(p, Math.max(q, r));
                 var gap:Number = Math.max(0, Math.max(low, high));
                 squared += gap * gap;
+                at++;
             }
             return squared;
         }
@@ -243,10 +267,22 @@ package starlogo.solid
         // Whether the extents of a triangle overlap the extents of the structure and of its motion.
         private function isNear(triangle:int):Boolean
         {
-            var of:Vector.<Number> = _solid.extents;
-            var at:int = 6 * triangle;
-            return of[at] <= _extents[1] && of[int(at + 3)] >= _extents[0] && of[int(at + 1)] <= _extents[3] && of[int(at + 4)] >= _extents[2]
-                && of[int(at + 2)] <= _extents[5] && of[int(at + 5)] >= _extents[4];
+            var corners:Vector.<Number> = _solid.corners;
+            var at:int = 9 * triangle;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var p:Number = corners[at];
+                var q:Number = corners[int(at + 3)];
+                var r:Number = corners[int(at + 6)];
+                var low:Number = _extents[2 * axis];
+                var high:Number = _extents[int(2 * axis + 1)];
+                if (p < low && q < low && r < low || p > high && q > high && r > high)
+                {
+                    return false;
+                }
+                at++;
+            }
+            return true;
         }
 
         // Whether an axis separates a triangle from the moving structure until <code>least</code>: the normal of the triangle, or an axis

@@ -50,21 +50,12 @@ package starlogo.solid
             {
                 extents.length = 6 * count;
             }
+            var spans:Vector.<Number> = extents;
             for (var i:int = 0; i < count; i++)
             {
                 var from:int = 9 * i;
                 var to:int = 6 * i;
-                for (var end:int = to + 3; to < end; to++)
-                {
-                    var p:Number = corners[from];
-                    var q:Number = corners[int(from + 3)];
-                    var r:Number = corners[int(from + 6)];
-                    var low:Number = q < p ? q : p;
-                    var high:Number = q < p ? p : q;
-                    extents[to] = r < low ? r : low;
-                    extents[int(to + 3)] = r > high ? r : high;
-                    from++;
-                }
+                include "../intersection/triangleExtents.inc";
             }
         }
     }

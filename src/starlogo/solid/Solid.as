@@ -26,9 +26,6 @@ package starlogo.solid
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
 
-        /** The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. */
-        public var extents:Vector.<Number>;
-
         /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
         public var places:Vector.<Number> = new Vector.<Number>();
 
@@ -70,6 +67,7 @@ package starlogo.solid
 
         // Null before they are first needed.
         private var _planes:Vector.<Number> = null;
+        private var _extents:Vector.<Number> = null;
         private var _face:ContactPoint = new ContactPoint();
 
         private var _root:HierarchyNode;
@@ -117,6 +115,38 @@ package starlogo.solid
                 placePlanes(0, corners.length / 9);
             }
             return _planes;
+        }
+
+        /**
+         * The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. A SolidBuilder and pairs of trees need them. If they are not
+         * placed yet, they are placed now.
+         */
+        public function get extents():Vector.<Number>
+        {
+            if (_extents == null)
+            {
+                placeExtents(0, corners.length / 9);
+            }
+            return _extents;
+        }
+
+        /** Places the extents of a range of triangles. Must be called for all triangles before the extents are read. */
+        public function placeExtents(first:int, end:int):void
+        {
+            _extents ||= new Vector.<Number>(6 * corners.length / 9, true);
+            var spans:Vector.<Number> = _extents;
+            for (var i:int = first; i < end; i++)
+            {
+                var from:int = 9 * i;
+                var to:int = 6 * i;
+                include "../intersection/triangleExtents.inc";
+            }
+        }
+
+        /** Forgets the extents until they are needed again, because they take as much memory as the model. */
+        public function forgetExtents():void
+        {
+            _extents = null;
         }
 
         /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 without area. */

@@ -85,6 +85,7 @@ package starlogo.solid
             {
                 sliced(_solid.placePlanes);
             }
+            sliced(_solid.placeExtents);
             _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
             if (_builder != null)
             {
@@ -180,6 +181,7 @@ package starlogo.solid
         private function conclude():void
         {
             _extremes.finish();
+            _solid.forgetExtents();
             _hierarchy.readySolid = _solid;
             _hierarchy.surface = _surface;
         }

@@ -69,10 +69,10 @@ package starlogo.solid
         }
 
         /**
-         * Writes a triangle's corners, or the places to which they are welded.
+         * Writes the places to which a triangle's corners are welded.
          *
          * @param corner the index of the triangle's first corner
-         * @param welded for each vertex, the vertex whose place it has; null for its own place
+         * @param welded for each vertex, the vertex whose place it has
          * @param out receives nine numbers
          * @param to the index of the first
          */
@@ -80,12 +80,7 @@ package starlogo.solid
         {
             for (var end:int = corner + 3; corner < end; corner++)
             {
-                var vertex:int = triangles[corner];
-                if (welded != null)
-                {
-                    vertex = welded[vertex];
-                }
-                var at:int = 3 * vertex;
+                var at:int = 3 * welded[triangles[corner]];
                 out[to] = vertices[at];
                 out[int(to + 1)] = vertices[int(at + 1)];
                 out[int(to + 2)] = vertices[int(at + 2)];

@@ -144,7 +144,7 @@ package starlogo.libraries.cooked
                 {
                     _isRefused = code < 0;
                     _node = _plan.length / NUMBERS_PER_NODE;
-                    _extents = new Vector.<Number>(6 * _node + 6, true);
+                    _extents = new Vector.<Number>(6 * _node, true);
                     return false;
                 }
                 if (_isRefused)
@@ -171,7 +171,7 @@ package starlogo.libraries.cooked
                 }
                 else
                 {
-                    measureLeaf(6 * _node, _plan[at], _plan[int(at + 1)]);
+                    TreeItems.writeBounds(_hierarchy, _plan[at], _plan[int(at + 1)], _extents, 6 * _node);
                     items += _plan[int(at + 1)] - _plan[at];
                 }
             }
@@ -196,18 +196,6 @@ package starlogo.libraries.cooked
                 a = extents[int(left + i + 3)];
                 b = extents[int(right + i + 3)];
                 extents[int(at + i + 3)] = a > b ? a : b;
-            }
-        }
-
-        // The last entry of _extents holds the extents of one item.
-        private function measureLeaf(at:int, first:int, end:int):void
-        {
-            var extents:Vector.<Number> = _extents;
-            var one:int = extents.length - 6;
-            for (var i:int = first; i < end; i++)
-            {
-                TreeItems.writeExtents(_vertices, _triangles, _hierarchy.order[i], extents, one);
-                unite(at, i == first ? one : at, one);
             }
         }
 

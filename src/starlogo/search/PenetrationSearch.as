@@ -285,7 +285,8 @@ package starlogo.search
             _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
             var cosine:Number = _left.normalX * _alongX + _left.normalY * _alongY + _left.normalZ * _alongZ;
             var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_a.largestHalf, _b.largestHalf);
-            return isGround || cosine > (isShort ? LEAST_ACUTE_COSINE : LEAST_COSINE) && cosine < MOST_COSINE;
+            var least:Number = isShort ? LEAST_ACUTE_COSINE : LEAST_COSINE;
+            return isGround || cosine > least && cosine < MOST_COSINE;
         }
 
         // Takes the push. If the two are free before its end, the depth is refined.

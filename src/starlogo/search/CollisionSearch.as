@@ -65,12 +65,14 @@ package starlogo.search
         // Finds the pairs of a search in which little has changed.
         private var _kept:KeptPairs;
 
-        // The search under way. _interests is null if all pairs of agents count. The candidates of onCandidates are indices in _rows and _circles.
-        // Found pairs go to _out as indices, or to _outAgents as agents if it is not null, because a second pass over the pairs takes a fifth of a
-        // dense search in Adobe's VM.
+        // The search under way. _interests is null if all pairs of agents count. The candidates of onCandidates are indices in _rows, _ranks and
+        // _circles. Found pairs go to _out as indices, or to _outAgents as agents of _list if it is not null, because a second pass over the pairs
+        // takes a fifth of a dense search in Adobe's VM.
         private var _interests:BreedInterests;
         private var _circles:Circles;
         private var _rows:Vector.<int>;
+        private var _ranks:Vector.<int>;
+        private var _list:Vector.<Agent>;
         private var _out:FoundPairs;
         private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
@@ -123,6 +125,7 @@ package starlogo.search
             isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
             areBreedsRead = interests != null && interests.areBreedsNeeded(table);
             this.takePart = takePart;
+            _list = agents;
             _interests = interests == null || interests.areAll ? null : interests;
             _skippedPairs = 0;
             // tests since the last search, as those of questions, do not count
@@ -149,7 +152,7 @@ package starlogo.search
                 }
             }
             _out = null;
-            _outAgents = null;
+            _outAgents = _list = null;
             report(agents.length, out.count, counts);
         }
 
@@ -160,9 +163,9 @@ package starlogo.search
                 motions.find(table, bins, table.rows, table.count);
             }
             chooseMembers(interests);
-            writeTo(out, bins.rowAt, bins.members);
+            writeTo(out, bins.rowAt, bins.rankAt, bins.members);
             _outAgents = isSwept ? null : outAgents;
-            bins.findPairs(extents, _memberRows, _memberCount, this);
+            bins.findPairs(extents, _memberRows, table.ranks, _memberCount, this);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
                 if (hasFixture(row))
@@ -190,13 +193,15 @@ package starlogo.search
          * Says what the indices of <code>onCandidates()</code> mean, and where the pairs go.
          *
          * @param rows by index: the row
+         * @param ranks by index: the row's rank
          * @param circles by index: the row's middle and circle
          */
-        internal function writeTo(out:FoundPairs, rows:Vector.<int>, circles:Circles):void
+        internal function writeTo(out:FoundPairs, rows:Vector.<int>, ranks:Vector.<int>, circles:Circles):void
         {
             out.begin();
             _out = out;
             _rows = rows;
+            _ranks = ranks;
             _circles = circles;
         }
 
@@ -289,13 +294,14 @@ package starlogo.search
             }
             else if (areSpheres)
             {
-                count = narrowPhase.spheres.keepTouching(table, bins, _circles, slot, rows, others, count);
+                narrowPhase.spheres.writeTouching(table, bins, _circles, slot, rows, _ranks, others, count, _out, _list, _outAgents);
+                return;
             }
             else
             {
                 count = narrowPhase.keepTouching(table, bins, _circles, slot, rows, others, count);
             }
-            put(row, rows, others, count);
+            put(_ranks, slot, others, count);
         }
 
         /**
@@ -319,23 +325,21 @@ package starlogo.search
                 var body:Body = table.bodyOf(fixture);
                 count = narrowPhase.testsOf(body, body).keepRows(table, others, count, body);
             }
-            put(fixture, rows, others, count);
+            put(table.ranks, fixture, others, count);
         }
 
-        // Writes the pairs of a row and its candidates, which are indices in a list of rows.
-        private function put(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):void
+        // Writes the pairs of a row and its candidates. Each is an index in a list of ranks.
+        private function put(ranks:Vector.<int>, index:int, others:Vector.<int>, count:int):void
         {
             var indices:Vector.<int> = _out.indices;
             var outAgents:Vector.<Agent> = _outAgents;
-            var agents:Vector.<Agent> = table.agents;
-            var ranks:Vector.<int> = table.ranks;
-            var rank:int = ranks[row];
+            var list:Vector.<Agent> = _list;
+            var rank:int = ranks[index];
             var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = rows[others[i]];
                 // The bits of swaps are all set if the other agent comes first in the list. Half of the pairs do, so a branch would be mispredicted.
-                var ahead:int = ranks[other] - rank;
+                var ahead:int = ranks[others[i]] - rank;
                 var swaps:int = ahead >> 31;
                 if (outAgents == null)
                 {
@@ -344,9 +348,8 @@ package starlogo.search
                 }
                 else
                 {
-                    var way:int = other - row;
-                    outAgents[at] = agents[int(row + (way & swaps))];
-                    outAgents[int(at + 1)] = agents[int(row + (way & ~swaps))];
+                    outAgents[at] = list[int(rank + (ahead & swaps))];
+                    outAgents[int(at + 1)] = list[int(rank + (ahead & ~swaps))];
                 }
                 at += 2;
             }

@@ -130,7 +130,7 @@ package starlogo.search
             {
                 return false;
             }
-            _search.writeTo(_pairs.found, _table.itself, _search.extents);
+            _search.writeTo(_pairs.found, _table.itself, _table.ranks, _search.extents);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))

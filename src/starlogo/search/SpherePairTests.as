@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Circles;
@@ -34,8 +35,23 @@ package starlogo.search
         private var _points:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
-        /** See NarrowPhase.keepTouching. All rows must be spheres. */
-        public function keepTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        /**
+         * Writes the pairs of a row with its candidates that touch it. All must be spheres. It tests and writes in one loop, because in a dense
+         * crowd each pass over the pairs takes time.
+         *
+         * @param bins their slack is that of the candidates
+         * @param circles by index: the middle and the circle of a row
+         * @param at the index of the row
+         * @param rows by index: the row
+         * @param ranks by index: the row's rank
+         * @param others the indices of the candidates
+         * @param count their number
+         * @param out takes the pairs as indices in the list, the lesser one first
+         * @param list the list
+         * @param outAgents takes the pairs as agents in place of their indices; null if indices are wanted
+         */
+        public function writeTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, ranks:Vector.<int>, others:Vector.<int>, count:int,
+                out:FoundPairs, list:Vector.<Agent>, outAgents:Vector.<Agent>):void
         {
             var xs:Vector.<Number> = circles.x;
             var ys:Vector.<Number> = circles.y;
@@ -46,7 +62,9 @@ package starlogo.search
             var atZ:Number = zs[at];
             var radius:Number = radii[at];
             var slack:Number = bins.slack;
-            var kept:int = 0;
+            var indices:Vector.<int> = out.indices;
+            var rank:int = ranks[at];
+            var end:int = 2 * out.count;
             tests += count;
             for (var i:int = 0; i < count; i++)
             {
@@ -69,10 +87,22 @@ package starlogo.search
                         continue;
                     }
                 }
-                others[kept] = other;
-                kept++;
+                // as in CollisionSearch.put
+                var ahead:int = ranks[other] - rank;
+                var swaps:int = ahead >> 31;
+                if (outAgents == null)
+                {
+                    indices[end] = rank + (ahead & swaps);
+                    indices[int(end + 1)] = rank + (ahead & ~swaps);
+                }
+                else
+                {
+                    outAgents[end] = list[int(rank + (ahead & swaps))];
+                    outAgents[int(end + 1)] = list[int(rank + (ahead & ~swaps))];
+                }
+                end += 2;
             }
-            return kept;
+            out.count = end >> 1;
         }
 
         /** @inheritDoc */

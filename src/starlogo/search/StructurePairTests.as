@@ -61,7 +61,6 @@ package starlogo.search
             var box:Box = boxes[row];
             var body:Body = null;
             var boxTests:int = 0;
-            var sphereTests:int = 0;
             var kept:int = 0;
             if (box != null && placed[row] != revisions[row])
             {
@@ -97,14 +96,14 @@ package starlogo.search
                 }
                 else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
                 {
-                    sphereTests++;
+                    spheres.tests++;
                     var x:Number = xs[other] - atX;
                     var y:Number = ys[other] - atY;
                     var squared:Number = x * x + y * y + distance * distance;
                     reach = halfZs[row] + halfZs[otherRow];
                     if (squared > reach * reach)
                     {
-                        // as in SpherePairTests.keepTouching
+                        // as in SpherePairTests.writeTouching
                         reach += bins.slack;
                         if (squared > reach * reach || !spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
                         {
@@ -120,7 +119,6 @@ package starlogo.search
                 kept++;
             }
             tests[1 << BoundingStructure.BOX] += boxTests;
-            spheres.tests += sphereTests;
             return kept;
         }
 

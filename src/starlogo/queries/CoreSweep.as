@@ -37,6 +37,9 @@ package starlogo.queries
         // An overlap is shallow if it is at most this part of the larger extent.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
 
+        // The factor by which the inset of a core grows until the core is free.
+        private static const NARROWER:Number = 4;
+
         // Another row is large if its largest half-extent is at least this many times the largest of the row that moves.
         private static const LARGE:Number = 8;
 
@@ -187,20 +190,28 @@ package starlogo.queries
         }
 
         /**
-         * Makes the core narrower for this motion, by SHALLOW of the largest extent, if it does not touch another row then.
+         * Makes the core narrower for this motion, by at most SHALLOW of the largest extent, if it does not touch another row then. The core
+         * stays nearly as wide as it can be, because a motion can go that much deeper.
          *
          * @return whether the narrower core does not touch it
          */
         public function narrowFor(other:int, at:Vector3D):Boolean
         {
-            var width:Number = _coreInset;
-            setCoreInset(slop + SHALLOW * _largest);
-            var isFree:Boolean = !coreTouchesAt(other, at);
-            if (!isFree)
+            var inset:Number = _coreInset;
+            var most:Number = slop + SHALLOW * _largest;
+            setCoreInset(most);
+            if (coreTouchesAt(other, at))
             {
-                setCoreInset(width);
+                setCoreInset(inset);
+                return false;
             }
-            return isFree;
+            do
+            {
+                inset = Math.min(NARROWER * inset, most);
+                setCoreInset(inset);
+            }
+            while (inset < most && coreTouchesAt(other, at));
+            return true;
         }
 
         /**

@@ -4,6 +4,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.CombinationCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.terrain.Terrain;
@@ -155,6 +156,42 @@ package starlogo.queries
                         expect(Math.abs(mover.y) <= width + HAIR || Math.abs(mover.x) > 1 - HAIR, system, width, "through", mover);
                     }
                 }
+            }
+            _wrong.assertNone();
+        }
+
+        // Floor and ceiling are one tree, and the ball is higher than the room between them. No number of short motions leads it into the floor.
+        [Test]
+        public function aBallInASlotThatIsTooLowStaysThere():void
+        {
+            for each (var overlap:Number in [1e-8, 1e-7])
+            {
+                var top:Number = 1 - 2 * overlap;
+                var corners:Vector.<Number> = new <Number>[-50, -50, 0, 50, -50, 0, 50, 50, 0, -50, 50, 0, -50, -50, top, 50, -50, top, 50, 50, top,
+                        -50, 50, top];
+                var slot:Agent = new Agent("slot");
+                slot.hierarchical = true;
+                var collider:CombinationCollider = new CombinationCollider(landOf(BuiltInModel.sphere(),
+                            new Model("slot", corners, new <uint>[0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7], Model.AS_GIVEN)));
+                collider.exact = true;
+                var queries:AgentQueries = new AgentQueries(collider);
+                var ball:Agent = agentAt("sphere", 0, 0, -overlap);
+                queries.update(new <Agent>[slot, ball]);
+                for (var i:int = 0; i < 40; i++)
+                {
+                    var step:Number = _random.pick([1e-6, 1e-5, 9e-5]);
+                    if (i % 2 == 0)
+                    {
+                        queries.moveUntilTouch(ball, 0, 0, -step);
+                    }
+                    else
+                    {
+                        queries.slide(ball, 0, 0, -step);
+                    }
+                    _wrong.addIf(!(ball.z > -4 * overlap), "into the floor, overlap " + overlap, "call " + i + ", step " + step + ": " + ball.z);
+                }
+                queries.slide(ball, 2, 0, 0);
+                _wrong.addIf(Math.abs(ball.x - 2) > 1e-6, "stuck, overlap " + overlap, String(ball.x));
             }
             _wrong.assertNone();
         }

@@ -29,7 +29,6 @@ package starlogo.search
         // The pairs, and whether they are those of the last search.
         private var _pairs:OrderedPairs;
         private var _isValid:Boolean = false;
-        private var _wasValid:Boolean = false;
 
         // The members of the last search.
         private var _cells:CellLists;
@@ -78,8 +77,6 @@ package starlogo.search
          */
         public function begin(interests:BreedInterests):Boolean
         {
-            _wasValid = _isValid;
-            _isValid = false;
             var isSame:Boolean = interests === _interests;
             _interests = interests;
             var trees:TreePairTests = _search.narrowPhase.trees;
@@ -93,7 +90,9 @@ package starlogo.search
             {
                 changes += _table.movedBefore.count;
             }
-            return isSame && among * changes <= _table.count;
+            isSame = isSame && among * changes <= _table.count;
+            _isValid = _isValid && isSame;
+            return isSame;
         }
 
         /** Takes the pairs of a search of all rows. */
@@ -114,10 +113,12 @@ package starlogo.search
          */
         public function find(out:FoundPairs):Boolean
         {
-            if (!_wasValid)
+            if (!_isValid)
             {
                 return false;
             }
+            // they are not if the search throws
+            _isValid = false;
             _number++;
             _search.bins.pairCount = 0;
             listChanged();

@@ -55,10 +55,11 @@ const scripts = (page) => page.evaluate(() => {
 	}) };
 });
 
-for (const [code, hint] of [['en', 'A hint'], ['de', 'Ein Tipp']]) {
+const NARROW = [1024, 700, 500];
+for (const [code, hint, sizes] of [['en', 'A hint', [NARROW]], ['de', 'Ein Tipp', [[1366, 625, 480], [1366, 768, 620], NARROW]]]) {
 	test(`on a small laptop four fifths of the height are for blocks, and nothing lies over anything else (${code})`, async () => {
 		const { page, said, leave } = await open(site, 'play/lesson-blocks', { ...SMALL, locale: code });
-		for (const [width, height, least] of [[1366, 625, 480], [1366, 768, 620], [1024, 700, 500]]) {
+		for (const [width, height, least] of sizes) {
 			await page.setViewportSize({ width, height });
 			for (const name of LESSONS) {
 				await choose(page, `lesson-${name}`);
@@ -187,9 +188,11 @@ test('a program that is changed while it runs has a button that says so', async 
 	const before = await look();
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].getInputTargetBlock('COUNT').setFieldValue(7, 'NUM'));
 	await page.waitForFunction(() => document.querySelector('.run').textContent === 'Start anew');
+	assert.match(await page.textContent('.controls .status'), /^You have changed the program/);
 	const changed = await look();
 	assert.notEqual(changed[1], before[1], 'in another colour');
 	assert.equal(changed[2], before[2], 'of the same width');
+	assert.notEqual(await page.evaluate(() => globalThis.playground.world.agents.length), 7, 'it counts when the game begins anew');
 	await press(page, 'Start anew');
 	await page.waitForFunction(() => globalThis.playground.world.agents.length === 7);
 	assert.deepEqual(await look(), before);

@@ -246,6 +246,9 @@ test('links and files keep the lesson; own models go along in files, and a link 
 	await told(third.page, /“bear 2”/);
 	await third.page.setInputFiles('.naming input[type=file]', { name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from(file) });
 	await titled(third.page, 'Blocks make turtles move (mine)');
+	// the program of a file is kept under an address of its own
+	await third.page.reload();
+	await ready(third.page, 'play');
 	assert.equal(await lessonShown(third.page), 'Blocks make turtles move');
 	assert.deepEqual(await third.page.evaluate(() => [globalThis.playground.own.names, globalThis.playground.world.agents[0].shape]), [['bear 2', 'bear 2 2'], 'bear 2 2']);
 	assert.equal(JSON.parse(file).models['bear 2'], readFileSync(BEAR).toString('base64'));

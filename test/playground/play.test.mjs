@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, drawNothing, drop, finger, hold, open, own, press, ready, refuseCopies, rest, saved, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, drop, finger, hold, newPage, open, own, press, ready, rest, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -65,9 +65,9 @@ const blocks = (page) => page.evaluate(() => globalThis.playground.editor.worksp
 /** Waits for what Blockly tells after a change. */
 const settle = (page) => rest(page, 150);
 
-for (const [name, size] of Object.entries(SIZES)) {
+for (const name of ['desktop', 'phone']) {
 	test(`keys move the bear, and a thrown ball colours a turtle (${name})`, async () => {
-		const { page, said, leave } = await open(site, 'play/paintball', { ...size, isDrawn: true });
+		const { page, said, leave } = await open(site, 'play/paintball', { ...SIZES[name], isDrawn: name === 'desktop' });
 		const [before] = await agents(page, 'bears');
 		await press(page, 'Run');
 		await page.locator('.world').focus();
@@ -93,7 +93,7 @@ for (const [name, size] of Object.entries(SIZES)) {
 			globalThis.target = turtle;
 		});
 		const was = await page.evaluate(() => globalThis.target.color);
-		if (size.hasTouch) {
+		if (name === 'phone') {
 			await tap(page.getByRole('button', { name: 'Throw' }));
 		} else {
 			await page.locator('.world').focus();
@@ -201,42 +201,6 @@ for (const [example, expected] of Object.entries(NEAR_MISSES)) {
 		assert.deepEqual(said.splice(0), []);
 	});
 }
-
-/** The link that the page gives where it may not write to the clipboard. */
-async function linkOf(page) {
-	await refuseCopies(page);
-	await press(page, 'Copy a link');
-	return page.locator('.address').inputValue();
-}
-
-test('a program comes back after a reload, and through its link', async () => {
-	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
-	await openProgram(page, program(start(create('walls', 'wall')), each('walls', { type: 'starlogo_up', inputs: { STEPS: number(1) } })));
-	await page.reload();
-	await ready(page, 'play');
-	await step(page, 3);
-	assert.equal((await agents(page, 'walls'))[0].z, 3);
-	const link = await linkOf(page);
-	assert.deepEqual(said, []);
-	await leave();
-	const other = await open(site, link.split('#')[1], Desktop);
-	await step(other.page, 2);
-	assert.equal((await agents(other.page, 'walls'))[0].z, 2);
-	assert.deepEqual(other.said, []);
-	await other.leave();
-});
-
-test('a program is saved to a file that opens again', async () => {
-	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
-	await openProgram(page, program(start(create('walls', 'wall'))));
-	const text = await saved(page, () => press(page, 'Download'));
-	await choose(page, 'paintball');
-	assert.equal((await agents(page, 'walls')).length, 5);
-	await openProgram(page, text);
-	assert.equal((await agents(page, 'walls')).length, 1);
-	assert.deepEqual(said, []);
-	await leave();
-});
 
 test('broken programs and links say so, and leave what was there', async () => {
 	const { page, leave } = await open(site, 'play/paintball', Desktop);
@@ -380,53 +344,6 @@ test('after a choice of system the arrow keys play, and at a wall the bear is no
 	await page.keyboard.press('ArrowLeft', { delay: 300 });
 	await page.waitForFunction(() => globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').heading > 54);
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
-	assert.deepEqual(said, []);
-	await leave();
-});
-
-test('changes while the game runs are announced, and count when it starts anew', async () => {
-	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
-	await openProgram(page, program(start(create('walls', 'wall')), each('walls', { type: 'starlogo_up', inputs: { STEPS: number(0) } })));
-	await press(page, 'Run');
-	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_up')[0].getInputTargetBlock('STEPS').setFieldValue(2, 'NUM'));
-	await page.waitForFunction(() => /^You have changed the program/.test(document.querySelector('.game .status').textContent));
-	assert.equal((await agents(page, 'walls'))[0].z, 0);
-	await press(page, 'Start anew');
-	await page.waitForFunction(() => globalThis.playground.world.agents[0].z > 3);
-	assert.equal(await say(page), 'Running');
-	assert.deepEqual(said, []);
-	await leave();
-});
-
-test('blocks are reached and changed by keys; what is deleted comes back', async () => {
-	const { page, said, leave } = await open(site, 'play/paintball', Desktop);
-	const count = await blocks(page);
-	await page.getByRole('button', { name: 'Larger blocks' }).focus();
-	const block = () => page.evaluate(() => (document.activeElement.closest('.blocklyFlyout') ? null : document.activeElement.closest('.blocklyDraggable')?.dataset.id ?? null));
-	// past the toolbox, and what it offers
-	for (let i = 0; i < 6 && !(await block()); i++) {
-		await page.keyboard.press('Tab');
-		// Blockly moves the focus on by itself
-		await rest(page);
-	}
-	assert.ok(await block(), 'a block has the focus');
-	await page.keyboard.press('Delete');
-	await page.waitForFunction(() => /deleted\./.test(document.querySelector('.game .status').textContent));
-	assert.ok(await blocks(page) < count, 'the block is gone');
-	await page.locator('.status').getByRole('button', { name: 'Undo' }).focus();
-	await page.keyboard.press('Enter');
-	await page.waitForFunction((before) => globalThis.playground.editor.workspace.getAllBlocks().length === before, count);
-	await page.getByLabel('Collision system').focus();
-	for (let i = 0; i < 12 && !(await block()); i++) {
-		await page.keyboard.press('Shift+Tab');
-		await rest(page);
-	}
-	const seen = new Set([await block()]);
-	for (let i = 0; i < 6; i++) {
-		await page.keyboard.press('ArrowDown');
-		seen.add(await block());
-	}
-	assert.ok(seen.size >= 5 && !seen.has(null), [...seen].join());
 	assert.deepEqual(said, []);
 	await leave();
 });
@@ -800,11 +717,7 @@ test('the same game under two systems: from the same start, with the same keys, 
 });
 
 test('the world comes before the blocks; the keyboard alone plays, edits, chooses and goes everywhere', async () => {
-	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...SIZES.desktop });
-	await drawNothing(context);
-	const page = await context.newPage();
-	const said = [];
-	page.on('pageerror', (error) => said.push(String(error)));
+	const { page, said } = await newPage(site, Desktop);
 	const release = await hold(page, '**/parts/editor-*.js');
 	await page.goto(`${site.url}#play/paintball`);
 	await page.waitForSelector('.goal:visible');
@@ -874,5 +787,5 @@ test('the world comes before the blocks; the keyboard alone plays, edits, choose
 		await ready(page, view.toLowerCase());
 	}
 	assert.deepEqual(said, []);
-	await context.close();
+	await page.context().close();
 });

@@ -110,32 +110,20 @@ package starlogo.hierarchy
                 var gapX:Number = middle - fromX;
                 gapX = gapX < 0 ? -gapX : gapX;
                 gapX -= half;
-                if (gapX > reachX)
-                {
-                    continue;
-                }
                 middle = isLow ? pair.lowY : pair.highY;
                 half = isLow ? pair.lowHalfY : pair.highHalfY;
                 var gapY:Number = middle - fromY;
                 gapY = gapY < 0 ? -gapY : gapY;
                 gapY -= half;
-                if (gapY > reachY)
-                {
-                    continue;
-                }
                 middle = isLow ? pair.lowZ : pair.highZ;
                 half = isLow ? pair.lowHalfZ : pair.highHalfZ;
                 var gapZ:Number = middle - fromZ;
                 gapZ = gapZ < 0 ? -gapZ : gapZ;
                 gapZ -= half;
-                if (gapZ > reachZ)
-                {
-                    continue;
-                }
                 gapX = gapX < 0 ? 0 : gapX;
                 gapY = gapY < 0 ? 0 : gapY;
                 gapZ = gapZ < 0 ? 0 : gapZ;
-                if (gapX * gapX + gapY * gapY + gapZ * gapZ > reachSquared)
+                if (gapX > reachX || gapY > reachY || gapZ > reachZ || gapX * gapX + gapY * gapY + gapZ * gapZ > reachSquared)
                 {
                     continue;
                 }
@@ -144,10 +132,7 @@ package starlogo.hierarchy
                 {
                     var leaf:int = isLow ? pair.lowLeaf : pair.highLeaf;
                     test.look(PackedTree.firstOf(leaf), PackedTree.endOf(leaf));
-                    if (test.least < 0)
-                    {
-                        break;
-                    }
+                    top = test.least < 0 ? 0 : top;
                     continue;
                 }
                 // the nearer child comes last, so it is visited first

@@ -20,7 +20,7 @@ const NAME = "starlogo-collision";
 const types = publicSignatures();
 const program = translate(transpiled, types, { roots: moduleRoots(types) });
 const classes = program.text();
-const lost = /(?<![\w$])\$missing\("(.*?)"\)/.exec(classes);
+const lost = /(?<![\w$.])\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
 const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
@@ -92,8 +92,8 @@ function adapterTexts(folder) {
  * keepNames would define the name of each class and so make a dictionary of it: see #classText in translate.mjs.
  */
 function minify(code, hidden) {
-	// $stateOf shows no names with a _
-	const mangleCache = Object.fromEntries(hidden.filter((name) => /^[_$]/.test(name)).map((name, i) => [name, `_${i.toString(36)}`]));
+	// $stateOf shows no names with a _, and a game's own subclass hardly has one with _$
+	const mangleCache = Object.fromEntries(hidden.filter((name) => /^[_$]/.test(name)).map((name, i) => [name, `_$${i.toString(36)}`]));
 	const mangleProps = new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`);
 	const options = { minifyWhitespace: true, minifyIdentifiers: true, mangleProps, mangleCache, format: "esm", target: "es2022" };
 	return transformSync(code.replaceAll("/* @__PURE__ */", "__PURE__ &&"), options).code.replaceAll("__PURE__&&", "/* @__PURE__ */");

@@ -123,7 +123,8 @@ export class Program {
 		return [...found].filter((name) => !kept.has(name));
 	}
 
-	// A private member has its name from the source, unless a base or an extending class has a member of that name too.
+	// A private member has its name from the source, unless a base or an extending class has a member of that name too. A game's class may
+	// extend a public class and have any name without _ or $, so private methods there get a $.
 	#nameMembers() {
 		const plainOf = (unit, name) => (name.startsWith(unit.mangled) ? name.slice(unit.mangled.length) : name);
 		const basesOf = (unit) => (unit ? [unit, ...basesOf(this.#units.get(unit.base))] : []);
@@ -137,7 +138,11 @@ export class Program {
 		}
 		for (const [plain, units] of owners) {
 			const shared = new Set([...units].flatMap((unit) => basesOf(unit).filter((base) => base !== unit && units.has(base)).flatMap((base) => [unit, base])));
-			for (const unit of units) this.#privateNames.set(unit.mangled + plain, shared.has(unit) ? `${plain}$${unit.name}` : plain);
+			for (const unit of units) {
+				const name = this.signatures.has(unit.qname) && !plain.startsWith("_") ? `$${plain}` : plain;
+				const isTaken = shared.has(unit) || (name !== plain && owners.has(ENGINE_PREFIX + plain));
+				this.#privateNames.set(unit.mangled + plain, isTaken ? `${name}$${unit.name}` : name);
+			}
 		}
 	}
 

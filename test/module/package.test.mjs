@@ -137,6 +137,27 @@ test("every static member that the types show is there, for extending classes to
 	assert.deepEqual(members.filter(([name, member]) => engine[name][member] === undefined), []);
 });
 
+// Flash's own classes and parts that no game extends show some more.
+test("a game's own subclass may have any method without _ or $ that the types do not show", async () => {
+	const shown = new Set(readFileSync(path.join(folder, "index.d.ts"), "utf8").match(/[\w$]+/g));
+	shown.add("toJSON");
+	for (const file of [minified, readable]) {
+		const { BreedInterests, ByteArray, Event, HierarchyNode, ModelLoader, ModelTransform, ...extendable } = await import(pathToFileURL(path.resolve(folder, file)));
+		const hidden = Object.values(extendable).flatMap((type) => Object.getOwnPropertyNames(type.prototype ?? {})).filter((name) => !shown.has(name));
+		assert.ok(hidden.length > 100);
+		assert.deepEqual(hidden.filter((name) => !/^[_$]/.test(name)), [], file);
+		class Bear extends extendable.Agent {
+			turnBy(degrees) {
+				this.heading += degrees;
+			}
+		}
+		const bear = new Bear("cube");
+		bear.turnBy(30);
+		bear.heading += 60;
+		assert.equal(bear.heading, 90);
+	}
+});
+
 test("names of classes are the sources' own, minified too", async () => {
 	const all = await import(pathToFileURL(minified));
 	const classes = Object.entries(all).filter(([, value]) => /^class/.test(String(value)));

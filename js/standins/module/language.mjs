@@ -188,10 +188,10 @@ export function $areOptions(value) {
 export function $listen(target, type, listener, { once = false, capture = false, signal = null }) {
 	if (signal?.aborted) return;
 	const isOwn = (each) => each.call === listener && each.isCapturing === capture;
-	const isKnown = target.listenersTo(type).some(isOwn);
+	const isKnown = target.$listenersTo(type).some(isOwn);
 	target.addEventListener(type, listener, capture);
 	if (isKnown) return;
-	target.listenersTo(type).find(isOwn).isOnce = once;
+	target.$listenersTo(type).find(isOwn).isOnce = once;
 	signal?.addEventListener("abort", () => target.removeEventListener(type, listener, capture), { once: true });
 }
 

@@ -15,7 +15,7 @@ const COUNT = 500;
 const ASKED = 10000;
 const GUESTS = 50;
 const WARM = 20;
-const PASSES = 4;
+const PASSES = 12;
 
 const { agents } = scatter(COUNT, MODELS, { halfWidth: HALF_WIDTH / 3 });
 agents.forEach((agent, i) => {

@@ -194,15 +194,13 @@ package starlogo.intersection
                 return;
             }
             time = RelativeMotion.NEVER;
-            if (!meetFace())
+            var isFirst:Boolean = meetFace();
+            for (var i:int = 0; i < 9 && !isFirst; i += 3)
             {
-                for (var i:int = 0; i < 9; i += 3)
-                {
-                    setEdge(i);
-                    _motion.latest = time < latest ? time : latest;
-                    findTimeOfImpact(structure, _edge, _motion);
-                    time = _motion.time < time ? _motion.time : time;
-                }
+                setEdge(i);
+                _motion.latest = time < latest ? time : latest;
+                findTimeOfImpact(structure, _edge, _motion);
+                time = _motion.time < time ? _motion.time : time;
             }
             time = time <= latest ? time : RelativeMotion.NEVER;
         }
@@ -385,6 +383,9 @@ package starlogo.intersection
             for (var i:int = 0; i < _end; i += 3)
             {
                 var impact:Number = (plane - (x * _corners[i] + y * _corners[int(i + 1)] + z * _corners[int(i + 2)])) / speed;
+                // touches() projects in another order. So if the shape comes to the plane, rounding may have put a corner a little beyond it.
+                impact = impact < 0 && Math.abs(impact * speed) < _edge.radius
+                    && speed * (plane - back - (x * point.x + y * point.y + z * point.z)) > 0 ? 0 : impact;
                 first = impact < first ? impact : first;
                 if (impact >= 0 && impact < time)
                 {

@@ -44,11 +44,7 @@ package starlogo.intersection
                     continue;
                 }
                 var sweep:ConvexTriangle = new ConvexTriangle();
-                sweep.begin(structure, new Placement(), motion);
-                sweep.setTriangle(corners, 0);
-                sweep.time = 1;
-                sweep.findTime();
-                var end:Number = Math.min(1, sweep.time);
+                var end:Number = Math.min(1, timeOf(sweep, structure, corners, motion));
                 var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + sweep.time;
                 for (var k:int = 1; k <= 16; k++)
                 {
@@ -68,6 +64,41 @@ package starlogo.intersection
             }
             _wrong.assertNone();
             assertTrue(hits + " hits, " + misses + " misses", hits > 100 && misses > 100);
+        }
+
+        [Test]
+        public function aTriangleAtTheBorderOfTouchingIsMet():void
+        {
+            var apart:int = 0;
+            for (var i:int = Effort.choose(1000, 30000); i > 0; i--)
+            {
+                var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
+                var corners:Vector.<Number> = anyTriangle(i % 4);
+                var motion:RelativeMotion = new RelativeMotion();
+                motion.x = _random.between(-4, 4);
+                motion.y = _random.between(-4, 4);
+                motion.z = _random.between(-4, 4);
+                var sweep:ConvexTriangle = new ConvexTriangle();
+                var first:Number = timeOf(sweep, structure, corners, motion);
+                for (var k:int = -4; k <= 4 && first > 0 && first < 1; k++)
+                {
+                    var time:Number = timeOf(sweep, moved(structure, motion, first + k * 1e-16), corners, motion);
+                    apart += sweep.touches() ? 0 : 1;
+                    _wrong.addIf(!(time < 1e-9), "not met", structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z]
+                            + ", from " + first + ", step " + k + ": " + time);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(apart + " apart", apart > 100);
+        }
+
+        private static function timeOf(sweep:ConvexTriangle, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
+        {
+            sweep.begin(structure, new Placement(), motion);
+            sweep.setTriangle(corners, 0);
+            sweep.time = 1;
+            sweep.findTime();
+            return sweep.time;
         }
 
         private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:ConvexTriangle, message:String):void

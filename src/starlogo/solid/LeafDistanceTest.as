@@ -9,14 +9,9 @@ package starlogo.solid
     use namespace engine;
 
     /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
-    internal final class LeafDistanceTest extends LeafTest
+    internal final class LeafDistanceTest extends LeafPairTest
     {
-        /** The number of pairs of triangles measured. The caller sets it to 0. */
-        public var triangleTests:int = 0;
-
         private var _nearest:TrianglePairDistance = new TrianglePairDistance();
-        private var _solid:Solid;
-        private var _moved:MovedTriangles;
 
         // The vector from the first model's point to the second's in the nearest pair, and the place along it beyond which a triangle of
         // the first model may be nearer.
@@ -30,23 +25,22 @@ package starlogo.solid
          */
         public function LeafDistanceTest(pose:RelativePose)
         {
-            _moved = new MovedTriangles(pose);
+            super(pose);
             points = _nearest.points;
         }
 
-        /** Begins with two models. The pose must relate them already. */
-        public function begin(a:Solid, b:Solid):void
+        /** @inheritDoc */
+        override public function begin(a:SolidHierarchy, b:SolidHierarchy):LeafTest
         {
-            _solid = a;
-            _moved.begin(b.corners);
             points.distance = Infinity;
             _nearest.begin();
+            return super.begin(a, b);
         }
 
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            _moved.move(b);
+            moved.move(b);
             var count:int = b.end - b.first;
             for (var i:int = 0; i < count && _nearest.squared > 0; i++)
             {
@@ -61,9 +55,9 @@ package starlogo.solid
         // Adds each triangle of a leaf of the first model, paired with a triangle of the second.
         private function addTriangle(a:HierarchyNode, triangle:int):void
         {
-            var corners:Vector.<Number> = _moved.corners;
+            var corners:Vector.<Number> = moved.corners;
             var at:int = 9 * triangle;
-            var extents:Vector.<Number> = _moved.extents;
+            var extents:Vector.<Number> = moved.extents;
             var extent:int = 6 * triangle;
             var minX:Number = extents[extent];
             var minY:Number = extents[int(extent + 1)];
@@ -73,7 +67,7 @@ package starlogo.solid
             var maxZ:Number = extents[int(extent + 5)];
             var limit:Number = _nearest.squared;
             var isProjected:Boolean = false;
-            extents = _solid.extents;
+            extents = solidA.extents;
             var end:int = a.end;
             for (var i:int = a.first; i < end; i++)
             {
@@ -115,10 +109,10 @@ package starlogo.solid
                     projectTo(corners, at);
                     isProjected = true;
                 }
-                if (!isBeyond(_solid.corners, 9 * i))
+                if (!isBeyond(solidA.corners, 9 * i))
                 {
                     triangleTests++;
-                    _nearest.add(_solid.corners, 9 * i, corners, at);
+                    _nearest.add(solidA.corners, 9 * i, corners, at);
                     isProjected = _nearest.squared == limit;
                     limit = _nearest.squared;
                 }

@@ -7,10 +7,10 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** Decides by triangles whether leaves touch. Base class of the tests for standing and for moving models. */
+    /** Decides about leaves by their triangles. Base class of the tests for standing models, for moving models, and for distances. */
     internal class LeafPairTest extends LeafTest
     {
-        /** The number of pairs of triangles tested. The caller sets it to 0. */
+        /** The number of pairs of triangles tested, or measured. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
         protected var pose:RelativePose;
@@ -32,13 +32,14 @@ package starlogo.solid
             moved = new MovedTriangles(pose);
         }
 
-        /** Begins with two models that have triangles. The pose must relate them already. */
-        public function begin(a:SolidHierarchy, b:SolidHierarchy):void
+        /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
+        public function begin(a:SolidHierarchy, b:SolidHierarchy):LeafTest
         {
             solidA = a.facets;
             solidB = b.facets;
             moved.begin(solidB.corners);
             touching = pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * pose.placement.size);
+            return this;
         }
     }
 }

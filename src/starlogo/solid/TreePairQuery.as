@@ -159,7 +159,7 @@ package starlogo.solid
             }
             if (exact && a.hasTriangles && b.hasTriangles)
             {
-                decider = preparePairs(a, b, _trianglePairs);
+                decider = _trianglePairs.begin(a, b);
                 depthA = depthB = int.MAX_VALUE;
             }
             var second:HierarchyNode;
@@ -330,12 +330,6 @@ package starlogo.solid
             return _leaf;
         }
 
-        private function preparePairs(a:SolidHierarchy, b:SolidHierarchy, pairs:LeafPairTest):LeafTest
-        {
-            pairs.begin(a, b);
-            return pairs;
-        }
-
         private function beginDistance():LeafTest
         {
             if (_b == null)
@@ -343,8 +337,7 @@ package starlogo.solid
                 _triangles.beginDistance(_a, _structureB, _pose);
                 return _triangles;
             }
-            _nearest.begin(_a.facets, _b.facets);
-            return _nearest;
+            return _nearest.begin(_a, _b);
         }
 
         private function search(traversal:NodePairTraversal, decider:LeafTest):Boolean
@@ -381,7 +374,7 @@ package starlogo.solid
                 _time = _triangles.least;
                 return isFound;
             }
-            var decider:LeafTest = _isExact ? preparePairs(_a, _b, _sweptPairs) : (_b == null ? prepareLeaf(_structureB, _pose.motion) : null);
+            var decider:LeafTest = _isExact ? _sweptPairs.begin(_a, _b) : (_b == null ? prepareLeaf(_structureB, _pose.motion) : null);
             isFound = search(_sweptBoxes, decider);
             _time = _sweptBoxes.least;
             return isFound;

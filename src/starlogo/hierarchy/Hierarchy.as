@@ -26,6 +26,9 @@ package starlogo.hierarchy
         /** @private The model's triangles, three vertex indices each; null if only vertices are known. */
         engine var triangles:Vector.<uint>;
 
+        /** @private The measured triangles, until they are divided for exact tests; null if they are not measured. */
+        engine var items:TreeItems = null;
+
         /** @private The boxes down to a few triangles each, or null if they are not prepared. */
         engine var tree:PackedTree = null;
 

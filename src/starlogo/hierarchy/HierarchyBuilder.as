@@ -85,6 +85,7 @@ package starlogo.hierarchy
         {
             var maker:NodeMaker = new NodeMaker(_hierarchy, _items.bounds);
             _hierarchy.root = maker.make(1, 0, _items.count, _items.bounds);
+            _hierarchy.items = _hierarchy.hasTriangles ? _items : null;
             _divider.begin(_hierarchy.root, _items, maker);
         }
     }

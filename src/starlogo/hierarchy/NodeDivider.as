@@ -69,13 +69,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * Begins with a finished hierarchy of triangles, measured in its order. Its leaves are divided down to a few triangles each, and all boxes are
+         * Begins with a finished hierarchy of measured triangles. Its leaves are divided down to a few triangles each, and all boxes are
          * packed, for tests of triangles and rays. A hierarchy that was read with all its nodes is not divided again.
          */
-        public function beginBelow(hierarchy:Hierarchy, items:TreeItems):void
+        public function beginBelow(hierarchy:Hierarchy):void
         {
-            _tree = hierarchy.tree = new PackedTree(hierarchy.root, items.bounds);
-            begin(hierarchy.root, items, _tree.maker);
+            _tree = hierarchy.tree = new PackedTree(hierarchy.root, hierarchy.items.bounds);
+            begin(hierarchy.root, hierarchy.items, _tree.maker);
         }
 
         /** @inheritDoc */

@@ -5,8 +5,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The items of a hierarchy, while it is built: its triangles or its vertices. Keeps an order in which the items of each node stand side
-     * by side. Divides the items of a node in two.
+     * The items of a hierarchy until it is divided to the end: its triangles or its vertices. Keeps an order in which the items of each
+     * node stand side by side. Divides the items of a node in two.
      *
      * @private
      */

@@ -15,7 +15,6 @@ package starlogo.solid
 
         private var _hierarchy:SolidHierarchy;
         private var _solid:Solid;
-        private var _items:TreeItems;
         private var _divider:NodeDivider = new NodeDivider();
 
         /**
@@ -26,13 +25,17 @@ package starlogo.solid
             _hierarchy = hierarchy;
             _solid = new Solid(hierarchy.root, hierarchy.order);
             var count:int = hierarchy.order.length;
-            _items = new TreeItems(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
-            slices(count, TRIANGLES_PER_STEP, _items.measure).call(divide).add(_divider).slices(count, TRIANGLES_PER_STEP, place).call(conclude);
+            if (hierarchy.items == null)
+            {
+                hierarchy.items = new TreeItems(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
+                slices(count, TRIANGLES_PER_STEP, hierarchy.items.measure);
+            }
+            call(divide).add(_divider).slices(count, TRIANGLES_PER_STEP, place).call(conclude);
         }
 
         private function divide():void
         {
-            _divider.beginBelow(_hierarchy, _items);
+            _divider.beginBelow(_hierarchy);
         }
 
         private function place(first:int, end:int):void
@@ -59,6 +62,7 @@ package starlogo.solid
         private function conclude():void
         {
             _solid.tree = _hierarchy.tree;
+            _hierarchy.items = null;
             _hierarchy.readyFacets = _solid;
         }
     }

@@ -335,23 +335,11 @@ package starlogo.search
             var outAgents:Vector.<Agent> = _outAgents;
             var list:Vector.<Agent> = _list;
             var rank:int = ranks[index];
-            var at:int = 2 * _out.count;
+            var to:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
-                // The bits of swaps are all set if the other agent comes first in the list. Half of the pairs do, so a branch would be mispredicted.
                 var ahead:int = ranks[others[i]] - rank;
-                var swaps:int = ahead >> 31;
-                if (outAgents == null)
-                {
-                    indices[at] = rank + (ahead & swaps);
-                    indices[int(at + 1)] = rank + (ahead & ~swaps);
-                }
-                else
-                {
-                    outAgents[at] = list[int(rank + (ahead & swaps))];
-                    outAgents[int(at + 1)] = list[int(rank + (ahead & ~swaps))];
-                }
-                at += 2;
+                include "writePair.inc";
             }
             _out.count += count;
         }

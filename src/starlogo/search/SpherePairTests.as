@@ -64,7 +64,7 @@ package starlogo.search
             var slack:Number = bins.slack;
             var indices:Vector.<int> = out.indices;
             var rank:int = ranks[at];
-            var end:int = 2 * out.count;
+            var to:int = 2 * out.count;
             tests += count;
             for (var i:int = 0; i < count; i++)
             {
@@ -87,22 +87,10 @@ package starlogo.search
                         continue;
                     }
                 }
-                // as in CollisionSearch.put
                 var ahead:int = ranks[other] - rank;
-                var swaps:int = ahead >> 31;
-                if (outAgents == null)
-                {
-                    indices[end] = rank + (ahead & swaps);
-                    indices[int(end + 1)] = rank + (ahead & ~swaps);
-                }
-                else
-                {
-                    outAgents[end] = list[int(rank + (ahead & swaps))];
-                    outAgents[int(end + 1)] = list[int(rank + (ahead & ~swaps))];
-                }
-                end += 2;
+                include "writePair.inc";
             }
-            out.count = end >> 1;
+            out.count = to >> 1;
         }
 
         /** @inheritDoc */

@@ -7,7 +7,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import support.Effort;
-    import support.MoodyCollider;
+    import support.MoodyBins;
     import support.OwnVectorSystem;
     import support.assertThrows;
     import support.landOf;
@@ -209,7 +209,7 @@ package starlogo.collision
         public function aContactThatIsNotFoundLosesNoEnd():void
         {
             var other:Agent = new Agent("sphere", "balls");
-            var system:MoodyCollider = new MoodyCollider(new BinCollider(_greatLand));
+            var system:MoodyBins = new MoodyBins(_greatLand);
             _collision.collisionSystem = system;
             _agents.push(other);
             note("bears", "balls");

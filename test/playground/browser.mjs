@@ -115,6 +115,16 @@ export async function newPage({ browser, url }, { isDrawn, ...options }) {
 	return { page, said };
 }
 
+/**
+ * Leaves a page for an empty one of its site. about:blank would not do: Chromium may ask for the icon of the page that is left as late as there,
+ * and says that about:blank must not load it.
+ */
+export async function goNowhere(page) {
+	const empty = new URL('empty', page.url()).href;
+	await page.route(empty, (route) => route.fulfill({ contentType: 'text/html', body: '<link rel="icon" href="data:,">' }));
+	await page.goto(empty);
+}
+
 /** Makes a page as good as new. A new one takes twice as long as one that is used again. */
 async function forget({ page, said }) {
 	for (const other of page.context().pages()) if (other !== page) await other.close();
@@ -124,7 +134,7 @@ async function forget({ page, said }) {
 		for (const { name } of await indexedDB.databases()) indexedDB.deleteDatabase(name);
 	});
 	await page.emulateMedia({ colorScheme: 'light' });
-	await page.goto('about:blank');
+	await goNowhere(page);
 	said.length = 0;
 }
 

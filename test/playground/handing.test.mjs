@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, keepCopies, open, own, press, ready, refuseCopies, root, saved, titled, told } from './browser.mjs';
+import { SIZES, begin, goNowhere, keepCopies, open, own, press, ready, refuseCopies, root, saved, titled, told } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -262,7 +262,7 @@ test('an address of another browser, a mistyped one and a broken link say so, an
 		['play/own-mws4clyd-9t9n', /^This address is for a program that another browser keeps/], ['play/lesson-helmt', /^Nothing is at the address “lesson-helmt”/], ['plai/maze', /^Nothing is at the address “plai\/maze”/],
 		['play/handed-0-3', /^This address is for a program of a class/], [`play/${'hZHNasMwEIRfxejQk0nT0F58C4FCoaXQlF'.repeat(9)}`, /^The program in this link could not be read/],
 	]) {
-		await page.goto('about:blank');
+		await goNowhere(page);
 		await page.goto(`${site.url}#${address}`);
 		await page.waitForSelector('.gallery .problem');
 		assert.match(await page.textContent('.gallery .problem'), text);

@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, begin, dragBall, drop, hold, hurry, open, press, ready, refuseCopies, rest, root, sharing } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, goNowhere, hold, hurry, open, press, ready, refuseCopies, rest, root, sharing } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'level', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
@@ -702,14 +702,14 @@ test('Compare: the scene is in the address: it survives a reload, and a link bri
 	await refuseCopies(page);
 	await page.getByRole('button', { name: 'Copy a link' }).click();
 	const link = await page.locator('.address').inputValue();
-	await page.goto('about:blank');
+	await goNowhere(page);
 	await page.goto(link);
 	await ready(page, 'compare');
 	assert.deepEqual(await places(), before);
 	assert.ok(await page.getByRole('radio', { name: 'A scattered game' }).isChecked());
 	assert.equal(await page.getByLabel('Beside').inputValue(), 'hierarchies');
 	// nonsense shows the beginning
-	await page.goto('about:blank');
+	await goNowhere(page);
 	await page.goto(`${site.url}#compare/dragon_0~sphere_a_b_c_d_e_f_0~exact`);
 	await ready(page, 'compare');
 	assert.deepEqual((await scene()).shapes, ['dragon', 'sphere']);

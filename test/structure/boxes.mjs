@@ -24,8 +24,6 @@ const COLD = {
 	'starlogo.handlers.PairHandlers': 'made when handlers change',
 	'starlogo.hierarchy.HierarchyBuilder': 'when a model loads',
 	'starlogo.hierarchy.TreeItems': 'when a model loads',
-	'starlogo.hierarchy.NodeDivider': 'when a model loads',
-	'starlogo.hierarchy.NodeMaker': 'when a model loads',
 	'starlogo.solid.DisjointSets': 'when a model loads',
 	'starlogo.solid.CavityFinder': 'when a model loads',
 	'starlogo.solid.EdgeMatcher': 'when a model loads',

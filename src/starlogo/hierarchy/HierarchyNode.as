@@ -188,6 +188,22 @@ package starlogo.hierarchy
             innerRadius = halfZ < innerRadius ? halfZ : innerRadius;
         }
 
+        /**
+         * @private Gives the node two children. It must not have any yet.
+         *
+         * @param axis the axis along which it is split
+         * @param low the child on the low side
+         * @param high the child on the high side
+         * @param stopDepth the largest depth limit at which a visit ends at the node
+         */
+        engine function divide(axis:int, low:HierarchyNode, high:HierarchyNode, stopDepth:int):void
+        {
+            this.stopDepth = stopDepth;
+            splitAxis = axis;
+            this.low = low;
+            this.high = high;
+        }
+
         /** @private Sets an axis-aligned box to the node's box, and returns it. */
         engine function writeBox(box:Box):Box
         {

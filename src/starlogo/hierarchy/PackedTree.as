@@ -38,25 +38,20 @@ package starlogo.hierarchy
         internal var root:BoxPair = null;
         internal var rootLeaf:int = 0;
 
-        /** Makes the nodes below the thesis's leaves. */
-        internal var maker:NodeMaker;
-
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
          * Creates a tree without boxes.
          *
          * @param node the hierarchy's root
-         * @param extents of the whole model: minX, minY, minZ, maxX, maxY, maxZ
          */
-        public function PackedTree(node:HierarchyNode, extents:Vector.<Number>)
+        public function PackedTree(node:HierarchyNode)
         {
             var largest:Number = Math.max(node.halfX, Math.max(node.halfY, node.halfZ));
             x = node.x;
             y = node.y;
             z = node.z;
             scale = largest > 0 ? GRID_STEPS / largest : 1;
-            maker = new NodeMaker(node.hierarchy, extents);
             root = pairOf(node);
             rootLeaf = leafOf(node);
         }
@@ -114,14 +109,14 @@ package starlogo.hierarchy
                 leaf = below.lowLeaf;
             }
             var middle:int = firstOf(leaf);
-            maker.divide(node, pair.axis, makeChild(node, node.first, middle, pair.low), makeChild(node, middle, node.end, pair.high),
+            node.divide(pair.axis, makeChild(node, node.first, middle, pair.low), makeChild(node, middle, node.end, pair.high),
                     HierarchyNode.LARGEST_DEPTH);
         }
 
         private function makeChild(parent:HierarchyNode, first:int, end:int, pair:BoxPair):HierarchyNode
         {
             TreeItems.writeBounds(parent.hierarchy, first, end, _extents);
-            var child:HierarchyNode = maker.make(parent.level + 1, first, end, _extents);
+            var child:HierarchyNode = parent.hierarchy.makeNode(parent.level + 1, first, end, _extents);
             child.pair = pair;
             child.stopDepth = pair == null ? int.MAX_VALUE : HierarchyNode.LARGEST_DEPTH;
             return child;

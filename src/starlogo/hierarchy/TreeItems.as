@@ -15,9 +15,6 @@ package starlogo.hierarchy
         /** The indices of the items. */
         public var order:Vector.<int>;
 
-        /** The number of items. */
-        public var count:int;
-
         /** The extents of all items together after <code>measure()</code>. */
         public var bounds:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
 
@@ -33,8 +30,7 @@ package starlogo.hierarchy
         /** The axis of the last division: 0, 1 or 2. */
         public var axis:int;
 
-        private var _vertices:Vector.<Number>;
-        private var _triangles:Vector.<uint>;
+        private var _hierarchy:Hierarchy;
 
         // The extents of each item, by its index: minX, minY, minZ, maxX, maxY, maxZ.
         private var _extents:Vector.<Number>;
@@ -46,32 +42,24 @@ package starlogo.hierarchy
         private var _split:Number;
 
         /**
-         * @param vertices x, y, z of each
-         * @param triangles three vertex indices each, or null if the vertices are the items
-         * @param order an order that the items already have; null for the order of their indices
+         * @param hierarchy has the items. If they have no order yet, they are in the order of their indices
          */
-        public function TreeItems(vertices:Vector.<Number>, triangles:Vector.<uint>, order:Vector.<int> = null)
+        public function TreeItems(hierarchy:Hierarchy)
         {
-            _vertices = vertices;
-            _triangles = triangles;
-            count = (triangles == null ? vertices.length : triangles.length) / 3;
-            this.order = order;
-            if (order == null)
+            _hierarchy = hierarchy;
+            order = hierarchy.order || new Vector.<int>(hierarchy.itemCount, true);
+            for (var i:int = 0; hierarchy.order == null && i < order.length; i++)
             {
-                this.order = new Vector.<int>(count, true);
-                for (var i:int = 0; i < count; i++)
-                {
-                    this.order[i] = i;
-                }
+                order[i] = i;
             }
         }
 
         /** Measures a range of items. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
-            _extents ||= new Vector.<Number>(6 * count, true);
-            var vertices:Vector.<Number> = _vertices;
-            var triangles:Vector.<uint> = _triangles;
+            _extents ||= new Vector.<Number>(6 * order.length, true);
+            var vertices:Vector.<Number> = _hierarchy.vertices;
+            var triangles:Vector.<uint> = _hierarchy.triangles;
             var extents:Vector.<Number> = _extents;
             var minX:Number = bounds[0];
             var minY:Number = bounds[1];
@@ -108,14 +96,15 @@ package starlogo.hierarchy
             write(bounds, minX, minY, minZ, maxX, maxY, maxZ);
         }
 
-        /** Adds the smallest and largest coordinates of a range of items along an axis to a number, one after the other. Returns the sum. */
-        public function sumOf(sum:Number, first:int, end:int, axis:int):Number
+        /** Twice the mean of the centres of some items along an axis. */
+        public function meanOf(first:int, end:int, axis:int):Number
         {
+            var sum:Number = 0;
             for (var i:int = first; i < end; i++)
             {
                 sum += sumAlong(axis, i);
             }
-            return sum;
+            return sum / (end - first);
         }
 
         /**

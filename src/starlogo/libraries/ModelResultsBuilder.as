@@ -110,7 +110,7 @@ package starlogo.libraries
             }
             if (hierarchy != null && _fits.hasHierarchy)
             {
-                hierarchy.useStored(new TreeReader(_fits.tree), _fits.surface);
+                hierarchy.useStored(new TreeReader(_fits.tree, hierarchy.hierarchy), _fits.surface);
             }
         }
 

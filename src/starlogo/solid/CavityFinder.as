@@ -46,22 +46,26 @@ package starlogo.solid
         {
             var pieces:int = balances.length;
             _solid = solid;
-            _mostLooks = LOOKS_PER_TRIANGLE * solid.signedPieces.length;
+            _mostLooks = LOOKS_PER_TRIANGLE * solid.surface.signedPieces.length;
             _balances = balances;
             if (pieces > 1)
             {
                 _boxes = new Vector.<Number>(6 * pieces, true);
+                for (var i:int = 0; i < 6 * pieces; i++)
+                {
+                    _boxes[i] = i % 6 < 3 ? Infinity : -Infinity;
+                }
                 _corners = new Vector.<int>(pieces, true);
                 _volumes = new Vector.<Number>(pieces, true);
                 _orientations = new Vector.<int>(pieces, true);
                 _around = new Vector.<Vector.<int>>(pieces, true);
-                slices(solid.signedPieces.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
+                slices(solid.surface.signedPieces.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
             }
         }
 
         private function isSolid(piece:int):Boolean
         {
-            return piece >= 0 && _solid.pieceStates[piece] == SurfaceTopology.SOLID;
+            return piece >= 0 && _solid.surface.pieceStates[piece] == SurfaceTopology.SOLID;
         }
 
         private function pieceOf(triangle:int):int
@@ -72,7 +76,6 @@ package starlogo.solid
         private function measure(first:int, end:int):void
         {
             var corners:Vector.<Number> = _solid.corners;
-            var extents:Vector.<Number> = _solid.extents;
             for (var i:int = first; i < end; i++)
             {
                 var piece:int = pieceOf(i);
@@ -80,16 +83,12 @@ package starlogo.solid
                 {
                     continue;
                 }
-                var isFirst:Boolean = _corners[piece] == 0;
-                if (isFirst)
+                _corners[piece] ||= 9 * i + 1;
+                for (var k:int = 0; k < 9; k++)
                 {
-                    _corners[piece] = 9 * i + 1;
-                }
-                for (var axis:int = 0; axis < 3; axis++)
-                {
-                    var at:int = 6 * piece + axis;
-                    _boxes[at] = isFirst ? extents[6 * i + axis] : Math.min(_boxes[at], extents[6 * i + axis]);
-                    _boxes[at + 3] = isFirst ? extents[6 * i + axis + 3] : Math.max(_boxes[at + 3], extents[6 * i + axis + 3]);
+                    var at:int = 6 * piece + k % 3;
+                    _boxes[at] = Math.min(_boxes[at], corners[9 * i + k]);
+                    _boxes[at + 3] = Math.max(_boxes[at + 3], corners[9 * i + k]);
                 }
                 _face.setTriangleNormal(corners, 9 * i);
                 if (_face.length > 0)
@@ -114,7 +113,7 @@ package starlogo.solid
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_solid.signedPieces.length, TRIANGLES_PER_STEP, testSome).call(decide);
+                slices(_solid.surface.signedPieces.length, TRIANGLES_PER_STEP, testSome).call(decide);
             }
         }
 
@@ -210,7 +209,7 @@ package starlogo.solid
                 }
                 if (isSolid(innermost) && _orientations[innermost] == -_orientations[piece])
                 {
-                    _solid.pieceStates[piece] = innermost;
+                    _solid.surface.pieceStates[piece] = innermost;
                 }
             }
         }

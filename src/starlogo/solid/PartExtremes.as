@@ -9,7 +9,7 @@ package starlogo.solid
         public var pointsAt:Vector.<int>;
 
         /**
-         * @param solid has the corners and extents of the triangles; receives the points
+         * @param solid has the corners of the triangles; receives the points
          * @param count greater than any part's number
          */
         public function PartExtremes(solid:Solid, count:int)
@@ -30,12 +30,9 @@ package starlogo.solid
             {
                 beginPart(part, 9 * triangle);
             }
-            if (reachesOut(pointsAt[part], 6 * triangle))
+            for (var corner:int = 9 * triangle; corner < 9 * triangle + 9; corner += 3)
             {
-                for (var corner:int = 9 * triangle; corner < 9 * triangle + 9; corner += 3)
-                {
-                    extendPart(pointsAt[part], corner);
-                }
+                extendPart(pointsAt[part], corner);
             }
         }
 
@@ -60,16 +57,6 @@ package starlogo.solid
             }
         }
 
-        // Whether a triangle extends beyond all earlier triangles of its part.
-        private function reachesOut(at:int, from:int):Boolean
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            var extents:Vector.<Number> = _solid.extents;
-            return extents[from] < points[at] || extents[int(from + 3)] > points[int(at + 3)]
-                || extents[int(from + 1)] < points[int(at + 7)] || extents[int(from + 4)] > points[int(at + 10)]
-                || extents[int(from + 2)] < points[int(at + 14)] || extents[int(from + 5)] > points[int(at + 17)];
-        }
-
         private function extendPart(at:int, corner:int):void
         {
             var points:Vector.<Number> = _solid.partPoints;
@@ -77,13 +64,13 @@ package starlogo.solid
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var low:int = at + 6 * axis;
-                var coordinate:Number = corners[corner + axis];
+                var coordinate:Number = corners[int(corner + axis)];
                 var to:int = -1;
-                if (coordinate < points[low + axis])
+                if (coordinate < points[int(low + axis)])
                 {
                     to = low;
                 }
-                else if (coordinate > points[low + 3 + axis])
+                else if (coordinate > points[int(low + 3 + axis)])
                 {
                     to = low + 3;
                 }

@@ -32,11 +32,8 @@ package starlogo.solid
         /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if no seam has a gap. */
         public var placesAt:Vector.<int> = null;
 
-        /** The surface's <code>signedPieces</code>, in the model's order. */
-        public var signedPieces:Vector.<int>;
-
-        /** For each piece: SurfaceTopology.SOLID, ONE_SIDED or OPEN, or the number of the piece in which it bounds a cavity. */
-        public var pieceStates:Vector.<int> = null;
+        /** The surface that the triangles make, or null if it is not known. */
+        public var surface:SurfaceTopology = null;
 
         /** How far a triangle's corners may be off its plane. */
         public var flatness:Number;
@@ -52,9 +49,6 @@ package starlogo.solid
 
         /** The extent of the smallest part: the longest of its three extents. */
         public var leastPartExtent:Number = Infinity;
-
-        /** The widest gap in the surface's seams. */
-        public var widestSeam:Number = 0;
 
         /** How often each piece winds around the point of the last <code>wind()</code>. */
         public var windings:Vector.<int>;
@@ -118,41 +112,28 @@ package starlogo.solid
         }
 
         /**
-         * The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. A SolidBuilder and pairs of trees need them. If they are not
-         * placed yet, they are placed now.
+         * The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. Only pairs of trees need them. The first call places them.
          */
         public function get extents():Vector.<Number>
         {
             if (_extents == null)
             {
-                placeExtents(0, corners.length / 9);
+                var count:int = corners.length / 9;
+                var spans:Vector.<Number> = _extents = new Vector.<Number>(6 * count, true);
+                for (var i:int = 0; i < count; i++)
+                {
+                    var from:int = 9 * i;
+                    var to:int = 6 * i;
+                    include "../intersection/triangleExtents.inc";
+                }
             }
             return _extents;
-        }
-
-        /** Places the extents of a range of triangles. Must be called for all triangles before the extents are read. */
-        public function placeExtents(first:int, end:int):void
-        {
-            _extents ||= new Vector.<Number>(6 * corners.length / 9, true);
-            var spans:Vector.<Number> = _extents;
-            for (var i:int = first; i < end; i++)
-            {
-                var from:int = 9 * i;
-                var to:int = 6 * i;
-                include "../intersection/triangleExtents.inc";
-            }
-        }
-
-        /** Forgets the extents until they are needed again, because they take as much memory as the model. */
-        public function forgetExtents():void
-        {
-            _extents = null;
         }
 
         /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 without area. */
         public function sideOf(triangle:int):int
         {
-            return signedPieces[_order[triangle]];
+            return surface.signedPieces[_order[triangle]];
         }
 
         /** Whether the planes are placed. */
@@ -191,17 +172,11 @@ package starlogo.solid
         }
 
         /**
-         * Whether a point is inside of the surface. The point must not be on it. False if no piece of the surface is closed. A point is
-         * inside if a solid piece winds around it, and no piece that bounds a cavity in that one.
+         * Whether a point is inside of the surface. The point must not be on it. A point is inside if a solid piece winds around it, and no
+         * piece that bounds a cavity in that one. False if no piece of the surface is closed; ask <code>isClosed</code> before.
          */
         public function isInside(point:Vector3D):Boolean
         {
-            var isOutOfReach:Boolean = Math.abs(point.x - _root.x) > _root.halfX || Math.abs(point.y - _root.y) > _root.halfY
-                || Math.abs(point.z - _root.z) > _root.halfZ;
-            if (isOutOfReach || !isClosed)
-            {
-                return false;
-            }
             wind(point.x, point.y, point.z);
             var isFound:Boolean = false;
             for (var i:int = 0; i < woundCount; i++)
@@ -215,8 +190,8 @@ package starlogo.solid
         /** Whether the point of the last <code>wind()</code> is inside of a piece, and not in a cavity of it. */
         public function isAround(piece:int):Boolean
         {
-            return pieceStates[piece] == SurfaceTopology.SOLID && windings[piece] != 0
-                || pieceStates[piece] == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
+            var state:int = surface.pieceStates[piece];
+            return state == SurfaceTopology.SOLID && windings[piece] != 0 || state == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
         }
 
         /**
@@ -233,16 +208,16 @@ package starlogo.solid
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _axis == 0 ? x < root.x : (_axis == 1 ? y < root.y : z < root.z);
-            var margin:Number = widestSeam + Tolerances.ROUNDING * _reach;
+            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * _reach;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);
             _boxes.find(tree, this);
             for (var i:int = 0; i < woundCount; i++)
             {
-                var piece:int = wound[i];
-                if (pieceStates[piece] >= 0 && windings[piece] != 0)
+                var state:int = surface.pieceStates[wound[i]];
+                if (state >= 0 && windings[wound[i]] != 0)
                 {
-                    windings[pieceStates[piece]] = 0;
+                    windings[state] = 0;
                 }
             }
         }

@@ -1,17 +1,20 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
-     * Prepares a hierarchy for all exact tests, in steps: its triangles, the surface that they make, its cavities, and the outermost points of
-     * its parts. If the surface is known already, most of the work is not needed.
+     * Prepares a hierarchy for exact tests, in steps. First come the triangles: boxes down to a few of them, and their corners in this order.
+     * Then comes their inside: the surface that they make, its cavities, and the outermost points of its parts. If the surface is known
+     * already, most of the work is not needed.
      */
     internal final class SolidBuilder extends StepSequence
     {
+        private static const TRIANGLES_PER_STEP:int = 400;
         private static const PARTS_PER_STEP:int = 50;
 
         // After so many looks at pieces for each triangle, the parts that are left stay as they are. The answers are the same.
@@ -37,26 +40,44 @@ package starlogo.solid
 
         /**
          * @param hierarchy of triangles; receives the solid and the surface
+         * @param findsInside whether to find the inside
          */
-        public function SolidBuilder(hierarchy:SolidHierarchy)
+        public function SolidBuilder(hierarchy:SolidHierarchy, findsInside:Boolean)
         {
             _hierarchy = hierarchy;
             _order = hierarchy.order;
             _surface = hierarchy.surface;
-            if (hierarchy.readyFacets == null)
+            _solid = hierarchy.readyFacets;
+            if (_solid == null)
             {
-                add(new TrianglesBuilder(hierarchy));
+                _solid = new Solid(hierarchy.root, _order);
+                add(new HierarchyBuilder(hierarchy));
+                sliced(placeCorners).call(keepTriangles);
             }
-            if (_surface == null)
+            if (findsInside && _surface == null)
             {
                 begin(newSurface);
             }
-            call(useSurface);
+            if (findsInside)
+            {
+                call(useSurface);
+            }
         }
 
         private function sliced(work:Function):StepSequence
         {
-            return slices(_order.length, TrianglesBuilder.TRIANGLES_PER_STEP, work);
+            return slices(_order.length, TRIANGLES_PER_STEP, work);
+        }
+
+        private function placeCorners(first:int, end:int):void
+        {
+            _hierarchy.writeCorners(first, end, null, _solid.corners, 9 * first);
+        }
+
+        private function keepTriangles():void
+        {
+            _solid.tree = _hierarchy.tree;
+            _hierarchy.readyFacets = _solid;
         }
 
         private function newSurface():Steps
@@ -68,12 +89,9 @@ package starlogo.solid
 
         private function useSurface():void
         {
-            _solid = _hierarchy.readyFacets;
+            _solid.surface = _surface;
             _solid.isClosed = _surface.isClosed;
-            _solid.pieceStates = _surface.pieceStates;
-            _solid.signedPieces = _surface.signedPieces;
             _solid.windings = new Vector.<int>(_surface.pieceStates.length, true);
-            _solid.widestSeam = _surface.widestSeam;
             if (_surface.widestSeam > 0)
             {
                 _welding = new Welding(_hierarchy.vertices);
@@ -85,13 +103,11 @@ package starlogo.solid
             {
                 sliced(_solid.placePlanes);
             }
-            sliced(_solid.placeExtents);
+            _partOf = new Vector.<int>(_surface.pieceStates.length, true);
             _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
             if (_builder != null)
             {
-                _partOf = new Vector.<int>(_surface.pieceStates.length, true);
                 _sets = new DisjointSets(_surface.partNumberEnd);
-                sliced(takeParts);
                 begin(newCavities);
                 sliced(measure).slices(_solid.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts)
                     .call(beginAgain);
@@ -136,25 +152,13 @@ package starlogo.solid
             }
         }
 
-        private function takeParts(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                var side:int = _surface.signedPieces[i];
-                if (side != 0)
-                {
-                    _partOf[int(Math.abs(side) - 1)] = _surface.parts[i];
-                }
-            }
-        }
-
         // Writes all triangles after the moved ones, and keeps those that are elsewhere than their corners.
         private function weld(first:int, end:int):void
         {
             var places:Vector.<Number> = _solid.places;
             for (var i:int = first; i < end; i++)
             {
-                _hierarchy.writeCorners(3 * _order[i], _welding.welded, places, _placeCount);
+                _hierarchy.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
                 var same:int = 0;
                 while (same < 9 && places[_placeCount + same] == _solid.corners[9 * i + same])
                 {
@@ -174,14 +178,19 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                _extremes.add(_surface.parts[_order[i]], i);
+                var part:int = _surface.parts[_order[i]];
+                var side:int = _solid.sideOf(i);
+                if (side != 0)
+                {
+                    _partOf[int(Math.abs(side) - 1)] = part;
+                }
+                _extremes.add(part, i);
             }
         }
 
         private function conclude():void
         {
             _extremes.finish();
-            _solid.forgetExtents();
             _hierarchy.readySolid = _solid;
             _hierarchy.surface = _surface;
         }

@@ -19,15 +19,17 @@ package starlogo.solid
         /** @private The surface, or null if nothing is known of it. */
         engine var surface:SurfaceTopology = null;
 
-        /** The value of <code>solid</code>, or null if that is not prepared yet. */
+        /** The value of <code>solid</code>, or null if that is not prepared yet. Then it is also the value of <code>facets</code>. */
         internal var readySolid:Solid = null;
 
         /** The value of <code>facets</code>, or null if that is not prepared yet. */
         internal var readyFacets:Solid = null;
 
-        public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>)
+        /** @inheritDoc */
+        public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int,
+                splitByMean:Boolean)
         {
-            super(vertices, triangles);
+            super(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean);
         }
 
         /**
@@ -36,10 +38,7 @@ package starlogo.solid
          */
         internal function get solid():Solid
         {
-            if (readySolid == null)
-            {
-                prepare();
-            }
+            prepare();
             return readySolid;
         }
 
@@ -48,7 +47,7 @@ package starlogo.solid
         {
             if (readyFacets == null)
             {
-                finish(new TrianglesBuilder(this));
+                finish(new SolidBuilder(this, false));
             }
             return readyFacets;
         }
@@ -65,26 +64,34 @@ package starlogo.solid
             {
                 isOutside = OPEN.hasOpenSide(middle, root, facets.tree);
             }
-            return !isOutside && solid.isInside(middle);
+            return !isOutside && solid.isClosed && readySolid.isInside(middle);
         }
 
         /**
-         * Writes the places to which a triangle's corners are welded.
+         * Writes the corners of a range of triangles, in the hierarchy's order.
          *
-         * @param corner the index of the triangle's first corner
-         * @param welded for each vertex, the vertex whose place it has
-         * @param out receives nine numbers
+         * @param first the first triangle's number in this order
+         * @param end the number after the last one
+         * @param welded for each vertex, the vertex whose place it has; null for its own
+         * @param out receives nine numbers for each triangle
          * @param to the index of the first
          */
-        internal function writeCorners(corner:int, welded:Vector.<int>, out:Vector.<Number>, to:int):void
+        internal function writeCorners(first:int, end:int, welded:Vector.<int>, out:Vector.<Number>, to:int):void
         {
-            for (var end:int = corner + 3; corner < end; corner++)
+            var vertices:Vector.<Number> = this.vertices;
+            var triangles:Vector.<uint> = this.triangles;
+            for (var i:int = first; i < end; i++)
             {
-                var at:int = 3 * welded[triangles[corner]];
-                out[to] = vertices[at];
-                out[int(to + 1)] = vertices[int(at + 1)];
-                out[int(to + 2)] = vertices[int(at + 2)];
-                to += 3;
+                var corner:int = 3 * order[i];
+                for (var last:int = corner + 3; corner < last; corner++)
+                {
+                    var at:int = triangles[corner];
+                    at = 3 * (welded == null ? at : welded[at]);
+                    out[to] = vertices[at];
+                    out[int(to + 1)] = vertices[int(at + 1)];
+                    out[int(to + 2)] = vertices[int(at + 2)];
+                    to += 3;
+                }
             }
         }
 
@@ -99,7 +106,7 @@ package starlogo.solid
         {
             if (hasTriangles && readySolid == null)
             {
-                finish(new SolidBuilder(this));
+                finish(new SolidBuilder(this, true));
             }
         }
 

@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyBuilder;
-    import starlogo.hierarchy.StoredTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -17,9 +16,13 @@ package starlogo.solid
      */
     public final class SolidHierarchyBuilder extends StepSequence
     {
-        private var _hierarchy:SolidHierarchy;
-        private var _builder:HierarchyBuilder;
-        private var _isDone:Boolean = false;
+        /** The hierarchy. It is complete after the last step. */
+        public var hierarchy:SolidHierarchy;
+
+        /** Whether no step is left. */
+        public var isDone:Boolean = false;
+
+        private var _stored:Steps = null;
 
         /**
          * Creates a builder that has not begun yet.
@@ -34,9 +37,8 @@ package starlogo.solid
         public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int,
                 maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
         {
-            _hierarchy = new SolidHierarchy(vertices, triangles);
-            _builder = new HierarchyBuilder(_hierarchy, minVerticesToSplit, maxDepth, splitByMean);
-            add(_builder);
+            hierarchy = new SolidHierarchy(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean);
+            begin(readStored).begin(divide);
             if (preparesExact && triangles != null)
             {
                 begin(newSolid);
@@ -44,16 +46,15 @@ package starlogo.solid
         }
 
         /**
-         * Uses stored results, which saves most of the work. Must be called before the first step. If the tree does not fit these items,
-         * they are divided as usual.
+         * Uses stored results, which saves most of the work. Must be called before the first step.
          *
-         * @param tree how the items were divided; not begun yet
+         * @param tree makes the nodes again; not begun yet. If it makes none, the items are divided as usual
          * @param surface null if nothing is known of it
          */
-        public function useStored(tree:StoredTree, surface:SurfaceTopology):void
+        public function useStored(tree:Steps, surface:SurfaceTopology):void
         {
-            _builder.useStored(tree);
-            _hierarchy.surface = surface;
+            _stored = tree;
+            hierarchy.surface = surface;
         }
 
         /**
@@ -63,41 +64,44 @@ package starlogo.solid
          */
         override public function step():Boolean
         {
-            _isDone = !super.step();
-            return !_isDone;
-        }
-
-        /** The hierarchy. It is complete after the last step. */
-        public function get hierarchy():SolidHierarchy
-        {
-            return _hierarchy;
-        }
-
-        /** Whether no step is left. */
-        public function get isDone():Boolean
-        {
-            return _isDone;
+            isDone = !super.step();
+            return !isDone;
         }
 
         /** The complete hierarchy. The first call does all remaining work. */
         public function get finished():SolidHierarchy
         {
-            if (!_isDone)
+            if (!isDone)
             {
                 finish(this);
             }
-            return _hierarchy;
+            return hierarchy;
         }
 
-        /** Whether the nodes come from the stored tree. It becomes false if the tree does not fit the items. */
+        /** Whether the nodes come from a stored tree. It becomes false if the tree does not fit the items. */
         public function get isStored():Boolean
         {
-            return _builder.isStored;
+            return _stored != null;
+        }
+
+        private function readStored():Steps
+        {
+            return _stored;
+        }
+
+        private function divide():Steps
+        {
+            if (hierarchy.root != null)
+            {
+                return null;
+            }
+            _stored = null;
+            return new HierarchyBuilder(hierarchy);
         }
 
         private function newSolid():Steps
         {
-            return new SolidBuilder(_hierarchy);
+            return new SolidBuilder(hierarchy, true);
         }
     }
 }

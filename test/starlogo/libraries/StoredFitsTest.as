@@ -182,17 +182,47 @@ package starlogo.libraries
                 });
         }
 
+        [Test]
+        public function dividesAsUsualIfAnItemComesTwice():void
+        {
+            var model:Model = BuiltInModel.cube();
+            _greatLand.addModel(model);
+            var computed:String = contentsOf(_greatLand, model);
+            var bytes:ByteArray = rewritten(model, function(index:int, section:ByteArray):ByteArray
+                {
+                    if (index == CookedFile.HIERARCHY)
+                    {
+                        // the order of the twelve triangles comes first, a byte each
+                        section.position = 10;
+                        section.writeByte(section.readByte());
+                        section.position = 0;
+                    }
+                    return section;
+                });
+            assertFalse(isTaken(model, bytes, false));
+            take(_greatLand, model, bytes);
+            assertEquals(computed, contentsOf(_greatLand, model));
+        }
+
         private function forged(model:Model, random:SeededRandom):ByteArray
+        {
+            var forgedOne:int = random.integer(0, 2 * CookedFile.SECTIONS);
+            return rewritten(model, function(index:int, section:ByteArray):ByteArray
+                {
+                    return index == forgedOne || forgedOne >= CookedFile.SECTIONS && index == 0 ? Mutations.ofBytes(section, random) : section;
+                });
+        }
+
+        // A cooked file whose sections were changed before it was sealed.
+        private function rewritten(model:Model, change:Function):ByteArray
         {
             var file:CookedFile = new CookedFile(_greatLand.bake(model));
             finish(file);
             var settings:FitSettings = new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies);
             var sections:Vector.<ByteArray> = new Vector.<ByteArray>();
-            var forgedOne:int = random.integer(0, 2 * CookedFile.SECTIONS);
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)
             {
-                var section:ByteArray = file.section(i, null) || CookedFile.newBytes();
-                sections.push(i == forgedOne || forgedOne >= CookedFile.SECTIONS && i == 0 ? Mutations.ofBytes(section, random) : section);
+                sections.push(change(i, file.section(i, null) || CookedFile.newBytes()));
             }
             return CookedFile.write(new <Fingerprint>[new Fingerprint(), settings.structures, settings.hierarchy, settings.hierarchy], sections);
         }

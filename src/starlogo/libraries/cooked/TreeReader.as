@@ -5,8 +5,6 @@ package starlogo.libraries.cooked
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.NodeMaker;
-    import starlogo.hierarchy.StoredTree;
     import starlogo.hierarchy.TreeItems;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
@@ -20,7 +18,7 @@ package starlogo.libraries.cooked
      *
      * @private
      */
-    public final class TreeReader extends StepSequence implements StoredTree
+    public final class TreeReader extends StepSequence
     {
         private static const ITEMS_PER_STEP:int = 1500;
         private static const NODES_PER_STEP:int = 300;
@@ -31,9 +29,7 @@ package starlogo.libraries.cooked
 
         private var _bytes:ByteArray;
         private var _hierarchy:Hierarchy;
-        private var _vertices:Vector.<Number>;
-        private var _triangles:Vector.<uint>;
-        private var _maxDepth:int;
+        private var _order:Vector.<int>;
         private var _isListed:Vector.<Boolean>;
         private var _isRefused:Boolean = false;
 
@@ -48,23 +44,23 @@ package starlogo.libraries.cooked
 
         // the node that was measured or made last
         private var _node:int;
-        private var _nodes:Vector.<HierarchyNode> = null;
-        private var _maker:NodeMaker;
+        private var _nodes:Vector.<HierarchyNode>;
 
-        /** @param bytes the record, read from its position on */
-        public function TreeReader(bytes:ByteArray)
+        /**
+         * @param bytes the record, read from its position on
+         * @param hierarchy receives the order of its items and its root. It stays as it is if the record does not divide these items
+         */
+        public function TreeReader(bytes:ByteArray, hierarchy:Hierarchy)
         {
             _bytes = bytes;
+            _hierarchy = hierarchy;
+            call(addParts);
         }
 
-        /** @inheritDoc */
-        public function start(hierarchy:Hierarchy, vertices:Vector.<Number>, triangles:Vector.<uint>, maxDepth:int):void
+        private function addParts():void
         {
-            var count:int = hierarchy.order.length;
-            _hierarchy = hierarchy;
-            _vertices = vertices;
-            _triangles = triangles;
-            _maxDepth = maxDepth;
+            var count:int = _hierarchy.itemCount;
+            _order = new Vector.<int>(count, true);
             _isListed = new Vector.<Boolean>(count, true);
             addToPlan(0, count, 1);
             slices(count, ITEMS_PER_STEP, readOrder).repeat(readDivisions).repeat(measureNodes).repeat(makeNodes);
@@ -84,17 +80,11 @@ package starlogo.libraries.cooked
             return false;
         }
 
-        /** @inheritDoc */
-        public function get nodes():Vector.<HierarchyNode>
-        {
-            return _nodes;
-        }
-
         // Every item must come exactly once.
         private function readOrder(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;
-            var order:Vector.<int> = _hierarchy.order;
+            var order:Vector.<int> = _order;
             var isListed:Vector.<Boolean> = _isListed;
             var count:int = order.length;
             var width:int = TreeWriter.widthFor(count);
@@ -129,7 +119,7 @@ package starlogo.libraries.cooked
                     var level:int = _plan[at + 2];
                     var middle:int = first + (code - 1) / 6;
                     var division:int = (code - 1) % 6;
-                    _isRefused = middle <= first || middle >= _plan[at + 1] || division < BELOW && level >= _maxDepth;
+                    _isRefused = middle <= first || middle >= _plan[at + 1] || division < BELOW && level >= _hierarchy.maxDepth;
                     _plan[at + 4] = division;
                     _open.push(at);
                     addToPlan(first, middle, level + 1);
@@ -159,6 +149,7 @@ package starlogo.libraries.cooked
         private function measureNodes():Boolean
         {
             var items:int = 0;
+            _hierarchy.order = _order;
             while (_node > 0 && items < ITEMS_PER_STEP)
             {
                 _node--;
@@ -180,7 +171,7 @@ package starlogo.libraries.cooked
                 return true;
             }
             _node = _plan.length / NUMBERS_PER_NODE;
-            _maker = new NodeMaker(_hierarchy, _extents);
+            _hierarchy.setExtents(_extents);
             _nodes = new Vector.<HierarchyNode>(_node);
             return false;
         }
@@ -206,13 +197,13 @@ package starlogo.libraries.cooked
             {
                 _node--;
                 var at:int = NUMBERS_PER_NODE * _node;
-                var node:HierarchyNode = _maker.make(_plan[int(at + 2)], _plan[at], _plan[int(at + 1)], _extents, 6 * _node);
+                var node:HierarchyNode = _hierarchy.makeNode(_plan[int(at + 2)], _plan[at], _plan[int(at + 1)], _extents, 6 * _node);
                 _nodes[_node] = node;
                 var right:int = _plan[int(at + 3)];
                 if (right > 0)
                 {
                     var division:int = _plan[int(at + 4)];
-                    _maker.divide(node, division % BELOW, _nodes[int(_node + 1)], _nodes[right], division < BELOW ? node.level : HierarchyNode.LARGEST_DEPTH);
+                    node.divide(division % BELOW, _nodes[int(_node + 1)], _nodes[right], division < BELOW ? node.level : HierarchyNode.LARGEST_DEPTH);
                 }
             }
             _hierarchy.root = _nodes[0];

@@ -25,7 +25,15 @@ package starlogo.fitting
          */
         public static function sphere(vertices:Vector.<Number>, x:Number, y:Number, z:Number, leastRadius:Number = 0):Sphere
         {
-            var most:Number = leastRadius * leastRadius;
+            var square:Number = squareTo(vertices, farthest(vertices, x, y, z), x, y, z);
+            return new Sphere(new Vector3D(x, y, z), Math.sqrt(Math.max(square, leastRadius * leastRadius)));
+        }
+
+        /** The index of the first number of the vertex that is farthest from a point. */
+        public static function farthest(vertices:Vector.<Number>, x:Number, y:Number, z:Number):int
+        {
+            var result:int = 0;
+            var most:Number = -1;
             var length:int = vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
@@ -33,9 +41,22 @@ package starlogo.fitting
                 var toY:Number = vertices[i + 1] - y;
                 var toZ:Number = vertices[i + 2] - z;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                most = square > most ? square : most;
+                if (square > most)
+                {
+                    most = square;
+                    result = i;
+                }
             }
-            return new Sphere(new Vector3D(x, y, z), Math.sqrt(most));
+            return result;
+        }
+
+        /** The squared distance from a point to the vertex whose first number has the index i. */
+        public static function squareTo(vertices:Vector.<Number>, i:int, x:Number, y:Number, z:Number):Number
+        {
+            x -= vertices[i];
+            y -= vertices[i + 1];
+            z -= vertices[i + 2];
+            return x * x + y * y + z * z;
         }
 
         /**

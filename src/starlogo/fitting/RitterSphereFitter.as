@@ -49,7 +49,7 @@ package starlogo.fitting
         {
             var points:Vector.<Number> = session.hull.points;
             var a:int = 0;
-            var b:int = _start == FARTHEST_FROM_FIRST ? farthestFromFirst(points) : 0;
+            var b:int = _start == FARTHEST_FROM_FIRST ? EnclosingStructures.farthest(points, points[0], points[1], points[2]) : 0;
             var widest:Number = 0;
             for (var axis:int = 0; axis < 3 && _start == WIDEST_DIMENSION; axis++)
             {
@@ -66,10 +66,10 @@ package starlogo.fitting
             var x:Number = (points[a] + points[b]) / 2;
             var y:Number = (points[a + 1] + points[b + 1]) / 2;
             var z:Number = (points[a + 2] + points[b + 2]) / 2;
-            var radius:Number = Math.sqrt(square(points, a, x, y, z));
+            var radius:Number = Math.sqrt(EnclosingStructures.squareTo(points, a, x, y, z));
             for (var i:int = 0; i < points.length; i += 3)
             {
-                var distance:Number = Math.sqrt(square(points, i, x, y, z));
+                var distance:Number = Math.sqrt(EnclosingStructures.squareTo(points, i, x, y, z));
                 if (distance > radius)
                 {
                     var shift:Number = (distance - radius) / 2 / distance;
@@ -94,27 +94,6 @@ package starlogo.fitting
                 }
             }
             return farthest;
-        }
-
-        private static function farthestFromFirst(points:Vector.<Number>):int
-        {
-            var farthest:int = 0;
-            for (var i:int = 0; i < points.length; i += 3)
-            {
-                if (square(points, i, points[0], points[1], points[2]) > square(points, farthest, points[0], points[1], points[2]))
-                {
-                    farthest = i;
-                }
-            }
-            return farthest;
-        }
-
-        private static function square(points:Vector.<Number>, i:int, x:Number, y:Number, z:Number):Number
-        {
-            x -= points[i];
-            y -= points[i + 1];
-            z -= points[i + 2];
-            return x * x + y * y + z * z;
         }
     }
 }

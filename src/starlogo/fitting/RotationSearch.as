@@ -31,7 +31,6 @@ package starlogo.fitting
         private var _session:FitSession;
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
-        private var _rotation:Placement = new Placement();
 
         // The extreme corners found last: four for a rotation near the first one about z, and four for a rotation about 45 degrees
         // further.
@@ -40,8 +39,7 @@ package starlogo.fitting
         private var _answered:int = 0;
 
         // The state of the search: the next rotation about x and y, and the best rotation so far. Angles are in degrees.
-        private var _stepX:Number;
-        private var _stepY:Number;
+        private var _stepXY:Number;
         private var _stepZ:Number;
         private var _aboutX:Number = 0;
         private var _aboutY:Number = 0;
@@ -55,15 +53,13 @@ package starlogo.fitting
 
         /**
          * @param session the vertices; their hull may not exist before the first step
-         * @param stepX degrees between the rotations about x
-         * @param stepY degrees between the rotations about y
+         * @param stepXY degrees between the rotations about x and about y
          * @param stepZ degrees between the rotations about z
          */
-        public function RotationSearch(session:FitSession, stepX:Number, stepY:Number, stepZ:Number)
+        public function RotationSearch(session:FitSession, stepXY:Number, stepZ:Number)
         {
             _session = session;
-            _stepX = stepX;
-            _stepY = stepY;
+            _stepXY = stepXY;
             _stepZ = stepZ;
             call(prepare).repeat(tryNext);
         }
@@ -128,11 +124,11 @@ package starlogo.fitting
         // Goes to the next rotation about y, or about x. Returns false if there is none.
         private function goOn():Boolean
         {
-            _aboutY += _stepY;
+            _aboutY += _stepXY;
             if (!(_aboutY < 90))
             {
                 _aboutY = 0;
-                _aboutX += _stepX;
+                _aboutX += _stepXY;
             }
             return _aboutX < 90;
         }
@@ -140,15 +136,16 @@ package starlogo.fitting
         // Rotates the hull about x, then about y.
         private function rotateHull(aboutX:Number, aboutY:Number):void
         {
-            _rotation.setRotation(0, aboutY, aboutX);
-            var xx:Number = _rotation.r00;
-            var xy:Number = _rotation.r01;
-            var xz:Number = _rotation.r02;
-            var yy:Number = _rotation.r11;
-            var yz:Number = _rotation.r12;
-            var zx:Number = _rotation.r20;
-            var zy:Number = _rotation.r21;
-            var zz:Number = _rotation.r22;
+            var rotation:Placement = new Placement();
+            rotation.setRotation(0, aboutY, aboutX);
+            var xx:Number = rotation.r00;
+            var xy:Number = rotation.r01;
+            var xz:Number = rotation.r02;
+            var yy:Number = rotation.r11;
+            var yz:Number = rotation.r12;
+            var zx:Number = rotation.r20;
+            var zy:Number = rotation.r21;
+            var zz:Number = rotation.r22;
             var points:Vector.<Number> = _hull.points;
             var rotated:Vector.<Number> = _rotated;
             var end:int = points.length;

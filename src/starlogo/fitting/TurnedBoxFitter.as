@@ -50,8 +50,7 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            var aboutOthers:Number = _isAboutAll ? _degIncrement : 90;
-            var search:RotationSearch = new RotationSearch(session, aboutOthers, aboutOthers, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, _isAboutAll ? _degIncrement : 90, _degIncrement);
             return new Fit(session, search.smallestBox, search);
         }
     }

@@ -44,17 +44,10 @@ package starlogo.geometry
         public var neighbors:Vector.<int>;
 
         private var _vertices:Vector.<Number>;
-        private var _volume:Number = NaN;
 
-        // The current work. At the end, the corners of the triangles, the position of each vertex among the hull's corners, and pairs of a
-        // corner and a neighbour of it.
         private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
-        private var _grid:HullGrid = null;
         private var _quickHull:QuickHull;
-        private var _corners:Vector.<int>;
-        private var _place:Vector.<int>;
-        private var _pairs:Vector.<int> = new Vector.<int>();
 
         /**
          * Computes the hull.
@@ -69,7 +62,7 @@ package starlogo.geometry
         {
             _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
-            _work.add(_simplex).begin(newGrid).begin(newHull).call(takeCorners).call(numberCorners).call(joinCorners).call(countNeighbors).call(fillNeighbors);
+            _work.add(_simplex).begin(building).begin(joining);
             if (atOnce)
             {
                 finish(this);
@@ -115,67 +108,95 @@ package starlogo.geometry
         /** The volume of the hull, in cubic units; 0 without triangles. No convex shape around the vertices has a smaller volume. */
         public function get volume():Number
         {
-            if (_volume != _volume)
+            // the sum of the volumes of the tetrahedra from the first corner to each triangle
+            var places:Vector.<Number> = points;
+            var corners:Vector.<int> = triangles;
+            var fromX:Number = places[0];
+            var fromY:Number = places[1];
+            var fromZ:Number = places[2];
+            var sum:Number = 0;
+            for (var i:int = 0; i < corners.length; i += 3)
             {
-                _volume = measure();
+                var a:int = 3 * corners[i];
+                var b:int = 3 * corners[i + 1];
+                var c:int = 3 * corners[i + 2];
+                var bX:Number = places[b] - fromX;
+                var bY:Number = places[b + 1] - fromY;
+                var bZ:Number = places[b + 2] - fromZ;
+                var cX:Number = places[c] - fromX;
+                var cY:Number = places[c + 1] - fromY;
+                var cZ:Number = places[c + 2] - fromZ;
+                sum += (places[a] - fromX) * (bY * cZ - bZ * cY) + (places[a + 1] - fromY) * (bZ * cX - bX * cZ)
+                    + (places[a + 2] - fromZ) * (bX * cY - bY * cX);
             }
-            return _volume;
+            return sum / 6;
         }
 
-        private function newGrid():Steps
+        // The steps that build the hull of vertices on a grid. Null if the vertices are on a line.
+        private function building():Steps
         {
-            if (dimension > 1)
+            if (dimension < 2)
             {
-                // Flat sides along the coordinate axes stay flat on a grid along these axes.
-                var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
-                _grid = new HullGrid(_vertices, gridAxes, dimension == 2);
+                return null;
             }
-            return _grid;
+            // Flat sides along the coordinate axes stay flat on a grid along these axes.
+            var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+            var grid:Vector.<Number> = new Vector.<Number>();
+            return HullGrid.rounding(_vertices, gridAxes, dimension == 2, grid).begin(function():Steps
+                {
+                    var corners:Vector.<int> = _simplex.corners.concat();
+                    corners[3] = dimension == 2 ? apex : corners[3];
+                    _quickHull = new QuickHull(grid, corners);
+                    return _quickHull;
+                });
         }
 
-        private function newHull():Steps
+        // The steps that number the corners and find their neighbours. Their data: the triangles' corners as indices of vertices, the
+        // position of each vertex among the hull's corners, and pairs of a corner and a neighbour of it.
+        private function joining():Steps
         {
-            if (dimension > 1)
-            {
-                var corners:Vector.<int> = _simplex.corners.concat();
-                corners[3] = dimension == 2 ? apex : corners[3];
-                _quickHull = new QuickHull(_grid.points, corners);
-                _grid = null;
-            }
-            return _quickHull;
+            var corners:Vector.<int> = findCorners();
+            var place:Vector.<int> = new Vector.<int>(apex + 1);
+            var pairs:Vector.<int> = new Vector.<int>();
+            _quickHull = null;
+            return new StepSequence().call(function():void
+                {
+                    numberCorners(corners, place);
+                }).call(function():void
+                {
+                    joinCorners(corners, place, pairs);
+                }).call(function():void
+                {
+                    countNeighbors(pairs);
+                }).call(function():void
+                {
+                    fillNeighbors(pairs);
+                });
         }
 
-        // Sets the triangles' corners, as indices of vertices. Vertices without volume get an extra point outside, the apex. Triangles and
+        // The triangles' corners, as indices of vertices. Vertices without volume get an extra point outside, the apex. Triangles and
         // edges with the apex are left out later.
-        private function takeCorners():void
+        private function findCorners():Vector.<int>
         {
             var corners:Vector.<int> = _simplex.corners;
             switch (dimension)
             {
                 case 3:
-                    corners = _quickHull.triangles;
-                    break;
+                    return _quickHull.triangles;
                 case 2:
-                    corners = trianglesAtApex(_quickHull.triangles);
-                    break;
+                    return trianglesAtApex(_quickHull.triangles);
                 case 1:
-                    corners = new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
-                    break;
+                    return new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
                 default:
-                    corners = new <int>[corners[0], apex, apex];
+                    return new <int>[corners[0], apex, apex];
             }
-            _corners = corners;
-            _quickHull = null;
         }
 
-        private function numberCorners():void
+        private function numberCorners(corners:Vector.<int>, place:Vector.<int>):void
         {
-            var corners:Vector.<int> = _corners;
             var end:int = apex;
-            var place:Vector.<int> = new Vector.<int>(end + 1);
             var count:int = corners.length;
             var i:int;
-            _place = place;
             for (i = 0; i < count; i++)
             {
                 place[corners[i]] = 1;
@@ -191,19 +212,17 @@ package starlogo.geometry
             }
         }
 
-        private function joinCorners():void
+        private function joinCorners(corners:Vector.<int>, place:Vector.<int>, pairs:Vector.<int>):void
         {
-            var corners:Vector.<int> = _corners;
-            var place:Vector.<int> = _place;
             place[apex] = -1;
             for (var i:int = 0; i < corners.length; i += 3)
             {
                 var a:int = place[corners[i]];
                 var b:int = place[corners[int(i + 1)]];
                 var c:int = place[corners[int(i + 2)]];
-                join(a, b);
-                join(b, c);
-                join(c, a);
+                join(a, b, pairs);
+                join(b, c, pairs);
+                join(c, a, pairs);
                 if (a >= 0 && b >= 0 && c >= 0)
                 {
                     triangles.push(a, b, c);
@@ -235,18 +254,17 @@ package starlogo.geometry
             return found;
         }
 
-        private function join(from:int, to:int):void
+        private static function join(from:int, to:int, pairs:Vector.<int>):void
         {
             if (from >= 0 && to >= 0)
             {
-                _pairs.push(from, to);
+                pairs.push(from, to);
             }
         }
 
         // Finds where each corner's neighbours begin, from the pairs of a corner and a neighbour.
-        private function countNeighbors():void
+        private function countNeighbors(pairs:Vector.<int>):void
         {
-            var pairs:Vector.<int> = _pairs;
             var length:int = pairs.length;
             var count:int = indices.length;
             var first:Vector.<int> = new Vector.<int>(count + 1);
@@ -262,9 +280,8 @@ package starlogo.geometry
             firstNeighbor = first;
         }
 
-        private function fillNeighbors():void
+        private function fillNeighbors(pairs:Vector.<int>):void
         {
-            var pairs:Vector.<int> = _pairs;
             var length:int = pairs.length;
             var next:Vector.<int> = firstNeighbor.concat();
             neighbors = new Vector.<int>(length / 2);
@@ -272,33 +289,6 @@ package starlogo.geometry
             {
                 neighbors[next[pairs[i]]++] = pairs[int(i + 1)];
             }
-            _corners = _place = _pairs = null;
-        }
-
-        // The sum of the volumes of the tetrahedra from the first corner to each triangle.
-        private function measure():Number
-        {
-            var places:Vector.<Number> = points;
-            var corners:Vector.<int> = triangles;
-            var fromX:Number = places[0];
-            var fromY:Number = places[1];
-            var fromZ:Number = places[2];
-            var sum:Number = 0;
-            for (var i:int = 0; i < corners.length; i += 3)
-            {
-                var a:int = 3 * corners[i];
-                var b:int = 3 * corners[i + 1];
-                var c:int = 3 * corners[i + 2];
-                var bX:Number = places[b] - fromX;
-                var bY:Number = places[b + 1] - fromY;
-                var bZ:Number = places[b + 2] - fromZ;
-                var cX:Number = places[c] - fromX;
-                var cY:Number = places[c + 1] - fromY;
-                var cZ:Number = places[c + 2] - fromZ;
-                sum += (places[a] - fromX) * (bY * cZ - bZ * cY) + (places[a + 1] - fromY) * (bZ * cX - bX * cZ)
-                    + (places[a + 2] - fromZ) * (bX * cY - bY * cX);
-            }
-            return sum / 6;
         }
     }
 }

@@ -1,6 +1,8 @@
 package starlogo.geometry
 {
     import flash.utils.ByteArray;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /**
      * A fingerprint of data: 64 bits that depend on every bit of the data and on their order. It consists of two of Bob Jenkins's
@@ -13,6 +15,8 @@ package starlogo.geometry
     {
         /** The number of bytes that it takes in a ByteArray. */
         public static const LENGTH:int = 8;
+
+        private static const NUMBERS_PER_STEP:int = 5000;
 
         private var _low:int = 0x3C6EF372;
         private var _high:int = 0x1B873593;
@@ -67,6 +71,43 @@ package starlogo.geometry
             }
             _low = low;
             _high = high;
+        }
+
+        /**
+         * The steps that add a model's geometry: every bit of every vertex and triangle.
+         *
+         * @param vertices x, y, z of each
+         * @param triangles three vertex indices each; null if there are none
+         */
+        public function addingGeometry(vertices:Vector.<Number>, triangles:Vector.<uint>):Steps
+        {
+            addWord(vertices.length);
+            return new StepSequence().slices(vertices.length, NUMBERS_PER_STEP, function(first:int, end:int):void
+                {
+                    addNumbers(vertices, first, end);
+                }).slices(triangles == null ? 0 : triangles.length, NUMBERS_PER_STEP, function(first:int, end:int):void
+                {
+                    addIndices(triangles, first, end);
+                });
+        }
+
+        private function addNumbers(numbers:Vector.<Number>, first:int, end:int):void
+        {
+            var bytes:ByteArray = new ByteArray();
+            for (var i:int = first; i < end; i++)
+            {
+                bytes.writeDouble(numbers[i]);
+            }
+            bytes.position = 0;
+            addBytes(bytes, end - first);
+        }
+
+        private function addIndices(indices:Vector.<uint>, first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                addWord(indices[i]);
+            }
         }
 
         /** Writes the fingerprint. */

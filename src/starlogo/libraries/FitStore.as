@@ -3,7 +3,6 @@ package starlogo.libraries
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
-    import starlogo.geometry.GeometryFingerprint;
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
@@ -78,8 +77,9 @@ package starlogo.libraries
          */
         public function read(model:Model, settings:FitSettings):ModelFits
         {
+            check(model, settings);
             var fits:ModelFits = new ModelFits();
-            finish(reading(model, geometryOf(model, settings), settings, fits));
+            finish(reading(model, new Fingerprint(), settings, fits));
             return fits.hasStructures || fits.hasHierarchy ? fits : null;
         }
 
@@ -98,9 +98,10 @@ package starlogo.libraries
             {
                 throw new ArgumentError("the fits must not be null");
             }
-            var geometry:GeometryFingerprint = geometryOf(model, settings);
-            finish(geometry);
-            return keep(geometry.fingerprint, settings, fits);
+            check(model, settings);
+            var geometry:Fingerprint = new Fingerprint();
+            finish(geometry.addingGeometry(model.vertices, model.triangles));
+            return keep(geometry, settings, fits);
         }
 
         /** Removes all entries. */
@@ -114,35 +115,21 @@ package starlogo.libraries
         }
 
         /**
-         * The fingerprint by which a model is found. None of its steps is done yet.
-         *
-         * @private
-         */
-        engine function geometryOf(model:Model, settings:FitSettings):GeometryFingerprint
-        {
-            if (model == null || settings == null)
-            {
-                throw new ArgumentError("the model and the settings must not be null: " + model + ", " + settings);
-            }
-            return new GeometryFingerprint(model.vertices, model.triangles);
-        }
-
-        /**
          * Reads the fits of a model, in steps.
          *
          * @param model the model
-         * @param geometry the fingerprint of the model; none of its steps is done yet
+         * @param geometry receives the fingerprint of the model
          * @param settings the settings of the wanted fits
          * @param fits takes the results; it keeps what it already has
          *
          * @private
          */
-        engine function reading(model:Model, geometry:GeometryFingerprint, settings:FitSettings, fits:ModelFits):Steps
+        engine function reading(model:Model, geometry:Fingerprint, settings:FitSettings, fits:ModelFits):Steps
         {
             var file:CookedFile;
-            return new StepSequence().add(geometry).begin(function():Steps
+            return new StepSequence().add(geometry.addingGeometry(model.vertices, model.triangles)).begin(function():Steps
                 {
-                    var name:String = nameOf(geometry.fingerprint, settings);
+                    var name:String = nameOf(geometry, settings);
                     var bytes:ByteArray = _storage.read(name);
                     if (bytes != null)
                     {
@@ -152,7 +139,7 @@ package starlogo.libraries
                     return file;
                 }).call(function():void
                 {
-                    if (file.isFor(geometry.fingerprint))
+                    if (file.isFor(geometry))
                     {
                         fits.readFrom(file, model, settings);
                     }
@@ -196,6 +183,14 @@ package starlogo.libraries
             _isOff = !isKept;
             list(others, name, isKept ? bytes : null);
             return isKept;
+        }
+
+        private static function check(model:Model, settings:FitSettings):void
+        {
+            if (model == null || settings == null)
+            {
+                throw new ArgumentError("the model and the settings must not be null: " + model + ", " + settings);
+            }
         }
 
         // The list without one name. Damaged lines are left out.

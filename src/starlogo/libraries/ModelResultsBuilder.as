@@ -3,7 +3,6 @@ package starlogo.libraries
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
-    import starlogo.geometry.GeometryFingerprint;
     import starlogo.libraries.cooked.TreeReader;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedShape;
@@ -28,7 +27,7 @@ package starlogo.libraries
         private var _structures:StructuresBuilder;
         private var _settings:FitSettings;
         private var _store:FitStore;
-        private var _geometry:GeometryFingerprint;
+        private var _geometry:Fingerprint = new Fingerprint();
         private var _fits:ModelFits = new ModelFits();
 
         /**
@@ -52,7 +51,6 @@ package starlogo.libraries
             _store = isComplete ? null : store;
             if (_store != null)
             {
-                _geometry = store.geometryOf(model, settings);
                 add(store.reading(model, _geometry, settings, _fits));
             }
             call(useFits);
@@ -124,7 +122,7 @@ package starlogo.libraries
         {
             if ((!isComplete || hierarchy != null && !hierarchy.isStored) && _store.mayHold(_model))
             {
-                _store.keep(_geometry.fingerprint, _settings, fits);
+                _store.keep(_geometry, _settings, fits);
             }
         }
 

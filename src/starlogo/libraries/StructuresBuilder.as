@@ -28,7 +28,6 @@ package starlogo.libraries
         private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
-        private var _checked:int = 0;
 
         /**
          * @param name the shape's name
@@ -59,7 +58,7 @@ package starlogo.libraries
                 _fits.push(fit);
                 add(fit);
             }
-            repeat(checkNext).call(choose);
+            slices(fitters.length, 1, check).call(choose);
         }
 
         /**
@@ -92,11 +91,11 @@ package starlogo.libraries
             return false;
         }
 
-        // Checks one structure in each call.
-        private function checkNext():Boolean
+        // Checks one structure.
+        private function check(index:int, end:int):void
         {
-            var fitter:Fitter = _fitters[_checked];
-            var structure:BoundingStructure = _fits[_checked].structure;
+            var fitter:Fitter = _fitters[index];
+            var structure:BoundingStructure = _fits[index].structure;
             if (structure == null || structure.kind > BoundingStructure.BOX)
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
@@ -107,8 +106,6 @@ package starlogo.libraries
                 throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("
                         + _vertices.slice(outside, outside + 3).join(", ") + "): " + structure);
             }
-            _checked++;
-            return _checked < _fits.length;
         }
 
         // The place of the first vertex that is farther outside than the tolerance of a fit; -1 if there is none.

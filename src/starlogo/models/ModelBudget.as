@@ -39,18 +39,16 @@ package starlogo.models
         private static const WHAT:Vector.<String> = new <String>["# vertices or 2000000 triangles", "1000000 vertices or # triangles",
                 "# numbers, each counted as often as it is used", "# numbers without data",
                 "# elements, values, nodes, transforms and instances, each counted as often as it is placed", "# other files"];
-        private static const VERTICES_PER_BYTE:Number = 16;
-        private static const FREE_VERTICES:Number = 100000;
-        private static const NUMBERS_PER_BYTE:Number = 16;
-        private static const FREE_NUMBERS:Number = 100000;
-        private static const MOST_NUMBERS:Number = 40000000;
-        private static const THINGS_PER_BYTE:Number = 1;
-        private static const FREE_THINGS:Number = 50000;
-        private static const MOST_THINGS:Number = 500000;
 
-        private var _name:String;
-        private var _bytes:Number = 0;
-        private var _most:Vector.<Number> = new <Number>[0, 0, 0, 0, 0, 100];
+        // By kind: what each byte allows, what a file without bytes may have, and the most that any file may have.
+        private static const PER_BYTE:Vector.<Number> = new <Number>[16, 32, 16, 1, 1, 0];
+        private static const FREE:Vector.<Number> = new <Number>[100000, 200000, 100000, 0, 50000, 100];
+        private static const MOST:Vector.<Number> = new <Number>[MOST_VERTICES, 2 * MOST_VERTICES, 40000000, Infinity, 500000, 100];
+
+        /** The model's name. */
+        public var name:String;
+
+        private var _bytes:Number;
         private var _taken:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
@@ -59,19 +57,14 @@ package starlogo.models
          */
         public function ModelBudget(name:String, bytes:Number)
         {
-            _name = name;
-            addBytes(bytes);
+            this.name = name;
+            _bytes = bytes;
         }
 
         /** Adds bytes that have come. */
         public function addBytes(bytes:Number):void
         {
             _bytes += bytes;
-            _most[VERTICES] = Math.min(MOST_VERTICES, FREE_VERTICES + VERTICES_PER_BYTE * _bytes);
-            _most[TRIANGLES] = 2 * _most[VERTICES];
-            _most[NUMBERS] = Math.min(MOST_NUMBERS, FREE_NUMBERS + NUMBERS_PER_BYTE * _bytes);
-            _most[ZEROS] = _bytes;
-            _most[THINGS] = Math.min(MOST_THINGS, FREE_THINGS + THINGS_PER_BYTE * _bytes);
         }
 
         /** The most looks at corners while polygons are cut. */
@@ -90,9 +83,10 @@ package starlogo.models
         /** Checks a count without taking it. @throws ModelError if it is more than a file may have */
         public function require(kind:int, count:Number, place:Object = ""):void
         {
-            if (count > _most[kind])
+            var most:Number = Math.min(MOST[kind], FREE[kind] + PER_BYTE[kind] * _bytes);
+            if (count > most)
             {
-                throw new ModelError(_name, String(place), "it has more than " + WHAT[kind].replace("#", _most[kind]));
+                throw new ModelError(name, String(place), "it has more than " + WHAT[kind].replace("#", most));
             }
         }
     }

@@ -84,7 +84,9 @@ package starlogo.models
 
         private function fail(reason:String):void
         {
-            reason = plainMessage(reason);
+            // The player's message without its number and without the words before the address: "Error #2032: Stream Error. URL: bear.obj"
+            // becomes "bear.obj", and without an address nothing is left.
+            reason = reason.replace(/^Error #\d+: (Stream Error(\. |$))?(URL: )?/, "");
             problem = "its file can't be fetched" + (reason == "" ? "" : ": " + reason);
             end();
         }

@@ -30,11 +30,8 @@ package starlogo.models
         /** What reading the file may cost. */
         protected var budget:ModelBudget;
 
-        /** The axis that points up in the file; null if the vertices come with z up. */
+        /** The axis that points up in the file, or the model's transform; null if the vertices come with z up. */
         protected var up:UpAxis;
-
-        /** When all is read: turns, scales and moves the model; null for no change. */
-        protected var transform:ModelTransform;
 
         /** How the model is scaled, as for Model's constructor. */
         protected var scaling:String = null;
@@ -55,7 +52,6 @@ package starlogo.models
             this.budget = budget;
             this.name = name;
             this.up = up;
-            transform = up == null ? null : up.transform;
         }
 
         /** Adds the steps that turn and scale what is read, and returns the reader. @param scaling as for Model's constructor */
@@ -105,7 +101,8 @@ package starlogo.models
 
         private function normalising():Steps
         {
-            _shape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, transform, unit);
+            _shape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, up == null ? null : up.transform,
+                    unit);
             return _shape;
         }
     }

@@ -6,7 +6,9 @@ package starlogo.models
     import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -34,16 +36,7 @@ package starlogo.models
         /** The cooked file that the shape was read from; null for none. */
         public var cooked:CookedFile = null;
 
-        private var _count:int;
-        private var _transform:ModelTransform;
-        private var _factors:Vector3D;
-        private var _translation:Vector3D;
         private var _bounds:VertexBounds;
-
-        // place() subtracts _low, adds _half and divides by _divisor
-        private var _low:Vector3D = new Vector3D();
-        private var _half:Vector3D = new Vector3D();
-        private var _divisor:Number = 1;
 
         /**
          * @param name what agents call the shape
@@ -63,33 +56,34 @@ package starlogo.models
             check(vertices == null || vertices.length == 0 ? "no vertices: a model needs at least one" : null);
             check(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
             this.vertices = vertices.slice();
-            _count = vertices.length / 3;
-            _transform = transform;
             unit = scaling == Model.AS_GIVEN ? unit : 1;
-            _factors = transform == null ? new Vector3D(unit, unit, unit) : transform.scale;
-            _translation = transform == null ? new Vector3D() : transform.translation;
+            var factors:Vector3D = transform == null ? new Vector3D(unit, unit, unit) : transform.scale;
             frame.scaling = scaling;
             frame.transform = transform;
             measureAll();
             switch (scaling)
             {
                 case Model.FOOTPRINT:
-                    turnAll().scaleAll().call(findFootprint).slices(_count, VERTICES_PER_STEP, place);
+                    turnAll().scaleAll(factors).begin(placingFootprint);
                     break;
                 case Model.VOLUME:
-                    centreAll().turnAll().centreAll().scaleAll().call(findTranslation).slices(_count, VERTICES_PER_STEP, place);
+                    centreAll().turnAll().centreAll().scaleAll(factors).begin(translating);
                     break;
                 case Model.AS_GIVEN:
-                    turnAll().scaleAll().call(findTranslation).slices(_count, VERTICES_PER_STEP, place);
+                    turnAll().scaleAll(factors).begin(translating);
                     break;
                 default:
                     check("the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + scaling + "\"");
             }
             if (triangles != null && triangles.length > 0)
             {
-                check(VertexData.triangleProblem(triangles, _count, 0, 0));
+                check(VertexData.triangleProblem(triangles, vertices.length / 3, 0, 0));
                 this.triangles = triangles.slice();
-                slices(triangles.length, CORNERS_PER_STEP, checkCorners).call(turnRound);
+                slices(triangles.length, CORNERS_PER_STEP, checkCorners);
+                if (factors.x * factors.y * factors.z < 0)
+                {
+                    call(turnRound);
+                }
             }
         }
 
@@ -103,24 +97,24 @@ package starlogo.models
 
         private function measureAll():NormalisedShape
         {
-            slices(_count, VERTICES_PER_STEP, measure);
+            slices(vertices.length / 3, VERTICES_PER_STEP, measure);
             return this;
         }
 
         private function centreAll():NormalisedShape
         {
-            call(findVolume).slices(_count, VERTICES_PER_STEP, place);
+            begin(placingVolume);
             return measureAll();
         }
 
         private function turnAll():NormalisedShape
         {
-            return _transform == null || _transform.rotation.lengthSquared == 0 ? this : turnBy(_transform.rotationMatrix(), 1);
+            var transform:ModelTransform = frame.transform;
+            return transform == null || transform.rotation.lengthSquared == 0 ? this : turnBy(transform.rotationMatrix(), 1);
         }
 
-        private function scaleAll():NormalisedShape
+        private function scaleAll(f:Vector3D):NormalisedShape
         {
-            var f:Vector3D = _factors;
             return f.x == 1 && f.y == 1 && f.z == 1 ? this : turnBy(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
                     cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
         }
@@ -142,7 +136,7 @@ package starlogo.models
             check(_bounds.areFinite ? null : VertexData.vertexProblem(vertices));
         }
 
-        private function findFootprint():void
+        private function placingFootprint():Steps
         {
             var extentX:Number = _bounds.maxX - _bounds.minX;
             var extentY:Number = _bounds.maxY - _bounds.minY;
@@ -152,68 +146,63 @@ package starlogo.models
             {
                 unit = extentZ > 0 ? extentZ : 1;
             }
-            setPlace(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, 0, unit);
+            return placing(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, 0, unit);
         }
 
-        private function findVolume():void
+        private function placingVolume():Steps
         {
             var extentX:Number = _bounds.maxX - _bounds.minX;
             var extentY:Number = _bounds.maxY - _bounds.minY;
             var extentZ:Number = _bounds.maxZ - _bounds.minZ;
-            setPlace(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, extentZ / 2, rootOf(extentX) * rootOf(extentY) *
+            return placing(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, extentZ / 2, rootOf(extentX) * rootOf(extentY) *
                     rootOf(extentZ));
         }
 
         // With Model.VOLUME the lowest vertex is put at z = 0.
-        private function findTranslation():void
+        private function translating():Steps
         {
-            setPlace(0, 0, frame.scaling == Model.VOLUME ? _bounds.minZ : 0, -_translation.x, -_translation.y, -_translation.z, 1);
+            var move:Vector3D = frame.transform == null ? new Vector3D() : frame.transform.translation;
+            return placing(0, 0, frame.scaling == Model.VOLUME ? _bounds.minZ : 0, -move.x, -move.y, -move.z, 1);
         }
 
-        private function setPlace(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):void
+        // The steps that put the point that is a half above a low corner at the origin, and divide by a divisor.
+        private function placing(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):Steps
         {
             var size:Number = _bounds.maxX - _bounds.minX + _bounds.maxY - _bounds.minY + _bounds.maxZ - _bounds.minZ;
             check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
-            _low.setTo(lowX, lowY, lowZ);
-            _half.setTo(0 - halfX, 0 - halfY, 0 - halfZ); // 0 - 0 is 0, but -0 would be negative
-            _divisor = divisor;
             frame.place(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
+            return new Slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    // 0 - 0 is 0, but -0 would be negative
+                    place(first, end, lowX, lowY, lowZ, 0 - halfX, 0 - halfY, 0 - halfZ, divisor);
+                });
         }
 
         // The differences come first and the division last. So the bounds are exact, and the smallest and largest numbers work.
-        private function place(first:int, end:int):void
+        private function place(first:int, end:int, lowX:Number, lowY:Number, lowZ:Number, moveX:Number, moveY:Number, moveZ:Number,
+                divisor:Number):void
         {
             var placed:Vector.<Number> = vertices;
             var last:int = 3 * end;
-            var lowX:Number = _low.x;
-            var lowY:Number = _low.y;
-            var lowZ:Number = _low.z;
-            var halfX:Number = _half.x;
-            var halfY:Number = _half.y;
-            var halfZ:Number = _half.z;
-            var divisor:Number = _divisor;
             for (var i:int = 3 * first; i < last; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;
-                placed[i] = (placed[i] - lowX + halfX) / divisor;
-                placed[j] = (placed[j] - lowY + halfY) / divisor;
-                placed[k] = (placed[k] - lowZ + halfZ) / divisor;
+                placed[i] = (placed[i] - lowX + moveX) / divisor;
+                placed[j] = (placed[j] - lowY + moveY) / divisor;
+                placed[k] = (placed[k] - lowZ + moveZ) / divisor;
             }
         }
 
         private function checkCorners(first:int, end:int):void
         {
-            check(VertexData.triangleProblem(triangles, _count, first, end));
+            check(VertexData.triangleProblem(triangles, vertices.length / 3, first, end));
         }
 
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
         private function turnRound():void
         {
-            if (_factors.x * _factors.y * _factors.z < 0)
-            {
-                triangles.reverse();
-            }
+            triangles.reverse();
         }
 
         // as in the client: an extent of 0 counts as 1

@@ -64,18 +64,18 @@ package starlogo.geometry
                 var vertices:Vector.<Number> = model.vertices.concat();
                 var at:int = random.integer(0, vertices.length - 1);
                 vertices[at] += random.logBetween(1e-14, 1e-3);
-                var fingerprint:GeometryFingerprint = new GeometryFingerprint(vertices, model.triangles);
-                finish(fingerprint);
-                seen[fingerprint.fingerprint.toString()] = true;
+                var fingerprint:Fingerprint = new Fingerprint();
+                finish(fingerprint.addingGeometry(vertices, model.triangles));
+                seen[fingerprint.toString()] = true;
             }
             for (i = 0; i < 300; i++)
             {
                 var triangles:Vector.<uint> = model.triangles.concat();
                 at = random.integer(0, triangles.length - 1);
                 triangles[at] = (triangles[at] + random.integer(1, vertices.length / 3 - 1)) % (vertices.length / 3);
-                fingerprint = new GeometryFingerprint(model.vertices, triangles);
-                finish(fingerprint);
-                seen[fingerprint.fingerprint.toString()] = true;
+                fingerprint = new Fingerprint();
+                finish(fingerprint.addingGeometry(model.vertices, triangles));
+                seen[fingerprint.toString()] = true;
             }
             var count:int = 0;
             for (var each:String in seen)

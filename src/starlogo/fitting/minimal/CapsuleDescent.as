@@ -39,18 +39,6 @@ package starlogo.fitting.minimal
         private var _vertices:Vector.<Number>;
         private var _points:Vector.<Number>;
         private var _distances:Vector.<Number>;
-        // The ends, x, y, z of each; the radius that encloses all points; and the volume.
-        private var _ends:Vector.<Number>;
-        private var _radius:Number;
-        private var _volume:Number;
-        private var _trial:Vector.<Number> = new Vector.<Number>(6);
-        private var _change:Vector.<Number> = new Vector.<Number>(7);
-
-        // For each active point: first the tangent of its distance minus the radius, by the ends' coordinates and the radius; then the
-        // radius minus its distance.
-        private var _tangents:Vector.<Number> = new Vector.<Number>();
-        private var _room:Vector.<Number> = new Vector.<Number>();
-        private var _multipliers:Vector.<Number> = new Vector.<Number>();
 
         /**
          * @param vertices x, y, z of each
@@ -97,16 +85,17 @@ package starlogo.fitting.minimal
 
         private function descendFrom(start:Capsule):void
         {
-            _ends = start.numbers();
-            _ends.length = 6;
-            descend();
-            var from:Vector3D = new Vector3D(_ends[0], _ends[1], _ends[2]);
-            var axis:Vector3D = new Vector3D(_ends[3] - _ends[0], _ends[4] - _ends[1], _ends[5] - _ends[2]);
+            // x, y, z of each
+            var ends:Vector.<Number> = start.numbers();
+            ends.length = 6;
+            var least:Number = descend(ends);
+            var from:Vector3D = new Vector3D(ends[0], ends[1], ends[2]);
+            var axis:Vector3D = new Vector3D(ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]);
             if (axis.normalize() == 0)
             {
                 axis.setTo(1, 0, 0);
             }
-            var radius:Number = Math.max(_radius, EnclosingStructures.distanceFromLine(_vertices, from, axis));
+            var radius:Number = Math.max(least, EnclosingStructures.distanceFromLine(_vertices, from, axis));
             var capsule:Capsule = EnclosingStructures.capsule(_vertices, from, axis, Infinity, -Infinity, radius);
             if (capsule.volume < best.volume)
             {
@@ -152,30 +141,30 @@ package starlogo.fitting.minimal
             return smallest;
         }
 
-        // Moves the ends until nothing is gained. They must be set before.
-        private function descend():void
+        // Moves the ends until nothing is gained. Returns the radius that encloses all points.
+        private function descend(ends:Vector.<Number>):Number
         {
             var reach:Number = 0.1;
-            _radius = farthest(_ends);
-            _volume = volumeOf(_ends, _radius);
+            var radius:Number = farthest(ends);
+            var volume:Number = volumeOf(ends, radius);
             for (var step:int = 0; step < STEPS && reach > 1e-7; step++)
             {
-                linearise();
-                solve(reach);
+                var change:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), reach);
+                var trial:Vector.<Number> = new Vector.<Number>(6);
                 for (var i:int = 0; i < 6; i++)
                 {
-                    _trial[i] = _ends[i] + _change[i];
+                    trial[i] = ends[i] + change[i];
                 }
-                var trialRadius:Number = farthest(_trial);
-                var trialVolume:Number = volumeOf(_trial, trialRadius);
-                if (trialVolume < _volume)
+                var trialRadius:Number = farthest(trial);
+                var trialVolume:Number = volumeOf(trial, trialRadius);
+                if (trialVolume < volume)
                 {
-                    reach *= trialVolume < _volume * (1 - GAIN) ? 2 : 0.5;
-                    _volume = trialVolume;
-                    _radius = trialRadius;
+                    reach *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
+                    volume = trialVolume;
+                    radius = trialRadius;
                     for (i = 0; i < 6; i++)
                     {
-                        _ends[i] = _trial[i];
+                        ends[i] = trial[i];
                     }
                 }
                 else
@@ -183,6 +172,7 @@ package starlogo.fitting.minimal
                     reach *= 0.3;
                 }
             }
+            return radius;
         }
 
         private static function volumeOf(ends:Vector.<Number>, radius:Number):Number
@@ -229,16 +219,16 @@ package starlogo.fitting.minimal
             return Math.sqrt(most);
         }
 
-        // Computes the tangents for the points that may become the farthest.
-        private function linearise():void
+        // Eight numbers for each point that may become the farthest: the tangent of its distance minus the radius, by the ends' coordinates
+        // and the radius; then the radius minus its distance.
+        private function tangentsAt(ends:Vector.<Number>, radius:Number):Vector.<Number>
         {
-            farthest(_ends);
-            _tangents.length = 0;
-            _room.length = 0;
-            var least:Number = activeFrom();
-            var alongX:Number = _ends[3] - _ends[0];
-            var alongY:Number = _ends[4] - _ends[1];
-            var alongZ:Number = _ends[5] - _ends[2];
+            var tangents:Vector.<Number> = new Vector.<Number>();
+            farthest(ends);
+            var least:Number = activeFrom(radius);
+            var alongX:Number = ends[3] - ends[0];
+            var alongY:Number = ends[4] - ends[1];
+            var alongZ:Number = ends[5] - ends[2];
             var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
             for (var i:int = 0; i < _distances.length; i++)
             {
@@ -246,9 +236,9 @@ package starlogo.fitting.minimal
                 {
                     continue;
                 }
-                var x:Number = _points[3 * i] - _ends[0];
-                var y:Number = _points[3 * i + 1] - _ends[1];
-                var z:Number = _points[3 * i + 2] - _ends[2];
+                var x:Number = _points[3 * i] - ends[0];
+                var y:Number = _points[3 * i + 1] - ends[1];
+                var z:Number = _points[3 * i + 2] - ends[2];
                 var t:Number = square > 0 ? (x * alongX + y * alongY + z * alongZ) / square : 0;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
                 var distance:Number = Math.sqrt(_distances[i]);
@@ -256,18 +246,18 @@ package starlogo.fitting.minimal
                 x = (t * alongX - x) / distance;
                 y = (t * alongY - y) / distance;
                 z = (t * alongZ - z) / distance;
-                _tangents.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1);
-                _room.push(_radius - distance);
+                tangents.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1, radius - distance);
             }
+            return tangents;
         }
 
         // The smallest squared distance of an active point. It is increased if too many points are active.
-        private function activeFrom():Number
+        private function activeFrom(radius:Number):Number
         {
             var share:Number = ACTIVE;
             do
             {
-                var least:Number = _radius * (1 - share);
+                var least:Number = radius * (1 - share);
                 least *= least;
                 var count:int = 0;
                 for (var i:int = 0; i < _distances.length; i++)
@@ -280,64 +270,66 @@ package starlogo.fitting.minimal
             return least;
         }
 
-        // Minimises gradient * change + |change|^2 / (2 reach), with tangents * change <= room. The units are the radius and its
-        // derivative, so that the reach is a share of the radius for models of any size.
-        private function solve(reach:Number):void
+        // Returns the change of the ends' coordinates and the radius that minimises gradient * change + |change|^2 / (2 reach), with
+        // tangents * change <= room. The units are the radius and its derivative, so that the reach is a share of the radius for models of
+        // any size.
+        private static function solve(ends:Vector.<Number>, radius:Number, tangents:Vector.<Number>, reach:Number):Vector.<Number>
         {
-            var gradient:Vector.<Number> = gradientOfVolume();
-            var scale:Number = reach * _radius / gradient[6];
+            var change:Vector.<Number> = new Vector.<Number>(7);
+            var gradient:Vector.<Number> = gradientOfVolume(ends, radius);
+            var scale:Number = reach * radius / gradient[6];
             var i:int;
             var k:int;
             for (k = 0; k < 7; k++)
             {
-                _change[k] = -scale * gradient[k];
+                change[k] = -scale * gradient[k];
             }
-            var count:int = _room.length;
-            _multipliers.length = 0;
-            _multipliers.length = count;
+            var count:int = tangents.length / 8;
+            var multipliers:Vector.<Number> = new Vector.<Number>(count);
             for (var sweep:int = 0; sweep < SWEEPS; sweep++)
             {
                 var most:Number = 0;
                 for (i = 0; i < count; i++)
                 {
-                    var excess:Number = -_room[i];
+                    var at:int = 8 * i;
+                    var excess:Number = -tangents[at + 7];
                     var square:Number = 0;
-                    var at:int = 7 * i;
                     for (k = 0; k < 7; k++)
                     {
-                        var tangent:Number = _tangents[at + k];
-                        excess += tangent * _change[k];
+                        var tangent:Number = tangents[at + k];
+                        excess += tangent * change[k];
                         square += tangent * tangent;
                     }
-                    var multiplier:Number = _multipliers[i] + excess / square;
+                    var multiplier:Number = multipliers[i] + excess / square;
                     multiplier = multiplier < 0 ? 0 : multiplier;
-                    var difference:Number = multiplier - _multipliers[i];
+                    var difference:Number = multiplier - multipliers[i];
                     if (difference == 0)
                     {
                         continue;
                     }
-                    _multipliers[i] = multiplier;
+                    multipliers[i] = multiplier;
                     for (k = 0; k < 7; k++)
                     {
-                        _change[k] -= difference * _tangents[at + k];
+                        change[k] -= difference * tangents[at + k];
                     }
                     most = Math.max(most, Math.abs(difference));
                 }
-                if (most < 1e-6 * reach * _radius)
+                if (most < 1e-6 * reach * radius)
                 {
-                    return;
+                    break;
                 }
             }
+            return change;
         }
 
-        private function gradientOfVolume():Vector.<Number>
+        private static function gradientOfVolume(ends:Vector.<Number>, radius:Number):Vector.<Number>
         {
-            var length:Number = lengthOf(_ends);
-            var area:Number = length > 0 ? Math.PI * _radius * _radius / length : 0;
-            var x:Number = area * (_ends[3] - _ends[0]);
-            var y:Number = area * (_ends[4] - _ends[1]);
-            var z:Number = area * (_ends[5] - _ends[2]);
-            return new <Number>[-x, -y, -z, x, y, z, 2 * Math.PI * _radius * (length + 2 * _radius)];
+            var length:Number = lengthOf(ends);
+            var area:Number = length > 0 ? Math.PI * radius * radius / length : 0;
+            var x:Number = area * (ends[3] - ends[0]);
+            var y:Number = area * (ends[4] - ends[1]);
+            var z:Number = area * (ends[5] - ends[2]);
+            return new <Number>[-x, -y, -z, x, y, z, 2 * Math.PI * radius * (length + 2 * radius)];
         }
     }
 }

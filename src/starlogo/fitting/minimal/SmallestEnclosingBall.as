@@ -1,5 +1,6 @@
 package starlogo.fitting.minimal
 {
+    import starlogo.fitting.EnclosingStructures;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -66,7 +67,7 @@ package starlogo.fitting.minimal
             var grows:Boolean = true;
             while (grows)
             {
-                var i:int = farthest(points);
+                var i:int = EnclosingStructures.farthest(points, x, y, z);
                 var toX:Number = points[i] - _originX;
                 var toY:Number = points[i + 1] - _originY;
                 var toZ:Number = points[i + 2] - _originZ;
@@ -77,29 +78,6 @@ package starlogo.fitting.minimal
         private function isLarger(square:Number):Boolean
         {
             return square > _ball.square * (1 + Tolerances.BALL_GAIN);
-        }
-
-        private function farthest(points:Vector.<Number>):int
-        {
-            var result:int = 0;
-            var most:Number = -1;
-            var centerX:Number = x;
-            var centerY:Number = y;
-            var centerZ:Number = z;
-            var length:int = points.length;
-            for (var i:int = 0; i < length; i += 3)
-            {
-                var toX:Number = points[i] - centerX;
-                var toY:Number = points[i + 1] - centerY;
-                var toZ:Number = points[i + 2] - centerZ;
-                var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square > most)
-                {
-                    most = square;
-                    result = i;
-                }
-            }
-            return result;
         }
 
         // Finds the smallest ball through this point and around the points held. Returns false if the ball does not grow any more.

@@ -3,64 +3,62 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * Rounds vertices to QuickHull's grid of whole numbers along three axes. It works in steps. Vertices in a plane are put on the grid's
-     * floor. One more point, the last one, is then above them, so that all points span a volume.
+     * Rounds vertices to QuickHull's grid of whole numbers along three axes. Vertices in a plane are put on the grid's floor. One more
+     * point, the last one, is then above them, so that all points span a volume.
      *
      * @private
      */
-    public final class HullGrid extends StepSequence
+    public final class HullGrid
     {
         private static const VERTICES_PER_STEP:int = 4000;
 
-        /** The vertices on the grid, three whole numbers each, from 0 to QuickHull.GRID. Complete after the last step. */
-        public var points:Vector.<Number>;
-
-        private var _vertices:Vector.<Number>;
-        private var _axes:Vector.<Number>;
-        private var _isPlane:Boolean;
-
-        // The smallest and the largest place of the vertices on each axis, and the current axis.
-        private var _lows:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity];
-        private var _highs:Vector.<Number> = new <Number>[-Infinity, -Infinity, -Infinity];
-        private var _axis:int = -1;
-
         /**
+         * The steps that round them.
+         *
          * @param vertices x, y, z of each; they must differ along each of the axes
          * @param axes perpendicular unit vectors, three numbers each
          * @param isPlane whether the vertices are in the plane of the first two axes
+         * @param points takes the vertices on the grid, three whole numbers each, from 0 to QuickHull.GRID; empty
          */
-        public function HullGrid(vertices:Vector.<Number>, axes:Vector.<Number>, isPlane:Boolean)
+        public static function rounding(vertices:Vector.<Number>, axes:Vector.<Number>, isPlane:Boolean, points:Vector.<Number>):StepSequence
         {
-            _vertices = vertices;
-            _axes = axes;
-            _isPlane = isPlane;
-            var count:int = vertices.length / 3;
-            points = new Vector.<Number>(3 * count);
+            points.length = vertices.length;
             if (isPlane)
             {
                 points.push(QuickHull.GRID / 2, QuickHull.GRID / 2, QuickHull.GRID);
             }
+            var work:StepSequence = new StepSequence();
             for (var axis:int = 0; axis < 3; axis++)
             {
-                slices(count, VERTICES_PER_STEP, measure).slices(count, VERTICES_PER_STEP, snap);
+                addAxis(work, vertices, axes.slice(3 * axis, 3 * axis + 3), isPlane && axis == 2, points, axis);
             }
+            return work;
         }
 
-        // Writes the vertices' places along the next axis, before rounding.
-        private function measure(first:int, end:int):void
+        private static function addAxis(work:StepSequence, vertices:Vector.<Number>, axis:Vector.<Number>, isFlat:Boolean,
+                points:Vector.<Number>, place:int):void
         {
-            if (first == 0)
-            {
-                _axis++;
-            }
-            var places:Vector.<Number> = points;
-            var vertices:Vector.<Number> = _vertices;
-            var axisX:Number = _axes[3 * _axis];
-            var axisY:Number = _axes[3 * _axis + 1];
-            var axisZ:Number = _axes[3 * _axis + 2];
-            var low:Number = _lows[_axis];
-            var high:Number = _highs[_axis];
-            var to:int = 3 * first + _axis;
+            // the smallest and the largest place of the vertices on the axis
+            var extent:Vector.<Number> = new <Number>[Infinity, -Infinity];
+            work.slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    measure(vertices, first, end, axis, extent, points, place);
+                }).slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    snap(points, 3 * first + place, 3 * end, extent[0], isFlat ? 0 : QuickHull.GRID / (extent[1] - extent[0]));
+                });
+        }
+
+        // Writes the vertices' places along an axis, before rounding. Widens the extent.
+        private static function measure(vertices:Vector.<Number>, first:int, end:int, axis:Vector.<Number>, extent:Vector.<Number>,
+                places:Vector.<Number>, place:int):void
+        {
+            var axisX:Number = axis[0];
+            var axisY:Number = axis[1];
+            var axisZ:Number = axis[2];
+            var low:Number = extent[0];
+            var high:Number = extent[1];
+            var to:int = 3 * first + place;
             var last:int = 3 * end;
             for (var i:int = 3 * first; i < last; i += 3)
             {
@@ -76,17 +74,14 @@ package starlogo.geometry.hull
                     high = t;
                 }
             }
-            _lows[_axis] = low;
-            _highs[_axis] = high;
+            extent[0] = low;
+            extent[1] = high;
         }
 
-        private function snap(first:int, end:int):void
+        // Rounds every third of the numbers from one index up to another.
+        private static function snap(places:Vector.<Number>, first:int, last:int, low:Number, scale:Number):void
         {
-            var places:Vector.<Number> = points;
-            var low:Number = _lows[_axis];
-            var scale:Number = _isPlane && _axis == 2 ? 0 : QuickHull.GRID / (_highs[_axis] - low);
-            var to:int = 3 * end;
-            for (var i:int = 3 * first + _axis; i < to; i += 3)
+            for (var i:int = first; i < last; i += 3)
             {
                 places[i] = int((places[i] - low) * scale + 0.5);
             }

@@ -28,10 +28,6 @@ package starlogo.geometry.hull
         private static const FACES_PER_STEP:int = 700;
 
         private var _points:Vector.<Number>;
-        private var _simplex:Vector.<int>;
-
-        // The indices of the points to build the hull of; null for all points.
-        private var _among:Vector.<int>;
         private var _outside:OutsidePoints;
         // For each point on the horizon, the new face whose edge on the horizon begins at the point.
         private var _faceFrom:Vector.<HullFace>;
@@ -56,8 +52,7 @@ package starlogo.geometry.hull
         public function QuickHull(points:Vector.<Number>, simplex:Vector.<int>)
         {
             _points = points;
-            _simplex = simplex;
-            call(start);
+            build(simplex[0], simplex[1], simplex[2], simplex[3], null);
         }
 
         /**
@@ -78,11 +73,6 @@ package starlogo.geometry.hull
             return corners;
         }
 
-        private function start():void
-        {
-            build(_simplex[0], _simplex[1], _simplex[2], _simplex[3], null);
-        }
-
         // Adds the steps that build the hull of all points, or of the listed points only. It begins as a tetrahedron of four points.
         private function build(a:int, b:int, c:int, d:int, among:Vector.<int>):void
         {
@@ -98,13 +88,14 @@ package starlogo.geometry.hull
             addVertex(d, seesFront ? front : back);
             _created.push(seesFront ? back : front);
             _created.reverse();
-            _among = among;
-            slices(among == null ? count : among.length, POINTS_PER_STEP, assign).repeat(grow).call(startWalk).repeat(walk).call(countAll);
+            slices(among == null ? count : among.length, POINTS_PER_STEP, function(first:int, end:int):void
+                {
+                    assign(among, first, end);
+                }).repeat(grow).call(startWalk).repeat(walk).call(countAll);
         }
 
-        private function assign(first:int, end:int):void
+        private function assign(among:Vector.<int>, first:int, end:int):void
         {
-            var among:Vector.<int> = _among;
             for (var i:int = first; i < end; i++)
             {
                 var point:int = among == null ? i : among[i];

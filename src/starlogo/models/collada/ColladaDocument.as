@@ -19,25 +19,20 @@ package starlogo.models.collada
         /** What reading the document may cost. */
         public var budget:ModelBudget;
 
-        /** The model's name. */
-        public var modelName:String;
-
         private var _elementsById:Object;
 
         /**
-         * @param modelName the model's name
          * @param budget what reading the document may cost
          * @param xml has read the document's text; all its steps must be done
          * @throws ModelError if it is no COLLADA document
          */
-        public function ColladaDocument(modelName:String, budget:ModelBudget, xml:XmlReader)
+        public function ColladaDocument(budget:ModelBudget, xml:XmlReader)
         {
-            this.modelName = modelName;
             this.budget = budget;
             triangulator = new Triangulator(budget.looks);
             root = xml.root;
-            refuseIf(root == null, modelName, "this is not XML: expected a COLLADA document");
-            refuseIf(root.name != "COLLADA", modelName, "expected a COLLADA document, but its root element is <" + root.name + ">");
+            refuseIf(root == null, budget.name, "this is not XML: expected a COLLADA document");
+            refuseIf(root.name != "COLLADA", budget.name, "expected a COLLADA document, but its root element is <" + root.name + ">");
             _elementsById = xml.elementsById;
         }
 
@@ -45,7 +40,7 @@ package starlogo.models.collada
         public function requiredChild(element:ColladaElement, name:String):ColladaElement
         {
             var found:ColladaElement = element.child(name);
-            refuseIf(found == null, modelName, "expected a <" + name + "> in it", element);
+            refuseIf(found == null, budget.name, "expected a <" + name + "> in it", element);
             return found;
         }
 
@@ -60,7 +55,7 @@ package starlogo.models.collada
         public function target(element:ColladaElement, attribute:String, names:Array, scope:ColladaElement = null):ColladaElement
         {
             var url:String = element.attribute(attribute);
-            refuseIf(url.charAt(0) != "#", modelName, "expected a " + attribute + " like \"#id\", of an element in this file, but found \"" +
+            refuseIf(url.charAt(0) != "#", budget.name, "expected a " + attribute + " like \"#id\", of an element in this file, but found \"" +
                     TextTokens.shorten(url) + "\"", element);
             var id:String = url.substr(1);
             for each (var name:String in names)
@@ -71,7 +66,7 @@ package starlogo.models.collada
                     return found;
                 }
             }
-            throw new ModelError(modelName, String(element), "there is no <" + names[0] + "> with the id \"" + TextTokens.shorten(id) + "\"");
+            throw new ModelError(budget.name, String(element), "there is no <" + names[0] + "> with the id \"" + TextTokens.shorten(id) + "\"");
         }
 
         /**
@@ -83,7 +78,7 @@ package starlogo.models.collada
         {
             var all:Array = element.words;
             var length:int = all.length;
-            refuseIf(length != count, modelName, "expected " + count + " numbers, but found " + length, element);
+            refuseIf(length != count, budget.name, "expected " + count + " numbers, but found " + length, element);
             var result:Vector.<Number> = new Vector.<Number>(length);
             for (var i:int = 0; i < length; i++)
             {
@@ -98,7 +93,7 @@ package starlogo.models.collada
             var number:Number = TextTokens.toNumber(word);
             if (number - number != 0)
             {
-                throw new ModelError(modelName, String(element), "expected finite numbers, but found \"" + TextTokens.shorten(word) + "\"");
+                throw new ModelError(budget.name, String(element), "expected finite numbers, but found \"" + TextTokens.shorten(word) + "\"");
             }
             return number;
         }
@@ -112,7 +107,7 @@ package starlogo.models.collada
         {
             var text:String = element.attribute(attribute);
             var number:Number = text == "" ? missing : Decimal.of(TextTokens.trimmed(text));
-            refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), modelName, "expected " +
+            refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), budget.name, "expected " +
                     attribute + " to be a whole number, not negative, but found \"" + TextTokens.shorten(text) + "\"", element);
             return number;
         }
@@ -120,7 +115,7 @@ package starlogo.models.collada
         /** Checks an element's attribute <code>count</code>, if there is one. @param counted the value that it must have */
         public function checkCount(element:ColladaElement, counted:int, what:String):void
         {
-            refuseIf(integer(element, "count", counted) != counted, modelName, "its count is " +
+            refuseIf(integer(element, "count", counted) != counted, budget.name, "its count is " +
                     TextTokens.shorten(element.attribute("count")) + ", but it has " + counted + " " + what, element);
         }
     }

@@ -19,8 +19,6 @@ package starlogo.models.collada
 
         private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
-        private var _primitives:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-        private var _nextPrimitive:int = 0;
         private var _points:Object = {}; // of positions; the key is "#" and the source's id
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
 
@@ -33,15 +31,16 @@ package starlogo.models.collada
             _document = document;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
             document.triangulator.setTarget(vertices, triangles);
+            var hasPrimitives:Boolean = false;
             for each (var element:ColladaElement in _mesh == null ? new Vector.<ColladaElement>() : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
                 {
-                    _primitives.push(element);
-                    begin(readingPrimitive);
+                    addPrimitive(element);
+                    hasPrimitives = true;
                 }
             }
-            if (_primitives.length == 0)
+            if (!hasPrimitives)
             {
                 begin(readingPoints);
             }
@@ -49,15 +48,16 @@ package starlogo.models.collada
         }
 
         /** The work on a primitive. The work on its source comes first, if the source is not read yet. */
-        private function readingPrimitive():Steps
+        private function addPrimitive(element:ColladaElement):void
         {
-            var element:ColladaElement = _primitives[_nextPrimitive++];
-            var work:StepSequence = new StepSequence();
-            var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
-            return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles));
+            begin(function():Steps
+                {
+                    var work:StepSequence = new StepSequence();
+                    var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
+                    return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles));
+                });
         }
 
-        /** If there are no surfaces, reads the points alone. */
         private function readingPoints():Steps
         {
             var work:StepSequence = new StepSequence();
@@ -79,7 +79,7 @@ package starlogo.models.collada
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
             var input:ColladaElement = vertices.input("POSITION");
-            refuseIf(input == null, _document.modelName, "expected an <input> with the semantic POSITION", vertices);
+            refuseIf(input == null, _document.budget.name, "expected an <input> with the semantic POSITION", vertices);
             return _document.target(input, "source", ["source"], _mesh);
         }
 
@@ -102,7 +102,7 @@ package starlogo.models.collada
         private function droppingUnused():Steps
         {
             hasSurfaces = _isUsed.indexOf(1) >= 0;
-            return hasSurfaces ? new VertexFilter(vertices, triangles, _isUsed) : null;
+            return hasSurfaces ? VertexFilter.removing(vertices, triangles, _isUsed) : null;
         }
 
         private function letGo():void

@@ -74,7 +74,7 @@ package starlogo.models.collada
         internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
         {
             var input:ColladaElement = element.input("VERTEX") || element.input("POSITION");
-            refuseIf(input == null, document.modelName, "expected an <input> with the semantic VERTEX", element);
+            refuseIf(input == null, document.budget.name, "expected an <input> with the semantic VERTEX", element);
             return input;
         }
 
@@ -83,7 +83,7 @@ package starlogo.models.collada
             for each (var input:ColladaElement in _element.childrenNamed("input"))
             {
                 var offset:Number = _document.integer(input, "offset", 0);
-                refuseIf(offset > MAX_OFFSET, _document.modelName, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset, input);
+                refuseIf(offset > MAX_OFFSET, _document.budget.name, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset, input);
                 _stride = Math.max(_stride, offset + 1);
             }
             _offset = _document.integer(positionInput(_document, _element), "offset", 0);
@@ -117,7 +117,7 @@ package starlogo.models.collada
         private function readingTriangles():Steps
         {
             _words = _text.words;
-            refuseIf(cornerCount % 3 != 0, _document.modelName, "expected three corners for each triangle, but found " + cornerCount, _element);
+            refuseIf(cornerCount % 3 != 0, _document.budget.name, "expected three corners for each triangle, but found " + cornerCount, _element);
             _document.checkCount(_element, cornerCount / 3, "triangles");
             return new Slices(cornerCount, CORNERS_PER_STEP, readTriangles);
         }
@@ -146,12 +146,12 @@ package starlogo.models.collada
                 var size:Number = Decimal.ofIndex(_sizes[i]);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
-                    throw new ModelError(_document.modelName, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
+                    throw new ModelError(_document.budget.name, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
                             TextTokens.shorten(_sizes[i]) + "\"");
                 }
                 _sum += size;
             }
-            refuseIf(end == _sizes.length && _sum != cornerCount, _document.modelName, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
+            refuseIf(end == _sizes.length && _sum != cornerCount, _document.budget.name, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
                     cornerCount, _element);
         }
 
@@ -234,7 +234,7 @@ package starlogo.models.collada
         {
             if (_words.length % _stride != 0)
             {
-                throw new ModelError(_document.modelName, String(_element), "expected " + _stride + " indices for each corner, but found " +
+                throw new ModelError(_document.budget.name, String(_element), "expected " + _stride + " indices for each corner, but found " +
                         _words.length + " in all");
             }
             return _words.length / _stride;
@@ -247,7 +247,7 @@ package starlogo.models.collada
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
-                throw new ModelError(_document.modelName, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
+                throw new ModelError(_document.budget.name, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
                         ", but found \"" + TextTokens.shorten(_words[word + _offset]) + "\"");
             }
             index += _positions.first;

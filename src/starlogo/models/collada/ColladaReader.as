@@ -34,7 +34,7 @@ package starlogo.models.collada
         {
             super(name, new ModelBudget(name, source == null ? 0 : source.length), new UpAxis(upAxis, name, true));
             refuseIf(source == null, name, "there is no text to read");
-            _xml = new XmlReader(name, source, budget);
+            _xml = new XmlReader(source, budget);
             add(_xml).begin(walking).beginEach(readingNext);
         }
 
@@ -46,11 +46,11 @@ package starlogo.models.collada
 
         private function walking():Steps
         {
-            _document = new ColladaDocument(name, budget, _xml);
+            _document = new ColladaDocument(budget, _xml);
             _xml = null;
             var asset:ColladaElement = _document.root.child("asset");
             up.axis ||= upAxisOf(asset);
-            unit = up.transform != null ? 1 : unitOf(asset);
+            unit = unitOf(asset);
             _scene = new ColladaScene(_document, up.turn);
             return _scene;
         }
@@ -135,7 +135,7 @@ package starlogo.models.collada
                 return UpAxis.Y;
             }
             var text:String = element.words.join(" ");
-            refuseIf(!/^[XYZ]_UP$/.test(text), _document.modelName, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
+            refuseIf(!/^[XYZ]_UP$/.test(text), _document.budget.name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
                     "\"", element);
             return text.charAt(0).toLowerCase();
         }

@@ -80,7 +80,7 @@ package starlogo.models.collada
 
         private function enter(node:ColladaNode):void
         {
-            refuseIf(node.depth > MAX_DEPTH, _document.modelName, "its nodes are nested more than " + MAX_DEPTH + " deep", node.element);
+            refuseIf(node.depth > MAX_DEPTH, _document.budget.name, "its nodes are nested more than " + MAX_DEPTH + " deep", node.element);
             _document.budget.take(ModelBudget.THINGS, THINGS_PER_PART * (1 + node.element.children.length), node.element);
             _node = node;
             _child = 0;
@@ -121,7 +121,7 @@ package starlogo.models.collada
         private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
         {
             var target:ColladaElement = _document.target(element, "url", ["node"]);
-            refuseIf(node.isWithin(target), _document.modelName, "recursive instance_node: it places the node \"" +
+            refuseIf(node.isWithin(target), _document.budget.name, "recursive instance_node: it places the node \"" +
                     TextTokens.shorten(target.id) + "\" within itself", element);
             return target;
         }
@@ -138,7 +138,7 @@ package starlogo.models.collada
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
                 transform = shape == null ? transform : transform.after(shape.transform ||= ColladaTransform.matrix(_document, shape));
                 target = _document.target(deformer, "source", ["geometry", "controller"]);
-                refuseIf(i > MAX_CONTROLLERS, _document.modelName, "more than " + MAX_CONTROLLERS +
+                refuseIf(i > MAX_CONTROLLERS, _document.budget.name, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle", element);
             }
             instances.push(new ColladaNode(element, null, transform, target));

@@ -22,10 +22,6 @@ package starlogo.models.collada
         private var _accessor:ColladaElement;
         private var _array:ColladaElement;
         private var _text:ColladaWords;
-        private var _words:Array;
-        private var _columns:Vector.<int>;
-        private var _stride:int;
-        private var _word:int;
         private var _points:Vector.<Number>;
 
         /**
@@ -47,48 +43,37 @@ package starlogo.models.collada
 
         private function readingPoints():Steps
         {
-            _words = _text.words;
-            _document.checkCount(_array, _words.length, "numbers");
-            readAccessor();
-            _document.budget.take(ModelBudget.NUMBERS, 3 * count, _accessor);
-            first = _points.length / 3;
-            return new Slices(count, POINTS_PER_STEP, readPoints);
-        }
-
-        private function readPoints(from:int, end:int):void
-        {
-            var x:int = _columns[0];
-            var y:int = _columns[1];
-            var z:int = _columns[2];
-            var at:int = 3 * (first + from);
-            for (var i:int = from; i < end; i++)
-            {
-                _points[at++] = numberAt(_word + x);
-                _points[at++] = numberAt(_word + y);
-                _points[at++] = numberAt(_word + z);
-                _word += _stride;
-            }
-        }
-
-        private function numberAt(word:int):Number
-        {
-            var number:Number = Decimal.of(_words[word]);
-            return number - number == 0 ? number : _document.toNumber(_array, _words[word]);
-        }
-
-        private function readAccessor():void
-        {
-            var length:int = _words.length;
+            var words:Array = _text.words;
+            _document.checkCount(_array, words.length, "numbers");
             var stride:Number = _document.integer(_accessor, "stride", 1);
             var offset:Number = _document.integer(_accessor, "offset", 0);
-            _columns = columnsOf(_accessor, stride);
-            var wanted:Number = _document.integer(_accessor, "count", Math.max(0, Math.floor((length - offset) / stride)));
-            var last:Number = offset + stride * (wanted - 1) + Math.max(_columns[0], _columns[1], _columns[2]);
-            refuseIf(wanted > 0 && last >= length, _document.modelName, "its count of " + wanted + " with a stride of " + stride +
-                    " reaches beyond the " + length + " numbers of its array", _accessor);
-            _stride = stride;
-            _word = offset;
+            var columns:Vector.<int> = columnsOf(_accessor, stride);
+            var wanted:Number = _document.integer(_accessor, "count", Math.max(0, Math.floor((words.length - offset) / stride)));
+            var last:Number = offset + stride * (wanted - 1) + Math.max(columns[0], columns[1], columns[2]);
+            refuseIf(wanted > 0 && last >= words.length, _document.budget.name, "its count of " + wanted + " with a stride of " + stride +
+                    " reaches beyond the " + words.length + " numbers of its array", _accessor);
+            _document.budget.take(ModelBudget.NUMBERS, 3 * wanted, _accessor);
             count = wanted;
+            first = _points.length / 3;
+            return new Slices(count, POINTS_PER_STEP, function(from:int, end:int):void
+                {
+                    readPoints(words, offset, stride, columns, from, end);
+                });
+        }
+
+        private function readPoints(words:Array, offset:int, stride:int, columns:Vector.<int>, from:int, end:int):void
+        {
+            var to:int = 3 * (first + from);
+            for (var i:int = from; i < end; i++)
+            {
+                var at:int = offset + i * stride;
+                for (var k:int = 0; k < 3; k++)
+                {
+                    var word:String = words[int(at + columns[k])];
+                    var number:Number = Decimal.of(word);
+                    _points[to++] = number - number == 0 ? number : _document.toNumber(_array, word);
+                }
+            }
         }
 
         /** The indices of an accessor's parameters x, y and z: found by name, otherwise the first three. */
@@ -105,7 +90,7 @@ package starlogo.models.collada
                 columns = new <int>[0, 1, 2];
             }
             refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
-                    _document.modelName, "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
+                    _document.budget.name, "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
             return columns;
         }
     }

@@ -43,7 +43,7 @@ package starlogo.models.collada
         internal static function matrix(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var m:Vector.<Number> = document.numbers(element, 16);
-            refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1, document.modelName,
+            refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1, document.budget.name,
                     "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "), element);
             return new AffineTransform(m.slice(0, 12));
         }
@@ -77,7 +77,7 @@ package starlogo.models.collada
             var back:Vector.<Number> = normalise(new <Number>[v[0] - v[3], v[1] - v[4], v[2] - v[5]]);
             var right:Vector.<Number> = normalise(cross(v.slice(6), back));
             var up:Vector.<Number> = cross(back, right);
-            refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0), document.modelName,
+            refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0), document.budget.name,
                     "expected two different points and a direction up that is not along their line", element);
             return new AffineTransform(new <Number>[
                         right[0], up[0], back[0], v[0],
@@ -100,7 +100,7 @@ package starlogo.models.collada
             // the turned axis in the plane of the two axes: its parts across the shift and along it
             var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
             var turnedAlong:Number = height * Trigonometry.sine(angle) + along * Trigonometry.cosine(angle);
-            refuseIf(!(height > 1e-9 && turnedHeight > 1e-9), document.modelName,
+            refuseIf(!(height > 1e-9 && turnedHeight > 1e-9), document.budget.name,
                     "expected two different axes and an angle that leaves the first on its side of the second", element);
             var amount:Number = turnedAlong / turnedHeight - along / height;
             var rows:Vector.<Number> = new Vector.<Number>(12);

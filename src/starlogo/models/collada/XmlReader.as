@@ -33,7 +33,6 @@ package starlogo.models.collada
         /** The first element of each name and id, by name, "#" and id. The "#" keeps a key different from every property of an Object. */
         public var elementsById:Object = {};
 
-        private var _name:String;
         private var _source:String;
         private var _at:int = 0;
         private var _quotes:NextOfTwo;
@@ -44,14 +43,12 @@ package starlogo.models.collada
         private var _open:ColladaElement = null;
 
         /**
-         * @param name the model's name
          * @param source the text
          * @param budget pays for the elements
          */
-        public function XmlReader(name:String, source:String, budget:ModelBudget)
+        public function XmlReader(source:String, budget:ModelBudget)
         {
             _budget = budget;
-            _name = name;
             _source = source;
             _quotes = new NextOfTwo(source, "\"", "'");
         }
@@ -134,7 +131,7 @@ package starlogo.models.collada
                 end = end < close ? endOf(">") - 1 : end;
                 quote = _quotes.after(_at);
             }
-            refuseIf(quote < end, _name, "the document has an element of more than " + MAX_ATTRIBUTES + " attributes");
+            refuseIf(quote < end, _budget.name, "the document has an element of more than " + MAX_ATTRIBUTES + " attributes");
             refuse(!TAG_END.test(_source.substring(_at, end)));
             if (element.id != "")
             {
@@ -145,7 +142,7 @@ package starlogo.models.collada
                 _names.push(name);
                 _open = element;
             }
-            refuseIf(_names.length > MAX_DEPTH, _name, "the document has elements that are nested more than " + MAX_DEPTH + " deep");
+            refuseIf(_names.length > MAX_DEPTH, _budget.name, "the document has elements that are nested more than " + MAX_DEPTH + " deep");
             _at = end + 1;
         }
 
@@ -167,7 +164,7 @@ package starlogo.models.collada
 
         private function refuse(isWrong:Boolean):void
         {
-            refuseIf(isWrong, _name, "this is not well-formed XML, or cut off");
+            refuseIf(isWrong, _budget.name, "this is not well-formed XML, or cut off");
         }
 
         private static function localName(name:String):String

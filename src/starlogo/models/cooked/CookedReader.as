@@ -10,6 +10,7 @@ package starlogo.models.cooked
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
+    import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -29,12 +30,6 @@ package starlogo.models.cooked
 
         private var _asked:Fingerprint;
         private var _bytes:ByteArray;
-        private var _form:int;
-        private var _divisor:Number = 1;
-        private var _x:int = 0;
-        private var _y:int = 0;
-        private var _z:int = 0;
-        private var _index:int = 0;
 
         /**
          * @param name the model's name
@@ -70,8 +65,7 @@ package starlogo.models.cooked
             _bytes = cooked.section(CookedFile.MODEL, null);
             refuseIf(_bytes == null, name, "the cooked file is damaged, or of another version: cook it again");
             scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
-            _form = readCount(CookedShape.DOUBLE);
-            _divisor = CookedShape.divisorOf(_form);
+            var form:int = readCount(CookedShape.DOUBLE);
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
@@ -79,9 +73,9 @@ package starlogo.models.cooked
             budget.require(ModelBudget.TRIANGLES, triangleCount);
             if (hasTransform)
             {
-                transform = readTransform();
+                up = new UpAxis(readTransform(), name, false);
             }
-            if (_form == CookedShape.DOUBLE)
+            if (form == CookedShape.DOUBLE)
             {
                 frame = SourceFrame.read(_bytes, scaling);
                 refuseIf(frame == null, name, "the cooked file does not have the model's place in its source");
@@ -91,8 +85,25 @@ package starlogo.models.cooked
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
             vertices.length = 3 * vertexCount;
             triangles.length = 3 * triangleCount;
-            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, _form < CookedShape.SINGLE ? readMultiples : readNumbers)
-                .slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
+            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, readerOf(form)).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
+        }
+
+        // The function that reads vertices.
+        private function readerOf(form:int):Function
+        {
+            var divisor:Number = CookedShape.divisorOf(form);
+            var multiples:Vector.<int> = new Vector.<int>(3, true);
+            return function(first:int, end:int):void
+            {
+                if (form < CookedShape.SINGLE)
+                {
+                    readMultiples(first, end, multiples, divisor);
+                }
+                else
+                {
+                    readNumbers(first, end, form == CookedShape.DOUBLE);
+                }
+            };
         }
 
         private function readCount(most:int):int
@@ -120,15 +131,14 @@ package starlogo.models.cooked
             return new Vector3D(_bytes.readDouble(), _bytes.readDouble(), _bytes.readDouble());
         }
 
-        // each number is stored as the difference from the one before
-        private function readMultiples(first:int, end:int):void
+        // Each number is stored as the difference from the one before. The last point's multiples go from call to call.
+        private function readMultiples(first:int, end:int, multiples:Vector.<int>, divisor:Number):void
         {
             var bytes:ByteArray = _bytes;
             var all:Vector.<Number> = vertices;
-            var divisor:Number = _divisor;
-            var x:int = _x;
-            var y:int = _y;
-            var z:int = _z;
+            var x:int = multiples[0];
+            var y:int = multiples[1];
+            var z:int = multiples[2];
             var last:int = 3 * end;
             for (var i:int = 3 * first; i < last; i += 3)
             {
@@ -139,17 +149,16 @@ package starlogo.models.cooked
                 all[int(i + 1)] = y / divisor;
                 all[int(i + 2)] = z / divisor;
             }
-            _x = x;
-            _y = y;
-            _z = z;
+            multiples[0] = x;
+            multiples[1] = y;
+            multiples[2] = z;
         }
 
-        private function readNumbers(first:int, end:int):void
+        private function readNumbers(first:int, end:int, areDoubles:Boolean):void
         {
-            var isDouble:Boolean = _form == CookedShape.DOUBLE;
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                vertices[i] = isDouble ? _bytes.readDouble() : _bytes.readFloat();
+                vertices[i] = areDoubles ? _bytes.readDouble() : _bytes.readFloat();
             }
         }
 
@@ -158,7 +167,7 @@ package starlogo.models.cooked
         {
             var bytes:ByteArray = _bytes;
             var all:Vector.<uint> = triangles;
-            var index:int = _index;
+            var index:int = first == 0 ? 0 : all[int(first - 1)];
             for (var i:int = first; i < end; i++)
             {
                 var byte:int = bytes.readUnsignedByte();
@@ -173,7 +182,6 @@ package starlogo.models.cooked
                 }
                 all[i] = index;
             }
-            _index = index;
         }
     }
 }

@@ -2,58 +2,51 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import starlogo.models.refuseIf;
-    import starlogo.steps.StepSequence;
+    import starlogo.steps.Slices;
+    import starlogo.steps.Steps;
 
-    /** Decodes base64 text (RFC 4648), in steps. */
-    internal final class Base64 extends StepSequence
+    /** Decodes base64 text (RFC 4648). */
+    internal final class Base64
     {
         private static const CHARACTERS_PER_STEP:int = 16000;
         private static const DIGITS:String = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-        private static var sValues:Vector.<int> = valuesOfDigits();
-
-        /** The bytes decoded so far. All of them when no step is left. */
-        public var bytes:ByteArray = new ByteArray();
-
-        private var _name:String;
-        private var _text:String;
-        private var _place:String;
-        private var _start:int;
+        private static const VALUES:Vector.<int> = valuesOfDigits();
 
         /**
+         * The steps that decode a text.
+         *
          * @param name the model's name
          * @param text contains the digits
          * @param start the place of the first digit in the text
          * @param place the place in the file, for errors
+         * @param out takes the bytes; empty
          */
-        public function Base64(name:String, text:String, start:int, place:String)
+        internal static function decoding(name:String, text:String, start:int, place:String, out:ByteArray):Steps
         {
-            _name = name;
-            _text = text;
-            _start = start;
-            _place = place;
-            var end:int = text.length;
-            while (end > start && end > text.length - 2 && text.charAt(end - 1) == "=")
+            var length:int = text.length - start;
+            for (var most:int = 2; length > 0 && most > 0 && text.charAt(start + length - 1) == "="; most--)
             {
-                end--;
+                length--;
             }
-            refuseIf((end - start) % 4 == 1, name, "its base64 is cut off", place);
-            bytes.length = (end - start) * 3 >> 2;
-            slices(end - start, CHARACTERS_PER_STEP, decode);
+            refuseIf(length % 4 == 1, name, "its base64 is cut off", place);
+            out.length = length * 3 >> 2;
+            // Each step begins with a group of four digits, because the number of digits per step is a multiple of four.
+            return new Slices(length, CHARACTERS_PER_STEP, function(first:int, end:int):void
+                {
+                    refuseIf(!decode(text, start + first, start + end, out, first * 3 >> 2), name, "expected base64, but found other characters", place);
+                });
         }
 
-        // Each step begins with a group of four digits, because the number of digits per step is a multiple of four.
-        private function decode(first:int, end:int):void
+        // Returns whether all characters are digits.
+        private static function decode(text:String, from:int, end:int, out:ByteArray, at:int):Boolean
         {
-            var values:Vector.<int> = sValues;
-            var out:ByteArray = bytes;
-            var at:int = first * 3 >> 2;
+            var values:Vector.<int> = VALUES;
             var wrong:int = 0;
             var bits:int = 0;
             var bitCount:int = 0;
-            for (var i:int = first; i < end; i++)
+            for (var i:int = from; i < end; i++)
             {
-                var code:int = _text.charCodeAt(_start + i);
+                var code:int = text.charCodeAt(i);
                 var value:int = code < 128 ? values[code] : -1;
                 wrong |= value;
                 bits = bits << 6 | value;
@@ -64,7 +57,7 @@ package starlogo.models.gltf
                     out[at++] = bits >> bitCount & 255;
                 }
             }
-            refuseIf(wrong < 0, _name, "expected base64, but found other characters", _place);
+            return wrong >= 0;
         }
 
         private static function valuesOfDigits():Vector.<int>

@@ -36,17 +36,11 @@ package starlogo.models.gltf
         /** Its place in the file, for errors. */
         public var place:String;
 
-        private var _file:GltfFile;
         private var _width:int;
         private var _kind:int;
 
         // integers are divided by this; 0 for no division
         private var _divisor:Number = 0;
-
-        // the rows: their bufferView, the offset of the first, and the distance between two
-        private var _view:int;
-        private var _offset:int;
-        private var _stride:int;
 
         /**
          * @param file the file; all its steps must be done
@@ -58,28 +52,23 @@ package starlogo.models.gltf
         {
             var json:GltfJson = file.json;
             this.place = place;
-            _file = file;
             count = json.whole(form, "count", place, int.MAX_VALUE, -1);
             _width = WIDTHS[form.type];
             _kind = json.whole(form, "componentType", place, int.MAX_VALUE, -1);
             refuseIf(!SIZES.hasOwnProperty(_kind), json.name, "expected 5120 to 5123, 5125 or 5126, but found " + _kind, place + ".componentType");
             _divisor = form.normalized === true && LARGEST[_kind] > 0 ? LARGEST[_kind] : 0;
-            _view = json.reference(data, "bufferView", place, "bufferViews");
-            _offset = json.whole(data, "byteOffset", place, int.MAX_VALUE, 0);
-            if (_view >= 0)
+            var view:int = json.reference(data, "bufferView", place, "bufferViews");
+            var offset:int = json.whole(data, "byteOffset", place, int.MAX_VALUE, 0);
+            if (view >= 0)
             {
-                var size:int = SIZES[_kind] * _width;
-                _stride = json.whole(json.entry("bufferViews", _view), "byteStride", "bufferViews[" + _view + "]", 252, size);
-                refuseIf(_stride < size, json.name, "expected at least " + size + ", but found " + _stride, "bufferViews[" + _view + "].byteStride");
-                file.openView(_view, _offset, count == 0 ? 0 : Number(count - 1) * _stride + size, place);
-                slices(count, NUMBERS_PER_STEP / _width, readRows);
+                addRows(file, view, offset);
             }
-            file.budget.take(_view < 0 ? ModelBudget.ZEROS : ModelBudget.NUMBERS, Number(count) * _width, place);
+            file.budget.take(view < 0 ? ModelBudget.ZEROS : ModelBudget.NUMBERS, Number(count) * _width, place);
             numbers = new Vector.<Number>(count * _width);
             var sparse:Object = data == form ? json.objectIn(data, "sparse", place) : null;
             if (sparse != null)
             {
-                addSparse(json, form, sparse);
+                addSparse(file, form, sparse);
             }
         }
 
@@ -89,25 +78,37 @@ package starlogo.models.gltf
             return _divisor == 0 && (_kind == UNSIGNED_BYTE || _kind == UNSIGNED_SHORT || _kind == UNSIGNED_INT);
         }
 
-        private function readRows(first:int, end:int):void
+        // Adds the steps that read the rows: from an offset in a bufferView on, at the view's distance from one another.
+        private function addRows(file:GltfFile, view:int, offset:int):void
         {
-            if (first == end)
-            {
-                return;
-            }
             var size:int = SIZES[_kind] * _width;
-            var bytes:ByteArray = _file.openView(_view, _offset + Number(first) * _stride, Number(end - first - 1) * _stride + size, place);
+            var viewPlace:String = "bufferViews[" + view + "]";
+            var stride:int = file.json.whole(file.json.entry("bufferViews", view), "byteStride", viewPlace, 252, size);
+            refuseIf(stride < size, file.json.name, "expected at least " + size + ", but found " + stride, viewPlace + ".byteStride");
+            file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, place);
+            slices(count, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
+                {
+                    if (first < end)
+                    {
+                        var length:Number = Number(end - first - 1) * stride + size;
+                        readRows(file.openView(view, offset + Number(first) * stride, length, place), first, end, stride, stride == size);
+                    }
+                });
+        }
+
+        private function readRows(bytes:ByteArray, first:int, end:int, stride:int, areJoined:Boolean):void
+        {
             var at:int = first * _width;
             var last:int = end * _width;
             // data without gaps is read as one long row
-            var rowLength:int = _stride == size ? last - at : _width;
+            var rowLength:int = areJoined ? last - at : _width;
             var start:int = bytes.position;
             while (at < last)
             {
                 bytes.position = start;
                 readRow(bytes, _kind, numbers, at, at + rowLength);
                 at += rowLength;
-                start += _stride;
+                start += stride;
             }
             for (at = first * _width; at < last && _divisor > 0; at++)
             {
@@ -116,31 +117,32 @@ package starlogo.models.gltf
             }
         }
 
-        private function addSparse(json:GltfJson, accessor:Object, sparse:Object):void
+        private function addSparse(file:GltfFile, accessor:Object, sparse:Object):void
         {
+            var json:GltfJson = file.json;
             var where:String = place + ".sparse";
             var some:int = json.whole(sparse, "count", where, count, -1);
             var indices:Object = json.objectIn(sparse, "indices", where);
             var values:Object = json.objectIn(sparse, "values", where);
             refuseIf(indices == null || values == null, json.name, "expected indices and values", where);
             refuseIf(indices.bufferView === undefined || values.bufferView === undefined, json.name, "expected indices and values in bufferViews", where);
-            var at:GltfAccessor = new GltfAccessor(_file, where + ".indices", indices, {count: some, type: "SCALAR", componentType: indices.componentType});
-            var by:GltfAccessor = new GltfAccessor(_file, where + ".values", values, {count: some, type: accessor.type,
+            var at:GltfAccessor = new GltfAccessor(file, where + ".indices", indices, {count: some, type: "SCALAR", componentType: indices.componentType});
+            var by:GltfAccessor = new GltfAccessor(file, where + ".values", values, {count: some, type: accessor.type,
                         componentType: accessor.componentType, normalized: accessor.normalized});
             add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
-                    replace(at.numbers, by.numbers, first, end);
+                    replace(json.name, at.numbers, by.numbers, first, end);
                 });
         }
 
-        private function replace(indices:Vector.<Number>, values:Vector.<Number>, first:int, end:int):void
+        private function replace(name:String, indices:Vector.<Number>, values:Vector.<Number>, first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
                 var index:Number = indices[i];
                 if (!(index >= 0 && index < count && int(index) == index))
                 {
-                    throw new ModelError(_file.json.name, place + ".sparse.indices", "element " + i + " is " + index + ", but there are only " + count + " to replace");
+                    throw new ModelError(name, place + ".sparse.indices", "element " + i + " is " + index + ", but there are only " + count + " to replace");
                 }
                 for (var k:int = 0; k < _width; k++)
                 {

@@ -43,11 +43,6 @@ package starlogo.models.gltf
         /** What reading the file may cost. It grows with the buffers in other files. */
         internal var budget:ModelBudget;
 
-        private var _name:String;
-        private var _bytes:ByteArray;
-        private var _text:String;
-        private var _meter:JsonMeter;
-
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
@@ -64,13 +59,13 @@ package starlogo.models.gltf
          */
         public function GltfFile(name:String, bytes:ByteArray, text:String)
         {
-            _name = name;
-            _bytes = bytes;
-            _text = text;
-            open();
-            budget = new ModelBudget(name, _text.length);
-            _meter = new JsonMeter(name, _text, budget);
-            add(_meter).call(parse);
+            if (text == null)
+            {
+                text = isBinary(bytes) ? openChunks(name, bytes) : ModelFile.text(name, bytes, "glTF");
+            }
+            text = TextTokens.unmarked(text);
+            budget = new ModelBudget(name, text.length);
+            measure(text);
         }
 
         /** Whether bytes begin like a binary glTF file. */
@@ -94,7 +89,7 @@ package starlogo.models.gltf
          */
         public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
-            refuseIf(bytes == null, _name, problem, "buffers[" + _places["#" + uri][0] + "].uri");
+            refuseIf(bytes == null, budget.name, problem, "buffers[" + _places["#" + uri][0] + "].uri");
             budget.addBytes(bytes.length);
             for each (var index:int in _places["#" + uri])
             {
@@ -111,7 +106,7 @@ package starlogo.models.gltf
         internal function accessor(index:int, type:String):GltfAccessor
         {
             var found:Object = json.entry("accessors", index);
-            refuseIf(found.type !== type, _name, "expected \"" + type + "\", but found \"" + found.type + "\"", "accessors[" + index + "].type");
+            refuseIf(found.type !== type, budget.name, "expected \"" + type + "\", but found \"" + found.type + "\"", "accessors[" + index + "].type");
             return _accessors["#" + index] ||= new GltfAccessor(this, "accessors[" + index + "]", found, found);
         }
 
@@ -121,92 +116,88 @@ package starlogo.models.gltf
             var view:Object = json.entry("bufferViews", index);
             var viewPlace:String = "bufferViews[" + index + "]";
             var buffer:int = json.reference(view, "buffer", viewPlace, "buffers");
-            refuseIf(buffer < 0, _name, "it names no buffer", viewPlace);
+            refuseIf(buffer < 0, budget.name, "it names no buffer", viewPlace);
             var start:int = json.whole(view, "byteOffset", viewPlace, int.MAX_VALUE, 0);
             var size:int = json.whole(view, "byteLength", viewPlace, int.MAX_VALUE, -1);
-            refuseIf(offset + length > size, _name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
+            refuseIf(offset + length > size, budget.name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
             if (_buffers[buffer] == null)
             {
                 refuseIf(json.hasExtension(view, "EXT_meshopt_compression", viewPlace) || json.hasExtension(view, "KHR_meshopt_compression", viewPlace),
-                        _name, "its data are " + MESHOPT_PROBLEM, viewPlace);
-                throw new ModelError(_name, "buffers[" + buffer + "]", "its data are missing");
+                        budget.name, "its data are " + MESHOPT_PROBLEM, viewPlace);
+                throw new ModelError(budget.name, "buffers[" + buffer + "]", "its data are missing");
             }
-            refuseIf(Number(start) + size > _buffers[buffer].length, _name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
+            refuseIf(Number(start) + size > _buffers[buffer].length, budget.name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
                     "], which has " + _buffers[buffer].length, viewPlace);
             _buffers[buffer].position = start + offset;
             return _buffers[buffer];
         }
 
-        private function open():void
+        // Keeps the binary chunk of a .glb file. Returns its JSON.
+        private function openChunks(name:String, bytes:ByteArray):String
         {
-            if (_bytes != null && isBinary(_bytes))
-            {
-                ModelFile.checkSize(_name, _bytes);
-                openChunks();
-            }
-            else if (_text == null)
-            {
-                _text = ModelFile.text(_name, _bytes, "glTF");
-                _bytes = null;
-            }
-            _text = TextTokens.unmarked(_text);
-        }
-
-        private function openChunks():void
-        {
-            var length:int = _bytes.length;
-            refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, _name, "the file is cut off: it has " + length + " bytes");
-            _bytes.endian = Endian.LITTLE_ENDIAN;
-            var version:uint = wordAt(4);
-            refuseIf(version != 2, _name, "expected binary glTF of version 2, but found " + version, "byte 4");
-            var end:uint = wordAt(8);
-            refuseIf(end > length, _name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
+            var text:String = null;
+            var length:int = bytes.length;
+            ModelFile.checkSize(name, bytes);
+            refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            var version:uint = wordAt(bytes, 4);
+            refuseIf(version != 2, name, "expected binary glTF of version 2, but found " + version, "byte 4");
+            var end:uint = wordAt(bytes, 8);
+            refuseIf(end > length, name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
             for (var place:int = HEADER_LENGTH; place + CHUNK_HEADER_LENGTH <= end; place += CHUNK_HEADER_LENGTH + chunkLength)
             {
-                var chunkLength:uint = wordAt(place);
-                var kind:uint = wordAt(place + 4);
+                var chunkLength:uint = wordAt(bytes, place);
+                var kind:uint = wordAt(bytes, place + 4);
                 var start:int = place + CHUNK_HEADER_LENGTH;
-                refuseIf(chunkLength > end - start, _name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + place);
-                refuseIf((_text == null) != (kind == JSON_CHUNK), _name, "the first chunk, and no other, must be JSON", "byte " + place);
-                if (_text == null)
+                refuseIf(chunkLength > end - start, name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + place);
+                refuseIf((text == null) != (kind == JSON_CHUNK), name, "the first chunk, and no other, must be JSON", "byte " + place);
+                if (text == null)
                 {
-                    _bytes.position = start;
-                    _text = _bytes.readUTFBytes(chunkLength);
+                    bytes.position = start;
+                    text = bytes.readUTFBytes(chunkLength);
                 }
                 else if (kind == BINARY_CHUNK && _chunk == null)
                 {
                     _chunk = new ByteArray();
                     if (chunkLength > 0)
                     {
-                        _chunk.writeBytes(_bytes, start, chunkLength);
+                        _chunk.writeBytes(bytes, start, chunkLength);
                     }
                 }
             }
-            refuseIf(_text == null, _name, "there is no JSON in it");
+            refuseIf(text == null, name, "there is no JSON in it");
+            return text;
         }
 
-        private function wordAt(place:int):uint
+        private static function wordAt(bytes:ByteArray, place:int):uint
         {
-            _bytes.position = place;
-            return _bytes.readUnsignedInt();
+            bytes.position = place;
+            return bytes.readUnsignedInt();
         }
 
-        private function parse():void
+        private function measure(text:String):void
+        {
+            var meter:JsonMeter = new JsonMeter(text, budget);
+            add(meter).call(function():void
+                {
+                    parse(meter.marked);
+                });
+        }
+
+        private function parse(text:String):void
         {
             try
             {
-                var root:Object = JSON.parse(_meter.marked);
+                var root:Object = JSON.parse(text);
             }
             catch (failure:Error)
             {
-                refuseIf(true, _name, "its JSON can't be read: " + failure.message);
+                refuseIf(true, budget.name, "its JSON can't be read: " + failure.message);
             }
-            _text = null;
-            _meter = null;
-            json = new GltfJson(_name, root);
+            json = new GltfJson(budget.name, root);
             var asset:Object = json.objectIn(root, "asset", "");
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
-            refuseIf(!/^2\.0/.test(version), _name, "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
+            refuseIf(!/^2\.0/.test(version), budget.name, "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
                     "\": save the model as 2.0", "asset.version");
             for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
             {
@@ -217,16 +208,16 @@ package starlogo.models.gltf
 
         private function checkExtension(extension:String):void
         {
-            refuseIf(extension == DRACO, _name, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
-            refuseIf(MESHOPT.test(extension), _name, "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            refuseIf(!HARMLESS.test(extension), _name, "it needs the extension \"" + TextTokens.shorten(extension) +
+            refuseIf(extension == DRACO, budget.name, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
+            refuseIf(MESHOPT.test(extension), budget.name, "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
+            refuseIf(!HARMLESS.test(extension), budget.name, "it needs the extension \"" + TextTokens.shorten(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 
         /** Throws if a primitive's geometry is only present in Draco's form. */
         internal function refuseDraco(primitive:Object, place:String):void
         {
-            refuseIf(json.hasExtension(primitive, DRACO, place), _name, "it is " + DRACO_PROBLEM, place);
+            refuseIf(json.hasExtension(primitive, DRACO, place), budget.name, "it is " + DRACO_PROBLEM, place);
         }
 
         private function readBuffers(first:int, end:int):void
@@ -242,7 +233,7 @@ package starlogo.models.gltf
         {
             json.whole(buffer, "byteLength", place, ModelBudget.BYTES, -1);
             var uri:* = buffer.uri;
-            refuseIf(uri !== undefined && !(uri is String), _name, "expected an address", place + ".uri");
+            refuseIf(uri !== undefined && !(uri is String), budget.name, "expected an address", place + ".uri");
             if (uri === undefined)
             {
                 if (index == 0 && _chunk != null)
@@ -255,15 +246,15 @@ package starlogo.models.gltf
             if (uri.indexOf("data:") == 0)
             {
                 var comma:int = uri.indexOf(",");
-                refuseIf(uri.substring(0, comma).substr(-7) != ";base64", _name, "expected data in base64", place + ".uri");
-                var decoding:Base64 = new Base64(_name, uri, comma + 1, place + ".uri");
-                add(decoding).call(function():void
+                refuseIf(uri.substring(0, comma).substr(-7) != ";base64", budget.name, "expected data in base64", place + ".uri");
+                var bytes:ByteArray = new ByteArray();
+                add(Base64.decoding(budget.name, uri, comma + 1, place + ".uri", bytes)).call(function():void
                     {
-                        keep(index, decoding.bytes);
+                        keep(index, bytes);
                     });
                 return;
             }
-            refuseIf(!ModelAddress.isWithin(uri), _name, "expected data, or a path from the file's folder on, but found \"" +
+            refuseIf(!ModelAddress.isWithin(uri), budget.name, "expected data, or a path from the file's folder on, but found \"" +
                     TextTokens.shorten(uri) + "\"", place + ".uri");
             if (!_places.hasOwnProperty("#" + uri))
             {
@@ -277,7 +268,7 @@ package starlogo.models.gltf
         private function keep(index:int, bytes:ByteArray):void
         {
             var wanted:int = json.whole(json.entry("buffers", index), "byteLength", "buffers[" + index + "]", ModelBudget.BYTES, -1);
-            refuseIf(bytes.length < wanted, _name, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
+            refuseIf(bytes.length < wanted, budget.name, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;
         }

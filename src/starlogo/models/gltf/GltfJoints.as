@@ -12,12 +12,6 @@ package starlogo.models.gltf
         /** A transform for each joint, when no step is left. */
         public var transforms:Vector.<AffineTransform> = new Vector.<AffineTransform>();
 
-        private var _json:GltfJson;
-        private var _scene:GltfScene;
-        private var _place:String;
-        private var _list:Array;
-        private var _matrices:GltfAccessor = null;
-
         /**
          * @param file the file
          * @param scene knows the joints' places
@@ -25,29 +19,32 @@ package starlogo.models.gltf
          */
         public function GltfJoints(file:GltfFile, scene:GltfScene, index:int)
         {
-            _json = file.json;
-            _scene = scene;
-            _place = "skins[" + index + "]";
-            var skin:Object = _json.entry("skins", index);
-            _list = _json.listIn(skin, "joints", _place);
-            refuseIf(_list.length == 0, _json.name, "expected at least one joint", _place + ".joints");
-            var matrices:int = _json.reference(skin, "inverseBindMatrices", _place, "accessors");
-            if (matrices >= 0)
+            var json:GltfJson = file.json;
+            var place:String = "skins[" + index + "]";
+            var skin:Object = json.entry("skins", index);
+            var joints:Array = json.listIn(skin, "joints", place);
+            refuseIf(joints.length == 0, json.name, "expected at least one joint", place + ".joints");
+            var matrices:GltfAccessor = null;
+            var accessor:int = json.reference(skin, "inverseBindMatrices", place, "accessors");
+            if (accessor >= 0)
             {
-                _matrices = file.accessor(matrices, "MAT4");
-                refuseIf(_matrices.count < _list.length, _json.name, "there are " + _list.length + " joints, but fewer matrices", _matrices.place);
-                add(_matrices);
+                matrices = file.accessor(accessor, "MAT4");
+                refuseIf(matrices.count < joints.length, json.name, "there are " + joints.length + " joints, but fewer matrices", matrices.place);
+                add(matrices);
             }
-            slices(_list.length, JOINTS_PER_STEP, find);
+            addSteps(json, scene, joints, place + ".joints", matrices);
         }
 
-        private function find(first:int, end:int):void
+        private function addSteps(json:GltfJson, scene:GltfScene, joints:Array, place:String, matrices:GltfAccessor):void
         {
-            for (var i:int = first; i < end; i++)
-            {
-                var world:AffineTransform = _scene.worldOf(_json.numberOf(_list[i], _place + ".joints[" + i + "]", "nodes"));
-                transforms.push(_matrices == null ? world : world.after(GltfScene.ofColumns(_matrices.numbers, 16 * i)));
-            }
+            slices(joints.length, JOINTS_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        var world:AffineTransform = scene.worldOf(json.numberOf(joints[i], place + "[" + i + "]", "nodes"));
+                        transforms.push(matrices == null ? world : world.after(GltfScene.ofColumns(matrices.numbers, 16 * i)));
+                    }
+                });
         }
     }
 }

@@ -17,13 +17,8 @@ package starlogo.models.gltf
         private var _file:GltfFile;
         private var _scene:GltfScene = null;
 
-        // the node whose mesh is next, the next primitive of that mesh, and the weights of its morph targets
+        // the index of the node whose mesh is next
         private var _node:int = 0;
-        private var _primitive:int = 0;
-        private var _weights:Vector.<Number>;
-
-        // The vertices of the present node so far. The key is everything that they depend on.
-        private var _placed:Object = {};
 
         /**
          * @param name the model's name
@@ -49,7 +44,7 @@ package starlogo.models.gltf
             return _scene;
         }
 
-        // The work on the present primitive. Goes on to the next. Null if there are no more.
+        // The work on the next node's mesh. Null if there are no more.
         private function readingNext():Steps
         {
             if (_node == _scene.nodes.length)
@@ -57,31 +52,34 @@ package starlogo.models.gltf
                 return null;
             }
             var json:GltfJson = _file.json;
-            var nodePlace:String = "nodes[" + _scene.nodes[_node] + "]";
-            var node:Object = json.entry("nodes", _scene.nodes[_node]);
-            var index:int = json.reference(node, "mesh", nodePlace, "meshes");
+            var nodeIndex:int = _scene.nodes[_node];
+            var node:Object = json.entry("nodes", nodeIndex);
+            var index:int = json.reference(node, "mesh", "nodes[" + nodeIndex + "]", "meshes");
             var mesh:Object = json.entry("meshes", index);
             var place:String = "meshes[" + index + "]";
             var primitives:Array = json.listIn(mesh, "primitives", place);
-            if (_primitive == 0)
-            {
-                _weights = json.numbers(node, "weights", nodePlace, -1) || json.numbers(mesh, "weights", place, -1, new Vector.<Number>());
-            }
-            budget.take(ModelBudget.THINGS, 1 + _weights.length, place);
-            if (_primitive == primitives.length)
-            {
-                _primitive = 0;
-                _node++;
-                _placed = {};
-                return new StepSequence();
-            }
-            place += ".primitives";
-            return readingPrimitive(json, json.elementOf(primitives, _primitive, place), place + "[" + _primitive+++"]");
+            var weights:Vector.<Number> = json.numbers(node, "weights", "nodes[" + nodeIndex + "]", -1)
+                || json.numbers(mesh, "weights", place, -1, new Vector.<Number>());
+            // The vertices of this node so far. The key is everything that they depend on.
+            var placed:Object = {};
+            var next:int = 0;
+            return new StepSequence().beginEach(function():Steps
+                {
+                    budget.take(ModelBudget.THINGS, 1 + weights.length, place);
+                    if (next == primitives.length)
+                    {
+                        _node++;
+                        return null;
+                    }
+                    var primitive:Object = json.elementOf(primitives, next, place + ".primitives");
+                    return readingPrimitive(nodeIndex, primitive, place + ".primitives[" + next+++"]", weights, placed);
+                });
         }
 
         // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Nothing if it has no vertices.
-        private function readingPrimitive(json:GltfJson, primitive:Object, place:String):Steps
+        private function readingPrimitive(node:int, primitive:Object, place:String, weights:Vector.<Number>, placed:Object):Steps
         {
+            var json:GltfJson = _file.json;
             var work:StepSequence = new StepSequence();
             _file.refuseDraco(primitive, place);
             var attributes:Object = json.objectIn(primitive, "attributes", place);
@@ -94,8 +92,8 @@ package starlogo.models.gltf
             var hasSurface:Boolean = GltfTriangles.modeOf(json, primitive, place) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
-            var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + _primitive);
-            var points:GltfVertices = _placed[key] ||= new GltfVertices(_file, _scene, _scene.nodes[_node], primitive, place, _weights, source,
+            var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + place);
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, place, weights, source,
                     hasSurface ? vertices : loosePoints);
             work.add(points);
             return hasSurface ? work.add(new GltfTriangles(_file, primitive, place, points, triangles)) : work;
@@ -104,7 +102,7 @@ package starlogo.models.gltf
         private function droppingUnused():Steps
         {
             takeVertices("a mesh in the scene");
-            return triangles.length == 0 ? null : new VertexFilter(vertices, triangles, new Vector.<uint>(vertices.length / 3));
+            return triangles.length == 0 ? null : VertexFilter.removing(vertices, triangles, new Vector.<uint>(vertices.length / 3));
         }
     }
 }

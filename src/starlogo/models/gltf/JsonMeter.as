@@ -31,7 +31,6 @@ package starlogo.models.gltf
         private static const SMALL_E:int = 0x65;
         private static const LARGE_E:int = 0x45;
 
-        private var _name:String;
         private var _text:String;
         private var _next:int = 0;
         private var _depth:int = 0;
@@ -40,14 +39,12 @@ package starlogo.models.gltf
         private var _budget:ModelBudget;
 
         /**
-         * @param name the model's name
          * @param text possible JSON
          * @param budget pays for the values
          */
-        public function JsonMeter(name:String, text:String, budget:ModelBudget)
+        public function JsonMeter(text:String, budget:ModelBudget)
         {
             _budget = budget;
-            _name = name;
             _text = text;
             repeat(measure);
         }
@@ -84,7 +81,7 @@ package starlogo.models.gltf
                 {
                     _depth++;
                     values++;
-                    refuseIf(_depth > MAX_DEPTH, _name, "its JSON is nested deeper than " + MAX_DEPTH, "character " + i);
+                    refuseIf(_depth > MAX_DEPTH, _budget.name, "its JSON is nested deeper than " + MAX_DEPTH, "character " + i);
                 }
                 else if (code == 0x7D || code == 0x5D)
                 {

@@ -199,7 +199,7 @@ package starlogo.models.obj
         /** If there are faces, removes the vertices that no face uses. */
         private function droppingUnused():Steps
         {
-            return !_hasFaces ? null : new VertexFilter(vertices, triangles, _isUsed);
+            return !_hasFaces ? null : VertexFilter.removing(vertices, triangles, _isUsed);
         }
 
         private function errorAt(line:int, problem:String):ModelError

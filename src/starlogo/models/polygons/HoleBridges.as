@@ -5,8 +5,10 @@ package starlogo.models.polygons
      */
     internal final class HoleBridges
     {
+        /** A node of the outline's ring. */
+        internal var outline:int;
+
         private var _rings:PolygonRings;
-        private var _outline:int;
 
         // the rightmost node of each hole; the last one is joined next
         private var _nodes:Array = [];
@@ -25,7 +27,7 @@ package starlogo.models.polygons
          */
         internal function setPolygon(outline:int, holes:Vector.<int>):void
         {
-            _outline = outline;
+            this.outline = outline;
             _nodes = [];
             for each (var hole:int in holes)
             {
@@ -98,7 +100,7 @@ package starlogo.models.polygons
             var nearest:Number = Number.POSITIVE_INFINITY;
             var x:Number = xs[hole];
             var y:Number = ys[hole];
-            var node:int = _outline;
+            var node:int = outline;
             do
             {
                 if (++_rings.work > _rings.mostWork)
@@ -118,7 +120,7 @@ package starlogo.models.polygons
                 }
                 node = end;
             }
-            while (node != _outline);
+            while (node != outline);
             return corner < 0 || ys[corner] == y ? corner : nearestToRay(hole, nearest, corner);
         }
 
@@ -139,7 +141,7 @@ package starlogo.models.polygons
             var third:int = isAbove ? corner : ray;
             var result:int = corner;
             var smallest:Number = Math.abs(ys[corner] - y) / (xs[corner] - x);
-            var node:int = _outline;
+            var node:int = outline;
             do
             {
                 _rings.work++;
@@ -154,7 +156,7 @@ package starlogo.models.polygons
                 }
                 node = _rings.next[node];
             }
-            while (node != _outline);
+            while (node != outline);
             return result;
         }
 

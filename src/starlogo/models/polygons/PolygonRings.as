@@ -27,7 +27,9 @@ package starlogo.models.polygons
         /** The most corners to look at. Beyond it, corners are cut off without a test, and holes are filled. */
         internal var mostWork:Number;
 
-        private var _vertices:Vector.<Number>;
+        /** x, y, z of each vertex of the polygons. */
+        internal var vertices:Vector.<Number>;
+
         private var _triangles:Vector.<uint>;
 
         // the indices of the two projected coordinates, and the scale that keeps their products finite
@@ -48,7 +50,7 @@ package starlogo.models.polygons
          */
         internal function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
-            _vertices = vertices;
+            this.vertices = vertices;
             _triangles = triangles;
         }
 
@@ -113,8 +115,8 @@ package starlogo.models.polygons
         /** Adds a node for a vertex and returns its index. */
         internal function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
         {
-            x.push(_vertices[3 * ofVertex + _axisX] * _scale);
-            y.push(_vertices[3 * ofVertex + _axisY] * _scale);
+            x.push(vertices[3 * ofVertex + _axisX] * _scale);
+            y.push(vertices[3 * ofVertex + _axisY] * _scale);
             vertex.push(ofVertex);
             next.push(nextNode);
             previous.push(previousNode);
@@ -152,7 +154,7 @@ package starlogo.models.polygons
             {
                 for (var i:int = 0; i < 3; i++)
                 {
-                    extent = Math.max(extent, Math.abs(_vertices[3 * corner + i] - _vertices[origin + i]));
+                    extent = Math.max(extent, Math.abs(vertices[3 * corner + i] - vertices[origin + i]));
                 }
             }
             return extent;
@@ -161,15 +163,15 @@ package starlogo.models.polygons
         /** Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. The unit is 1/scale squared. */
         private function doubleArea(loop:Vector.<uint>, axisX:int, axisY:int):Number
         {
-            var originX:Number = _vertices[3 * loop[0] + axisX];
-            var originY:Number = _vertices[3 * loop[0] + axisY];
+            var originX:Number = vertices[3 * loop[0] + axisX];
+            var originY:Number = vertices[3 * loop[0] + axisY];
             var lastX:Number = 0;
             var lastY:Number = 0;
             var area:Number = 0;
             for each (var corner:uint in loop)
             {
-                var cornerX:Number = (_vertices[3 * corner + axisX] - originX) * _scale;
-                var cornerY:Number = (_vertices[3 * corner + axisY] - originY) * _scale;
+                var cornerX:Number = (vertices[3 * corner + axisX] - originX) * _scale;
+                var cornerY:Number = (vertices[3 * corner + axisY] - originY) * _scale;
                 area += lastX * cornerY - lastY * cornerX;
                 lastX = cornerX;
                 lastY = cornerY;

@@ -16,13 +16,11 @@ package starlogo.models.polygons
         // the corners that it looks at in one call
         private static const WORK_PER_STEP:int = 10000;
 
-        private var _vertices:Vector.<Number>;
         private var _rings:PolygonRings;
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
 
-        // a node of the present polygon's outline, and the work that is left
-        private var _start:int = 0;
+        // the work that is left for the present polygon
         private var _isBridging:Boolean = false;
         private var _isCutting:Boolean = false;
 
@@ -48,7 +46,6 @@ package starlogo.models.polygons
          */
         public function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
-            _vertices = vertices;
             _rings.setTarget(vertices, triangles);
         }
 
@@ -78,7 +75,6 @@ package starlogo.models.polygons
                     nodes.push(_rings.addLoop(holes[i], false));
                 }
             }
-            _start = start;
             _isBridging = true;
             _isCutting = true;
             _bridges.setPolygon(start, nodes);
@@ -110,7 +106,7 @@ package starlogo.models.polygons
                     return;
                 }
                 _isBridging = false;
-                _clipper.setRing(_start);
+                _clipper.setRing(_bridges.outline);
             }
             _isCutting = _clipper.cut(WORK_PER_STEP);
         }
@@ -170,22 +166,23 @@ package starlogo.models.polygons
         /** Whether ac cuts the quad into two triangles of the same direction. */
         private function isDiagonal(a:uint, b:uint, c:uint, d:uint):Boolean
         {
+            var vertices:Vector.<Number> = _rings.vertices;
             var start:int = 3 * a;
-            var x:Number = _vertices[start];
-            var y:Number = _vertices[int(start + 1)];
-            var z:Number = _vertices[int(start + 2)];
+            var x:Number = vertices[start];
+            var y:Number = vertices[int(start + 1)];
+            var z:Number = vertices[int(start + 2)];
             start = 3 * b;
-            var bx:Number = _vertices[start] - x;
-            var by:Number = _vertices[int(start + 1)] - y;
-            var bz:Number = _vertices[int(start + 2)] - z;
+            var bx:Number = vertices[start] - x;
+            var by:Number = vertices[int(start + 1)] - y;
+            var bz:Number = vertices[int(start + 2)] - z;
             start = 3 * c;
-            var cx:Number = _vertices[start] - x;
-            var cy:Number = _vertices[int(start + 1)] - y;
-            var cz:Number = _vertices[int(start + 2)] - z;
+            var cx:Number = vertices[start] - x;
+            var cy:Number = vertices[int(start + 1)] - y;
+            var cz:Number = vertices[int(start + 2)] - z;
             start = 3 * d;
-            var dx:Number = _vertices[start] - x;
-            var dy:Number = _vertices[int(start + 1)] - y;
-            var dz:Number = _vertices[int(start + 2)] - z;
+            var dx:Number = vertices[start] - x;
+            var dy:Number = vertices[int(start + 1)] - y;
+            var dz:Number = vertices[int(start + 2)] - z;
             return (by * cz - bz * cy) * (cy * dz - cz * dy) + (bz * cx - bx * cz) * (cz * dx - cx * dz) +
                 (bx * cy - by * cx) * (cx * dy - cy * dx) > 0;
         }

@@ -65,7 +65,7 @@ package starlogo.models.collada
 
         private static function read(source:String):ColladaElement
         {
-            var work:XmlReader = new XmlReader("a", source, new ModelBudget("a", source.length));
+            var work:XmlReader = new XmlReader(source, new ModelBudget("a", source.length));
             finish(work);
             return work.root;
         }

@@ -309,16 +309,8 @@ package starlogo.bounding
             }
             // It is not an identity even if its diagonal is, because other numbers of it may be tiny.
             var turning:Placement = new Placement();
+            turning.readRotation(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
             turning.isIdentity = false;
-            turning.r00 = m[0];
-            turning.r10 = m[1];
-            turning.r20 = m[2];
-            turning.r01 = m[4];
-            turning.r11 = m[5];
-            turning.r21 = m[6];
-            turning.r02 = m[8];
-            turning.r12 = m[9];
-            turning.r22 = m[10];
             return turning;
         }
 

@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -9,9 +10,7 @@ package starlogo.fitting
      */
     public final class Fit implements Steps
     {
-        private var _session:FitSession;
-        private var _find:Function;
-        private var _before:Steps;
+        private var _work:StepSequence = new StepSequence();
         private var _structure:BoundingStructure = null;
 
         /**
@@ -24,9 +23,14 @@ package starlogo.fitting
          */
         public function Fit(session:FitSession, find:Function, before:Steps = null)
         {
-            _session = session;
-            _find = find;
-            _before = before;
+            if (before != null)
+            {
+                _work.add(before);
+            }
+            _work.call(function():void
+                {
+                    _structure = find(session);
+                });
         }
 
         /** The structure; null until the last step. */
@@ -38,16 +42,7 @@ package starlogo.fitting
         /** Does the next step. After the last step it does nothing, because several fits may share this one and continue it. */
         public function step():Boolean
         {
-            if (_before == null)
-            {
-                _structure ||= _find(_session);
-                return false;
-            }
-            if (!_before.step())
-            {
-                _before = null;
-            }
-            return true;
+            return _work.step();
         }
     }
 }

@@ -69,7 +69,6 @@ package starlogo.models
         private var _receiver:ModelReceiver;
         private var _budget:Number;
         private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
-        private var _isWorking:Boolean = false;
         private var _doneCount:int = 0;
         private var _manifest:ModelManifest = null;
         private var _longestFrame:int = 0;
@@ -266,14 +265,12 @@ package starlogo.models
             _receiver.expect(name);
             _queue.push(added);
             sFrames.addEventListener(Event.ENTER_FRAME, onFrame);
-            _isWorking = true;
             return added;
         }
 
         private function rest():void
         {
             sFrames.removeEventListener(Event.ENTER_FRAME, onFrame);
-            _isWorking = false;
             _doneCount = 0;
         }
 
@@ -358,7 +355,7 @@ package starlogo.models
 
         private function report():void
         {
-            if (!_isWorking)
+            if (_queue.length + _doneCount == 0)
             {
                 return; // a handler has cancelled the other loads
             }
@@ -369,7 +366,7 @@ package starlogo.models
             }
             var total:Number = 100 * (_doneCount + _queue.length);
             dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
-            if (_queue.length == 0 && _isWorking)
+            if (_queue.length == 0 && _doneCount > 0)
             {
                 rest();
                 dispatchEvent(new Event(Event.COMPLETE));

@@ -30,7 +30,6 @@ package starlogo.libraries.cooked
         private var _bytes:ByteArray;
         private var _hierarchy:Hierarchy;
         private var _order:Vector.<int>;
-        private var _isListed:Vector.<Boolean>;
         private var _isRefused:Boolean = false;
 
         // _plan has five numbers for each node: its first item, the end of its items, its level, its right child (0 for a leaf), and its
@@ -61,9 +60,12 @@ package starlogo.libraries.cooked
         {
             var count:int = _hierarchy.itemCount;
             _order = new Vector.<int>(count, true);
-            _isListed = new Vector.<Boolean>(count, true);
+            var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
             addToPlan(0, count, 1);
-            slices(count, ITEMS_PER_STEP, readOrder).repeat(readDivisions).repeat(measureNodes).repeat(makeNodes);
+            slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
+                {
+                    readOrder(first, end, isListed);
+                }).repeat(readDivisions).repeat(measureNodes).repeat(makeNodes);
         }
 
         /** @inheritDoc */
@@ -81,11 +83,10 @@ package starlogo.libraries.cooked
         }
 
         // Every item must come exactly once.
-        private function readOrder(first:int, end:int):void
+        private function readOrder(first:int, end:int, isListed:Vector.<Boolean>):void
         {
             var bytes:ByteArray = _bytes;
             var order:Vector.<int> = _order;
-            var isListed:Vector.<Boolean> = _isListed;
             var count:int = order.length;
             var width:int = TreeWriter.widthFor(count);
             for (var i:int = first; i < end; i++)

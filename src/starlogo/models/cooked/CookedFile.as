@@ -51,9 +51,11 @@ package starlogo.models.cooked
         private static const HEAD_LENGTH:int = TABLE + SECTIONS * ENTRY_LENGTH;
         private static const WORDS_PER_STEP:int = 4000;
 
+        /** Whether the file is complete and unchanged, when no step is left. */
+        public var isWhole:Boolean = false;
+
         private var _bytes:ByteArray = newBytes();
         private var _whole:Fingerprint = new Fingerprint();
-        private var _isWhole:Boolean = false;
 
         /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
         public function CookedFile(bytes:ByteArray)
@@ -122,20 +124,14 @@ package starlogo.models.cooked
             return bytes;
         }
 
-        /** Whether the file is complete and unchanged. Read it when no step is left. */
-        public function get isWhole():Boolean
-        {
-            return _isWhole;
-        }
-
         /** Whether the file is complete and its model was made for these arguments. */
         public function isFor(settings:Fingerprint):Boolean
         {
-            if (_isWhole)
+            if (isWhole)
             {
                 _bytes.position = TABLE;
             }
-            return _isWhole && settings.isNextOf(_bytes);
+            return isWhole && settings.isNextOf(_bytes);
         }
 
         /**
@@ -147,7 +143,7 @@ package starlogo.models.cooked
          */
         public function section(index:int, wanted:Fingerprint):ByteArray
         {
-            if (!_isWhole)
+            if (!isWhole)
             {
                 return null;
             }
@@ -188,7 +184,7 @@ package starlogo.models.cooked
                 var length:int = lengthOf(i);
                 rest = length < 0 ? NaN : rest - length;
             }
-            _isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
+            isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
         }
 
         private static function hasHead(bytes:ByteArray):Boolean

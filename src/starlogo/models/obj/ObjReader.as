@@ -30,7 +30,6 @@ package starlogo.models.obj
         private var _highestIndex:int = -1;
         private var _highestLine:int;
         private var _corners:Vector.<uint> = new Vector.<uint>();
-        private var _hasFaces:Boolean = false;
 
         /**
          * @param name the model's name
@@ -133,7 +132,6 @@ package starlogo.models.obj
 
         private function addFace(count:int):void
         {
-            _hasFaces ||= count > 2;
             if (count == 3)
             {
                 triangles.push(_corners[0], _corners[1], _corners[2]);
@@ -199,7 +197,7 @@ package starlogo.models.obj
         /** If there are faces, removes the vertices that no face uses. */
         private function droppingUnused():Steps
         {
-            return !_hasFaces ? null : VertexFilter.removing(vertices, triangles, _isUsed);
+            return triangles.length + _polygons.length == 0 ? null : VertexFilter.removing(vertices, triangles, _isUsed);
         }
 
         private function errorAt(line:int, problem:String):ModelError

@@ -16,13 +16,18 @@ package starlogo.models.polygons
         // the corners that it looks at in one call
         private static const WORK_PER_STEP:int = 10000;
 
+        /**
+         * Whether a part of the last polygon still has to be cut. If so, call <code>cutSome()</code> until this is false, before the next
+         * polygon.
+         */
+        public var isCutting:Boolean = false;
+
         private var _rings:PolygonRings;
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
 
-        // the work that is left for the present polygon
+        // whether the present polygon has holes that are not joined yet
         private var _isBridging:Boolean = false;
-        private var _isCutting:Boolean = false;
 
         /**
          * @param mostWork the most looks at corners, for all polygons together. Beyond that, corners are cut off without a test, and holes
@@ -76,7 +81,7 @@ package starlogo.models.polygons
                 }
             }
             _isBridging = true;
-            _isCutting = true;
+            isCutting = true;
             _bridges.setPolygon(start, nodes);
             cutSome();
         }
@@ -85,15 +90,6 @@ package starlogo.models.polygons
         public function addTriangle(a:uint, b:uint, c:uint):void
         {
             _rings.addTriangle(a, b, c);
-        }
-
-        /**
-         * Whether a part of the last polygon still has to be cut. If so, call <code>cutSome()</code> until this is false, before the next
-         * polygon.
-         */
-        public function get isCutting():Boolean
-        {
-            return _isCutting;
         }
 
         /** Goes on with the last polygon for some milliseconds. */
@@ -108,7 +104,7 @@ package starlogo.models.polygons
                 _isBridging = false;
                 _clipper.setRing(_bridges.outline);
             }
-            _isCutting = _clipper.cut(WORK_PER_STEP);
+            isCutting = _clipper.cut(WORK_PER_STEP);
         }
 
         /**
@@ -122,7 +118,7 @@ package starlogo.models.polygons
             var hasMore:Boolean = true;
             return function():Boolean
             {
-                if (_isCutting)
+                if (isCutting)
                 {
                     cutSome();
                 }
@@ -130,7 +126,7 @@ package starlogo.models.polygons
                 {
                     hasMore = read();
                 }
-                return _isCutting || hasMore;
+                return isCutting || hasMore;
             };
         }
 

@@ -29,7 +29,6 @@ package starlogo.models.stl
         // of a binary file
         private var _bytes:ByteArray;
         private var _count:int;
-        private var _facet:int = 0;
 
         // of a text file: the number of corners of the present facet so far
         private var _corners:int = 0;
@@ -87,7 +86,7 @@ package starlogo.models.stl
         /** @inheritDoc */
         override public function get progress():Number
         {
-            return _bytes == null ? super.progress : 0.9 * _facet / Math.max(1, _count);
+            return _bytes == null ? super.progress : 0.3 * triangles.length / Math.max(1, _count);
         }
 
         private static function countIn(bytes:ByteArray):uint
@@ -115,7 +114,6 @@ package starlogo.models.stl
                 }
                 place += FACET_LENGTH;
             }
-            _facet = end;
             checkLimits("triangle " + end);
         }
 

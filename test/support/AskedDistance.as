@@ -32,7 +32,7 @@ package support
         public function AskedDistance(choice:AgentShapes, pairs:NarrowPhase)
         {
             _pairs = pairs;
-            _distances = new DistanceQueries(null, null);
+            _distances = new DistanceQueries(null);
             _table = new AgentTable(new ModelShapes(choice), null);
             closest = _distances.closest;
         }

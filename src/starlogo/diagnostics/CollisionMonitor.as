@@ -62,11 +62,9 @@ package starlogo.diagnostics
 
         private var _collision:Collision;
         private var _history:BitmapData = new BitmapData(GRAPH_WIDTH, GRAPH_HEIGHT, false, GROUND);
-        private var _bar:Rectangle = new Rectangle(GRAPH_WIDTH - 1, 0, 1, 0);
         private var _headline:TextField;
         private var _rate:TextField;
         private var _numbers:TextField;
-        private var _isShown:Boolean = true;
 
         // the times in the graph
         private var _times:FrameTimes = new FrameTimes(GRAPH_WIDTH);
@@ -111,12 +109,12 @@ package starlogo.diagnostics
         /** Whether it is shown and works. */
         public function get isShown():Boolean
         {
-            return _isShown;
+            return visible;
         }
 
         public function set isShown(value:Boolean):void
         {
-            _isShown = visible = value;
+            visible = value;
             if (value && stage != null)
             {
                 restart();
@@ -137,7 +135,7 @@ package starlogo.diagnostics
         private function onAdded(event:Event):void
         {
             stage.addEventListener(KeyboardEvent.KEY_DOWN, onKeyDown);
-            isShown = _isShown;
+            isShown = visible;
         }
 
         private function onRemoved(event:Event):void
@@ -150,7 +148,7 @@ package starlogo.diagnostics
         {
             if (event.keyCode == toggleKey)
             {
-                isShown = !_isShown;
+                isShown = !visible;
             }
         }
 
@@ -191,13 +189,9 @@ package starlogo.diagnostics
         private function addToHistory(ms:int):void
         {
             _history.scroll(-1, 0);
-            _bar.y = 0;
-            _bar.height = GRAPH_HEIGHT;
-            _history.fillRect(_bar, GROUND);
-            var height:int = ms * GRAPH_HEIGHT / FRAME_MS;
-            _bar.height = height > GRAPH_HEIGHT ? GRAPH_HEIGHT : height < 1 ? 1 : height;
-            _bar.y = GRAPH_HEIGHT - _bar.height;
-            _history.fillRect(_bar, ms * 4 <= FRAME_MS ? EASY : ms < FRAME_MS ? BUSY : LATE);
+            var height:int = Math.max(1, Math.min(GRAPH_HEIGHT, ms * GRAPH_HEIGHT / FRAME_MS));
+            _history.fillRect(new Rectangle(GRAPH_WIDTH - 1, 0, 1, GRAPH_HEIGHT), GROUND);
+            _history.fillRect(new Rectangle(GRAPH_WIDTH - 1, GRAPH_HEIGHT - height, 1, height), ms * 4 <= FRAME_MS ? EASY : ms < FRAME_MS ? BUSY : LATE);
         }
 
         private function refresh(now:int):void

@@ -223,9 +223,7 @@ final class Tally
 
     private var _most:int = 0;
 
-    // _counted is the number of frames with collisions. _histogram is the number of frames for each number of collisions: exact up to 16,
-    // then in classes whose widths double.
-    private var _counted:int = 0;
+    // The number of frames for each number of collisions: exact up to 16, then in classes whose widths double.
     private var _histogram:Vector.<int> = new Vector.<int>();
 
     /** Creates a tally without collisions. */
@@ -252,7 +250,6 @@ final class Tally
             _histogram.push(0);
         }
         _histogram[index]++;
-        _counted++;
         _most = Math.max(_most, inFrame);
         collisions += inFrame;
         inFrame = 0;
@@ -264,14 +261,20 @@ final class Tally
         record.collisions = collisions;
         record.mean = frames == 0 ? 0 : collisions / frames;
         record.most = _most;
-        record.histogram = frames > _counted ? [ {collisions : 0, frames: frames - _counted}]: [];
+        record.histogram = [];
+        var without:int = frames;
         for (var i:int = 1; i < _histogram.length; i++)
         {
             if (_histogram[i] > 0)
             {
                 // the classes are 17 to 33, 34 to 67, and so on
                 record.histogram.push({collisions: i <= EXACT ? i : ((EXACT + 1) << (i - EXACT)) >> 1, frames: _histogram[i]});
+                without -= _histogram[i];
             }
+        }
+        if (without > 0)
+        {
+            record.histogram.unshift({collisions: 0, frames: without});
         }
         return record;
     }

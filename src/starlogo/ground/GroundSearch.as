@@ -28,8 +28,7 @@ package starlogo.ground
         private var _depth:int;
         private var _isExact:Boolean;
 
-        // The model's place, and where it stands at the current time relative to that place.
-        protected var _origin:Placement = new Placement();
+        // Where the model stands at the current time, relative to the origin of _faces, which is its place.
         protected var _placed:Placement = new Placement();
 
         // The current piece and the triangles near it. The nodes that are still to be visited, and their number. The triangles of the last node
@@ -53,7 +52,6 @@ package starlogo.ground
         public function GroundSearch()
         {
             _piece.isOneSided = true;
-            _faces.origin = _origin;
         }
 
         /**
@@ -72,9 +70,9 @@ package starlogo.ground
             _tree = tree;
             _structure = structure;
             _placed.copyFrom(placement);
-            _origin.x = placement.x;
-            _origin.y = placement.y;
-            _origin.z = placement.z;
+            _faces.origin.x = placement.x;
+            _faces.origin.y = placement.y;
+            _faces.origin.z = placement.z;
             _isExact = tree != null && exact && tree.hasTriangles;
             _depth = _isExact ? int.MAX_VALUE : depth;
             // The margin is as large as if another agent stood at the place of the touch.
@@ -145,10 +143,10 @@ package starlogo.ground
 
         private function isPointUnder():Boolean
         {
-            _grid.atX = _point.x + _origin.x;
-            _grid.atY = _point.y + _origin.y;
+            _grid.atX = _point.x + _faces.origin.x;
+            _grid.atY = _point.y + _faces.origin.y;
             _grid.findHeight();
-            return _grid.height - _under >= _point.z + _origin.z;
+            return _grid.height - _under >= _point.z + _faces.origin.z;
         }
 
         // Ends the search.

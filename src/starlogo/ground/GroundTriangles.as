@@ -72,9 +72,7 @@ package starlogo.ground
         private var _lastRow:int;
 
         // Where the first cell begins, and the height 0.
-        private var _x:Number = 0;
-        private var _y:Number = 0;
-        private var _z:Number = 0;
+        private var _corner:Vector3D = new Vector3D();
 
         // The part of the way that cut() narrows, and the square of how far above or below the box something may be there.
         private var _from:Number = 0;
@@ -105,10 +103,6 @@ package starlogo.ground
         private var _first:int = 0;
         private var _last:int = 0;
 
-        public function GroundTriangles()
-        {
-        }
-
         /** Begins with the box. The box becomes a little wider, because of rounding. */
         public function begin(grid:HeightGrid):void
         {
@@ -118,16 +112,14 @@ package starlogo.ground
             _grid = grid;
             _lastColumn = grid.columns - fewer;
             _lastRow = grid.rows - fewer;
-            _x = grid.x - origin.x - border;
-            _y = grid.y - origin.y - border;
-            _z = -origin.z;
+            _corner.setTo(grid.x - origin.x - border, grid.y - origin.y - border, -origin.z);
             stop();
             _from = 0;
             _to = limit;
             var wayX:Number = limit * Math.abs(way.x);
             var wayY:Number = limit * Math.abs(way.y);
-            var rounding:Number = Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_x) + Math.abs(middle.y) + Math.abs(_y) + Math.abs(middle.z)
-                    + Math.abs(_z) + width + wayX + wayY + limit * Math.abs(way.z));
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_corner.x) + Math.abs(middle.y) + Math.abs(_corner.y) + Math.abs(middle.z)
+                    + Math.abs(_corner.z) + width + wayX + wayY + limit * Math.abs(way.z));
             half.x += rounding;
             half.y += rounding;
             half.z += rounding;
@@ -170,10 +162,10 @@ package starlogo.ground
         {
             var shift:int = level * HeightGrid.SHIFT;
             _width = _grid.cellWidth * (1 << shift);
-            findRange(middle.x - _x, half.x + reach, way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
+            findRange(middle.x - _corner.x, half.x + reach, way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
             first = _first;
             var last:int = _last;
-            findRange(middle.y - _y, half.y + reach, way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            findRange(middle.y - _corner.y, half.y + reach, way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
             for (var row:int = _first; row <= _last; row++)
             {
                 for (var column:int = first; column <= last; column++)
@@ -206,8 +198,8 @@ package starlogo.ground
                 return;
             }
             var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
-            var least:Number = _grid.bounds[bounds] + _z;
-            var greatest:Number = _grid.bounds[int(bounds + 1)] + _z;
+            var least:Number = _grid.bounds[bounds] + _corner.z;
+            var greatest:Number = _grid.bounds[int(bounds + 1)] + _corner.z;
             if (hasWalls)
             {
                 least = Math.min(least, _low);
@@ -234,10 +226,10 @@ package starlogo.ground
             // all corners of a column have one height
             var next:int = _grid.isBlocky ? 0 : 1;
             var far:int = next * _grid.columns;
-            _tops[0] = heights[at] + _z;
-            _tops[1] = heights[int(at + next)] + _z;
-            _tops[2] = heights[int(at + next + far)] + _z;
-            _tops[3] = heights[int(at + far)] + _z;
+            _tops[0] = heights[at] + _corner.z;
+            _tops[1] = heights[int(at + next)] + _corner.z;
+            _tops[2] = heights[int(at + next + far)] + _corner.z;
+            _tops[3] = heights[int(at + far)] + _corner.z;
             var greatest:Number = Math.max(Math.max(_tops[0], _tops[1]), Math.max(_tops[2], _tops[3]));
             var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));
             if (_low <= greatest && (hasWalls || _high >= least))
@@ -253,8 +245,8 @@ package starlogo.ground
             _from = 0;
             _to = limit;
             _squared = reach * reach;
-            cut(middle.x, half.x, way.x, _x, _column);
-            cut(middle.y, half.y, way.y, _y, _row);
+            cut(middle.x, half.x, way.x, _corner.x, _column);
+            cut(middle.y, half.y, way.y, _corner.y, _row);
             var start:Number = middle.z + _from * way.z;
             var end:Number = middle.z + _to * way.z;
             // a triangle beside the box must be nearer in height to be within reach
@@ -272,8 +264,8 @@ package starlogo.ground
             {
                 return false;
             }
-            var x:Number = _x + _column * _width;
-            var y:Number = _y + _row * _width;
+            var x:Number = _corner.x + _column * _width;
+            var y:Number = _corner.y + _row * _width;
             _gap.low.setTo(x, y, least);
             _gap.high.setTo(x + _width, y + _width, greatest);
             _gap.find(structure);
@@ -313,7 +305,7 @@ package starlogo.ground
             var low:Number = floor;
             if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
             {
-                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _z : Infinity;
+                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _corner.z : Infinity;
             }
             if (low >= top && low >= endTop || low > _high)
             {
@@ -336,8 +328,8 @@ package starlogo.ground
         // Writes a corner of the cell's top.
         private function put(to:int, corner:int):void
         {
-            corners[to] = _x + (_column + ((corner + 1) >> 1 & 1)) * _width;
-            corners[int(to + 1)] = _y + (_row + (corner >> 1)) * _width;
+            corners[to] = _corner.x + (_column + ((corner + 1) >> 1 & 1)) * _width;
+            corners[int(to + 1)] = _corner.y + (_row + (corner >> 1)) * _width;
             corners[int(to + 2)] = _tops[corner];
         }
 

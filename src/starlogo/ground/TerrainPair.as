@@ -200,9 +200,9 @@ package starlogo.ground
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
             var low:Number = middle.z - half.z;
-            _grid.findAround(middle.x + _origin.x, middle.y + _origin.y, half.x, half.y);
+            _grid.findAround(middle.x + _faces.origin.x, middle.y + _faces.origin.y, half.x, half.y);
             out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _grid.greatest - _origin.z - low);
+            out.depth = Math.max(0, _grid.greatest - _faces.origin.z - low);
             out.x = middle.x;
             out.y = middle.y;
             out.z = low + out.depth / 2;
@@ -228,13 +228,13 @@ package starlogo.ground
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _grid.heightAt(out.aX + _origin.x, out.aY + _origin.y) - _origin.z >= out.aZ;
+                var isUnder:Boolean = _grid.heightAt(out.aX + _faces.origin.x, out.aY + _faces.origin.y) - _faces.origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
             }
             out.settle(areTouching);
-            out.place(_origin);
+            out.place(_faces.origin);
         }
 
         // Sets the search to the triangles at the height that is nearest to the model's middle, seen from above. The model is at most as far as its
@@ -246,11 +246,11 @@ package starlogo.ground
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
             var width:Number = _grid.cellWidth;
-            var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((middle.x + _origin.x - _grid.x) / width)));
-            var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((middle.y + _origin.y - _grid.y) / width)));
-            var atX:Number = _grid.x + column * width - _origin.x;
-            var atY:Number = _grid.y + row * width - _origin.y;
-            var atZ:Number = _grid.heights[int(row * _grid.columns + column)] - _origin.z;
+            var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((middle.x + _faces.origin.x - _grid.x) / width)));
+            var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((middle.y + _faces.origin.y - _grid.y) / width)));
+            var atX:Number = _grid.x + column * width - _faces.origin.x;
+            var atY:Number = _grid.y + row * width - _faces.origin.y;
+            var atZ:Number = _grid.heights[int(row * _grid.columns + column)] - _faces.origin.z;
             var x:Number = Math.abs(atX - middle.x) + half.x;
             var y:Number = Math.abs(atY - middle.y) + half.y;
             var z:Number = Math.abs(atZ - middle.z) + half.z;
@@ -368,9 +368,9 @@ package starlogo.ground
             {
                 return false;
             }
-            var x:Number = _origin.x + _tried.x - depth / 2 * _tried.normalX;
-            var y:Number = _origin.y + _tried.y - depth / 2 * _tried.normalY;
-            var z:Number = _origin.z + _tried.z - depth / 2 * _tried.normalZ;
+            var x:Number = _faces.origin.x + _tried.x - depth / 2 * _tried.normalX;
+            var y:Number = _faces.origin.y + _tried.y - depth / 2 * _tried.normalY;
+            var z:Number = _faces.origin.z + _tried.z - depth / 2 * _tried.normalZ;
             var high:Number = grid.heightAt(x, y);
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             var left:Number = Math.min(x - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - x);
@@ -407,9 +407,9 @@ package starlogo.ground
 
         private function moveToWorld(out:ContactPoint):void
         {
-            out.x += _origin.x;
-            out.y += _origin.y;
-            out.z += _origin.z;
+            out.x += _faces.origin.x;
+            out.y += _faces.origin.y;
+            out.z += _faces.origin.z;
         }
     }
 }

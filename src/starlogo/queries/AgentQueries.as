@@ -255,7 +255,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touching(agent, ask.bodies.ofAgent(agent), Collector.ALL, filter).list(out);
+            return ask.touching(agent, ask.ofAgent(agent), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -268,7 +268,7 @@ package starlogo.queries
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
-            return ask.touching(agent, ask.bodies.ofAgent(agent), 1, filter).end() > 0;
+            return ask.touching(agent, ask.ofAgent(agent), 1, filter).end() > 0;
         }
 
         /**
@@ -282,8 +282,8 @@ package starlogo.queries
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             requireGiven("bounds", bounds);
-            var body:Body = ask.bodies.ofAgent(agent);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, ask.bodies.ofAgent(bounds.agent, ask.bodies.second));
+            var body:Body = ask.ofAgent(agent);
+            return body.shape != null && _seen.narrowPhase.areTouching(body, ask.ofAgent(bounds.agent, ask.second));
         }
 
         /**
@@ -302,7 +302,7 @@ package starlogo.queries
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
             requireInWorld("a place", x, y, z);
-            return ask.touching(agent, ask.bodies.ofAgentAt(agent, x, y, z), 1, filter).end() > 0;
+            return ask.touching(agent, ask.ofAgentAt(agent, x, y, z), 1, filter).end() > 0;
         }
 
         /** An older name of <code>wouldTouchAt()</code>. */
@@ -325,7 +325,7 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touching(null, ask.bodies.ofStructure(structure), Collector.ALL, filter).list(out);
+            return ask.touching(null, ask.ofStructure(structure), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -459,7 +459,7 @@ package starlogo.queries
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(null, ask.bodies.ofStructure(structure), dx, dy, dz, filter, hit);
+            return ask.moves.cast(null, ask.ofStructure(structure), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -480,7 +480,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(null, ask.bodies.ofStructure(structure), dx, dy, dz, filter, out);
+            return ask.moves.castAll(null, ask.ofStructure(structure), dx, dy, dz, filter, out);
         }
 
         /**
@@ -500,7 +500,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(agent, ask.bodies.ofGoing(agent), dx, dy, dz, filter, hit);
+            return ask.moves.cast(agent, ask.ofGoing(agent), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -521,7 +521,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(agent, ask.bodies.ofGoing(agent), dx, dy, dz, filter, out);
+            return ask.moves.castAll(agent, ask.ofGoing(agent), dx, dy, dz, filter, out);
         }
 
         /**

@@ -26,7 +26,7 @@ package starlogo.queries
         /** The number of all rows is wanted, not the rows. Only <code>end()</code> has it. */
         public static const NUMBER:int = -1;
 
-        /** The rows that were found, unsorted. If <code>accepts</code> decides, it has not been called for these yet. */
+        /** The rows that were found, unsorted. If <code>accepts</code> decides, the rows that it has admitted come first. */
         public var rows:Vector.<int> = new Vector.<int>();
 
         /** The key of each row. */
@@ -50,8 +50,8 @@ package starlogo.queries
         /** Whether only the number of rows is wanted, and <code>accepts</code> does not decide. Then a search adds to <code>count</code> alone. */
         public var countsOnly:Boolean = false;
 
-        /** Whether the filter's <code>accepts</code> decides. */
-        public var asks:Boolean = false;
+        /** The filter's <code>accepts</code>, which decides last; null if there is none. */
+        public var accepts:Function = null;
 
         /** Whether breeds or agents are excluded. */
         public var filters:Boolean = false;
@@ -62,17 +62,13 @@ package starlogo.queries
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
 
-        /** By row: the index of its agent in the list. */
-        public var ranks:Vector.<int>;
+        /** The agents that questions are about. */
+        public var seen:QueryWorld;
 
-        private var _seen:QueryWorld;
-        private var _agents:Vector.<Agent>;
-        private var _accepts:Function = null;
         private var _order:KeySort = new KeySort();
 
-        // The rows that accepts has admitted, in order.
-        private var _admitted:Vector.<int> = new Vector.<int>();
-        private var _admittedCount:int = 0;
+        // The number of rows that accepts has admitted. They come first, in order.
+        private var _admitted:int = 0;
 
         // The number of the question, from 1 on. It marks agents by their rows, and breeds by their numbers. If the filter has breeds, the
         // marked breeds count. Else the marked breeds do not count.
@@ -84,7 +80,7 @@ package starlogo.queries
         /** @param seen the agents that questions are about */
         public function Collector(seen:QueryWorld)
         {
-            _seen = seen;
+            this.seen = seen;
         }
 
         /**
@@ -97,18 +93,16 @@ package starlogo.queries
          */
         public function begin(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):void
         {
-            _agents = _seen.table.agents;
-            ranks = _seen.table.ranks;
-            askerRow = asker == null ? -1 : _seen.table.rowOf(asker);
-            _accepts = filter == null ? null : filter.accepts;
-            asks = _accepts != null;
+            askerRow = asker == null ? -1 : seen.table.rowOf(asker);
+            accepts = filter == null ? null : filter.accepts;
+            var asks:Boolean = accepts != null;
             mark(filter);
             countsOnly = wanted == NUMBER && !asks;
             this.wanted = wanted == NUMBER ? ALL : wanted;
             this.limit = wanted == 0 ? -1 : limit;
             keepsFirst = wanted == 1 && !asks;
             narrowAt = asks || this.wanted > ALL / 2 ? ALL : 2 * wanted;
-            count = _admittedCount = 0;
+            count = _admitted = 0;
         }
 
         /**
@@ -117,14 +111,25 @@ package starlogo.queries
          */
         public function admitsMarked(row:int):Boolean
         {
-            return (_breeds[_agents[row].breedNumber] == _question) == _breedsCount && _excepted[row] != _question;
+            return (_breeds[seen.table.agents[row].breedNumber] == _question) == _breedsCount && _excepted[row] != _question;
         }
 
-        /** The next row of a search that counts and has a shape, or -1. */
+        /** Whether a row counts. This is a search of its own. */
+        public function admits(row:int, asker:Agent, filter:AgentFilter):Boolean
+        {
+            begin(1, 0, asker, filter);
+            if (!filters || admitsMarked(row))
+            {
+                add(row, 0);
+            }
+            return end() > 0;
+        }
+
+        /** The next row of a search that counts and has a shape, or -1. Without a ground, the ground's row has none. */
         public function nextOf(search:SweptBoxSearch):int
         {
             var row:int = search.next();
-            while (row >= 0 && (row == askerRow || _seen.table.shapes[row] == null || filters && !admitsMarked(row)))
+            while (row >= 0 && (row == askerRow || seen.table.shapes[row] == null || filters && !admitsMarked(row)))
             {
                 row = search.next();
             }
@@ -141,7 +146,7 @@ package starlogo.queries
         {
             if (keepsFirst)
             {
-                if (count > 0 && (key > keys[0] || (key == keys[0] && ranks[row] > ranks[rows[0]])))
+                if (count > 0 && (key > keys[0] || (key == keys[0] && seen.table.ranks[row] > seen.table.ranks[rows[0]])))
                 {
                     return false;
                 }
@@ -161,7 +166,7 @@ package starlogo.queries
         /** Sorts the rows, and keeps those that are wanted. */
         public function narrow():void
         {
-            _order.sort(rows, keys, count, ranks);
+            _order.sort(rows, keys, count, seen.table.ranks);
             if (count > wanted)
             {
                 count = wanted;
@@ -176,76 +181,73 @@ package starlogo.queries
         public function ask(beyond:Number):void
         {
             var end:int = beyond < Infinity ? bringForward(beyond) : count;
-            if (end == 0)
+            if (end == _admitted)
             {
                 return;
             }
-            _order.sort(rows, keys, end, ranks);
-            var accepts:Function = _accepts;
-            _seen.asking++;
+            _order.sort(rows, keys, end, seen.table.ranks);
+            var decide:Function = accepts;
+            seen.asking++;
             try
             {
-                for (var i:int = 0; i < end && _admittedCount < wanted; i++)
+                for (var i:int = _admitted; i < end && _admitted < wanted; i++)
                 {
-                    if (accepts(_agents[rows[i]]))
+                    if (decide(agentAt(i)))
                     {
-                        _admitted[_admittedCount] = rows[i];
-                        _admittedCount++;
+                        move(i, _admitted);
+                        _admitted++;
                     }
                 }
             }
             finally
             {
-                _seen.asking--;
+                seen.asking--;
             }
             // accepts may have given agents new breeds
             makeRoomForBreeds();
-            if (_admittedCount == wanted)
+            if (_admitted == wanted)
             {
                 limit = -1;
             }
+            var kept:int = _admitted;
             for (i = end; i < count; i++)
             {
-                rows[int(i - end)] = rows[i];
-                keys[int(i - end)] = keys[i];
+                move(i, kept);
+                kept++;
             }
-            count -= end;
+            count = kept;
         }
 
         /** Ends the search. Returns how many rows are in the answer. */
         public function end():int
         {
-            if (!asks)
+            if (accepts != null)
             {
-                return count;
+                ask(Infinity);
             }
-            ask(Infinity);
-            return _admittedCount;
+            return count;
         }
 
-        /** Ends the search. Returns the first row of the answer, or -1. */
-        public function first():int
+        /** The agent of a row of the answer. */
+        public function agentAt(index:int):Agent
         {
-            return end() == 0 ? -1 : (asks ? _admitted[0] : rows[0]);
+            return seen.table.agents[rows[index]];
         }
 
         /** Ends the search. Returns the agent of the first row of the answer, or null. */
         public function firstAgent():Agent
         {
-            var row:int = first();
-            return row < 0 ? null : _agents[row];
+            return end() == 0 ? null : agentAt(0);
         }
 
-        /** Ends the search. Returns the rows of the answer in their order. Only the first of them count, as many as <code>end()</code> says. */
-        public function sorted():Vector.<int>
+        /** Ends the search, and sorts the rows of the answer. Returns how many they are. */
+        public function endSorted():int
         {
-            if (asks)
+            if (accepts == null)
             {
-                ask(Infinity);
-                return _admitted;
+                narrow();
             }
-            narrow();
-            return rows;
+            return end();
         }
 
         /**
@@ -257,8 +259,7 @@ package starlogo.queries
         public function list(out:Vector.<Agent>):Vector.<Agent>
         {
             var listed:Vector.<Agent> = out || new Vector.<Agent>();
-            var from:Vector.<int> = sorted();
-            var length:int = end();
+            var length:int = endSorted();
             // one element at a time, because V8 frees an array's memory if its length is set to less
             while (listed.length > length)
             {
@@ -266,29 +267,34 @@ package starlogo.queries
             }
             for (var i:int = 0; i < length; i++)
             {
-                listed[i] = _agents[from[i]];
+                listed[i] = agentAt(i);
             }
             return listed;
         }
 
-        // Brings the rows whose keys are smaller than a number to the front. Returns how many there are.
+        // Brings the rows whose keys are smaller than a number to the front, behind the admitted ones. Returns where they end.
         private function bringForward(beyond:Number):int
         {
-            var end:int = 0;
-            for (var i:int = 0; i < count; i++)
+            var end:int = _admitted;
+            for (var i:int = end; i < count; i++)
             {
                 var key:Number = keys[i];
                 if (key < beyond)
                 {
                     var row:int = rows[i];
-                    rows[i] = rows[end];
-                    keys[i] = keys[end];
+                    move(end, i);
                     rows[end] = row;
                     keys[end] = key;
                     end++;
                 }
             }
             return end;
+        }
+
+        private function move(from:int, to:int):void
+        {
+            rows[to] = rows[from];
+            keys[to] = keys[from];
         }
 
         private function makeRoomForBreeds():void
@@ -310,9 +316,9 @@ package starlogo.queries
                 return;
             }
             makeRoomForBreeds();
-            if (_excepted.length < _agents.length)
+            if (_excepted.length < seen.table.agents.length)
             {
-                _excepted.length = _agents.length;
+                _excepted.length = seen.table.agents.length;
             }
             _breedsCount = filter.breeds != null;
             filters = _breedsCount || filter.exceptBreeds != null;
@@ -327,7 +333,7 @@ package starlogo.queries
             var except:Vector.<Agent> = filter.except;
             for (var i:int = 0; except != null && i < except.length; i++)
             {
-                var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);
+                var row:int = except[i] == null ? -1 : seen.table.rowOf(except[i]);
                 if (row >= 0)
                 {
                     filters = true;

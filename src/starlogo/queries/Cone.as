@@ -1,21 +1,17 @@
 package starlogo.queries
 {
-    import starlogo.engine;
+    import starlogo.broadphase.Points;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
-    import starlogo.search.AgentTable;
-
-    use namespace engine;
 
     /**
-     * Tests whether rows are in a cone. The cone's axis is the x axis of a placement. Rows at the cone's tip are in the cone.
+     * Tests whether places are in a cone. The cone's axis is the x axis of a placement. Places at the cone's tip are in the cone.
      *
      * @private
      */
     public final class Cone
     {
-        private var _table:AgentTable;
         private var _placement:Placement;
 
         // The angle between the axis and the border, in degrees below 180, with its sine and cosine.
@@ -28,13 +24,11 @@ package starlogo.queries
          *
          * @param placement the place and the rotation of the cone
          * @param angle the angle between the axis and the border, in degrees below 180
-         * @param table has the rows
          * @return this cone
          */
-        public function setTo(placement:Placement, angle:Number, table:AgentTable):Cone
+        public function setTo(placement:Placement, angle:Number):Cone
         {
             _placement = placement;
-            _table = table;
             if (angle != _angle)
             {
                 _angle = angle;
@@ -44,15 +38,15 @@ package starlogo.queries
             return this;
         }
 
-        /** Whether a row is in the cone. */
-        public function contains(row:int):Boolean
+        /** Whether a place of a list is in the cone. */
+        public function contains(places:Points, at:int):Boolean
         {
             var axisX:Number = _placement.r00;
             var axisY:Number = _placement.r10;
             var axisZ:Number = _placement.r20;
-            var toX:Number = _table.now.x[row] - _placement.x;
-            var toY:Number = _table.now.y[row] - _placement.y;
-            var toZ:Number = _table.now.z[row] - _placement.z;
+            var toX:Number = places.x[at] - _placement.x;
+            var toY:Number = places.y[at] - _placement.y;
+            var toZ:Number = places.z[at] - _placement.z;
             var acrossX:Number = axisY * toZ - axisZ * toY;
             var acrossY:Number = axisZ * toX - axisX * toZ;
             var acrossZ:Number = axisX * toY - axisY * toX;

@@ -5,10 +5,8 @@ package starlogo.queries
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.PairTests;
 
     use namespace engine;
@@ -64,8 +62,7 @@ package starlogo.queries
         /** When the row in its whole size touches the row of <code>findWhole()</code>. */
         public var wholeTime:Number = 0;
 
-        private var _narrowPhase:NarrowPhase;
-        private var _table:AgentTable;
+        private var _seen:QueryWorld;
 
         // The body that moves; a copy of it where the last test had it, whole or as the core; and a smaller copy of another row.
         private var _body:Body;
@@ -85,25 +82,23 @@ package starlogo.queries
         private var _coreInset:Number = 0;
         private var _shrink:Number = 0;
 
-        // The motion, and the row's places at its beginning and at its end.
+        // The motion, and the row's place at its end.
         private var _motion:RelativeMotion = new RelativeMotion();
-        private var _start:Vector3D = new Vector3D();
         private var _end:Vector3D = new Vector3D();
         private var _tried:ContactPoint = new ContactPoint();
 
         // When the row in its whole size meets the row that is tested; NaN if that is not known.
         private var _whole:Number = NaN;
 
-        /** @param narrowPhase decides which rows touch */
-        public function CoreSweep(narrowPhase:NarrowPhase)
+        /** @param seen has the rows, and decides which of them touch */
+        public function CoreSweep(seen:QueryWorld)
         {
-            _narrowPhase = narrowPhase;
+            _seen = seen;
         }
 
-        /** Begins with the body that moves, and the table of the rows in its way. */
-        public function begin(table:AgentTable, body:Body):void
+        /** Begins with the body that moves. */
+        public function begin(body:Body):void
         {
-            _table = table;
             _body = body;
             _at.x = NaN;
             _largest = 2 * body.largestHalf;
@@ -114,13 +109,13 @@ package starlogo.queries
         /** Adds a row that may be in the way. */
         public function addOther(other:int):void
         {
-            if (_table.forms[other] == ModelShape.GROUND)
+            if (_seen.table.forms[other] == ModelShape.GROUND)
             {
-                _cell = _table.bodyOf(other).largestHalf;
+                _cell = _seen.table.bodyOf(other).largestHalf;
             }
             else
             {
-                _largest = Math.max(_largest, 2 * _table.bodyOf(other).largestHalf);
+                _largest = Math.max(_largest, 2 * _seen.table.bodyOf(other).largestHalf);
             }
         }
 
@@ -138,14 +133,7 @@ package starlogo.queries
         public function wholeTouchesAt(other:int, at:Vector3D):Boolean
         {
             put(at, 0);
-            return touches(_table.bodyOf(other));
-        }
-
-        /** Whether the row may touch another when it stands at a place: whether their extents come near each other. */
-        public function isNearAt(other:int, at:Vector3D):Boolean
-        {
-            put(at, _shrink);
-            return isNear(_table.bodyOf(other), RelativeMotion.NONE, slop + SLIMMEST * _coreInset);
+            return touches(_seen.table.bodyOf(other));
         }
 
         /** Whether the core touches another row when it stands at a place. The whole row is tested first: mostly it does not
@@ -157,7 +145,7 @@ package starlogo.queries
                 return false;
             }
             put(at, _shrink);
-            return _narrowPhase.areTouching(_moving, _table.bodyOf(other));
+            return _seen.narrowPhase.areTouching(_moving, _seen.table.bodyOf(other));
         }
 
         /**
@@ -167,11 +155,11 @@ package starlogo.queries
          */
         public function overlapsAt(other:int, at:Vector3D):Boolean
         {
-            var body:Body = _table.bodyOf(other);
+            var body:Body = _seen.table.bodyOf(other);
             put(at, 0);
             if (body.form == ModelShape.GROUND)
             {
-                return _narrowPhase.testsOf(_moving, body).isDeeper(_moving, body, slop);
+                return _seen.narrowPhase.testsOf(_moving, body).isDeeper(_moving, body, slop);
             }
             _standing.readShrunk(body, null, shrinkOf(body, slop));
             return touches(_standing);
@@ -185,7 +173,7 @@ package starlogo.queries
                 return false;
             }
             out.depth += clearance;
-            return _table.forms[other] != ModelShape.TREE || out.depth <= Math.abs(out.normalX) * _body.halfX + Math.abs(out.normalY) * _body.halfY
+            return _seen.table.forms[other] != ModelShape.TREE || out.depth <= Math.abs(out.normalX) * _body.halfX + Math.abs(out.normalY) * _body.halfY
                 + Math.abs(out.normalZ) * _body.halfZ;
         }
 
@@ -225,8 +213,8 @@ package starlogo.queries
         {
             var shallow:Number = SHALLOW * extentWith(other);
             put(at, 0);
-            var body:Body = _table.bodyOf(other);
-            var tests:PairTests = _narrowPhase.testsOf(_moving, body);
+            var body:Body = _seen.table.bodyOf(other);
+            var tests:PairTests = _seen.narrowPhase.testsOf(_moving, body);
             tests.findContact(_moving, body, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
@@ -238,7 +226,6 @@ package starlogo.queries
         /** Sets the motion for the next tests. It forgets what was found on the way before. */
         public function aim(at:Vector3D, motion:Vector3D):void
         {
-            _start.copyFrom(at);
             _end.copyFrom(at);
             _end.incrementBy(motion);
             _motion.endAfter(motion.x, motion.y, motion.z);
@@ -246,8 +233,13 @@ package starlogo.queries
             clearRow = -1;
         }
 
-        /** Finds whether the core meets another row earlier than the row that was found before. If so, it writes <code>time</code> and <code>contact</code>. */
-        public function find(other:int):Boolean
+        /**
+         * Finds whether the core meets another row earlier than the row that was found before. If so, it writes <code>time</code> and
+         * <code>contact</code>.
+         *
+         * @param from where the motion begins
+         */
+        public function find(other:int, from:Vector3D):Boolean
         {
             if (isWholeClear(other))
             {
@@ -255,15 +247,15 @@ package starlogo.queries
                 return false;
             }
             put(_end, _shrink);
-            if (!isNear(_table.bodyOf(other), _motion, slop))
+            if (!isNear(_seen.table.bodyOf(other), _motion, slop))
             {
                 return false;
             }
             var met:Number = impactOf(other, _tried);
-            if (met == RelativeMotion.NEVER && _table.forms[other] == ModelShape.GROUND)
+            if (met == RelativeMotion.NEVER && _seen.table.forms[other] == ModelShape.GROUND)
             {
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                met = coreTouchesAt(other, _start) ? 0 : met;
+                met = coreTouchesAt(other, from) ? 0 : met;
             }
             if (!(met < time))
             {
@@ -280,20 +272,20 @@ package starlogo.queries
         private function isWholeClear(other:int):Boolean
         {
             _whole = NaN;
-            if (_table.forms[other] != ModelShape.TREE || _table.bodyOf(other).largestHalf < LARGE * _body.largestHalf)
+            if (_seen.table.forms[other] != ModelShape.TREE || _seen.table.bodyOf(other).largestHalf < LARGE * _body.largestHalf)
             {
                 return false;
             }
             put(_end, 0);
-            _whole = isNear(_table.bodyOf(other), _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
+            _whole = isNear(_seen.table.bodyOf(other), _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
             return _whole == RelativeMotion.NEVER;
         }
 
         // When the row, which stands at its end, first meets another on the motion.
         private function impactOf(other:int, out:ContactPoint):Number
         {
-            var body:Body = _table.bodyOf(other);
-            _narrowPhase.testsOf(_moving, body).findImpact(_moving, body, _motion, out);
+            var body:Body = _seen.table.bodyOf(other);
+            _seen.narrowPhase.testsOf(_moving, body).findImpact(_moving, body, _motion, out);
             return _motion.time;
         }
 
@@ -325,7 +317,7 @@ package starlogo.queries
         // The larger extent of the row and another. The ground's extents are those of a cell, and do not count.
         private function extentWith(other:int):Number
         {
-            var largest:Number = _table.forms[other] == ModelShape.GROUND ? 0 : _table.bodyOf(other).largestHalf;
+            var largest:Number = _seen.table.forms[other] == ModelShape.GROUND ? 0 : _seen.table.bodyOf(other).largestHalf;
             return 2 * Math.max(largest, _body.largestHalf);
         }
 
@@ -341,7 +333,7 @@ package starlogo.queries
 
         private function touches(other:Body):Boolean
         {
-            return isNear(other, RelativeMotion.NONE, slop) && _narrowPhase.areTouching(_moving, other);
+            return isNear(other, RelativeMotion.NONE, slop) && _seen.narrowPhase.areTouching(_moving, other);
         }
 
         // Whether the extents of the row come this close to another's, anywhere on a motion that ends where the row is.

@@ -26,18 +26,13 @@ package starlogo.queries
         /** What <code>measure()</code> found last: the distance, and the closest points in the world. */
         public var closest:DistanceResult = new DistanceResult();
 
-        private var _seen:QueryWorld;
-        private var _bodies:QueryBodies;
+        private var _set:QuerySet;
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
-        /**
-         * @param seen the agents that questions are about
-         * @param bodies the bodies of these agents, and of points
-         */
-        public function DistanceQueries(seen:QueryWorld, bodies:QueryBodies)
+        /** @param questions what questions work with */
+        public function DistanceQueries(questions:QuerySet)
         {
-            _seen = seen;
-            _bodies = bodies;
+            _set = questions;
         }
 
         /**
@@ -53,20 +48,20 @@ package starlogo.queries
             {
                 throw new ArgumentError("the ground and the edges of the world have no distance from each other");
             }
-            var rowB:int = _seen.rowOf(b);
-            if (rowB >= 0 && _seen.table.shapes[rowB] == null)
+            var rowB:int = _set.seen.rowOf(b);
+            if (rowB >= 0 && _set.seen.table.shapes[rowB] == null)
             {
                 return Infinity;
             }
-            return answer(_bodies.ofAgent(a), rowB < 0 ? _bodies.ofAgent(b, _bodies.second) : _seen.table.bodyOf(rowB), pointA, pointB);
+            return answer(_set.ofAgent(a), rowB < 0 ? _set.ofAgent(b, _set.second) : _set.seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
         public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
         {
             _point.center.setTo(point.x, point.y, point.z);
-            _bodies.second.readStructure(_point);
-            var distance:Number = answer(_bodies.ofAgent(agent), _bodies.second, out, null);
+            _set.second.readStructure(_point);
+            var distance:Number = answer(_set.ofAgent(agent), _set.second, out, null);
             if (distance == 0)
             {
                 // without the rounding of the point that was found
@@ -118,7 +113,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            measure(_seen.narrowPhase, a, b, pointA != null || pointB != null);
+            measure(_set.seen.narrowPhase, a, b, pointA != null || pointB != null);
             write(pointA, closest.aX, closest.aY, closest.aZ);
             write(pointB, closest.bX, closest.bY, closest.bZ);
             return closest.distance;

@@ -57,7 +57,7 @@ package starlogo.queries
             var isFree:Boolean = true;
             for (var i:int = 0; i < count; i++)
             {
-                if (rows[i] != clear && sweep.isNearAt(rows[i], at) && sweep.wholeTouchesAt(rows[i], at))
+                if (rows[i] != clear && sweep.wholeTouchesAt(rows[i], at))
                 {
                     isFree = false;
                     sweep.findContact(rows[i], at, _contact);

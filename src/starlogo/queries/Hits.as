@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
+    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * Keeps how a ray or a moving body meets rows, until the answer of the question is known. It also keeps the RayHits or ShapeHits that no
@@ -10,19 +11,12 @@ package starlogo.queries
      */
     public final class Hits
     {
-        private static const PER_HIT:int = 8;
-
-        /**
-         * Eight numbers for each hit: the distance or the time, the point, the normal, and one more. Write all eight after <code>put()</code>, in
-         * this order.
-         */
-        public var numbers:Vector.<Number> = new Vector.<Number>();
-
         private var _found:Collector;
         private var _type:Class;
         private var _spare:Array = [];
+        private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        // By row: the index of its numbers.
+        // By row: the index of its contact.
         private var _indices:Vector.<int> = new Vector.<int>();
 
         /**
@@ -35,36 +29,40 @@ package starlogo.queries
             _type = type;
         }
 
-        /** Returns the index where the numbers begin of the row that was collected last. */
-        public function put(row:int):int
+        /** Returns the contact of the row that was collected last. The caller writes to it. */
+        public function put(row:int):ContactPoint
         {
             if (_indices.length <= row)
             {
                 _indices.length = row + 1;
             }
-            var index:int = PER_HIT * (_found.count - 1);
+            var index:int = _found.count - 1;
             _indices[row] = index;
-            return index;
+            if (index == _contacts.length)
+            {
+                _contacts.push(new ContactPoint());
+            }
+            return _contacts[index];
         }
 
-        /** Writes the point and the normal of a row's hit. Returns the index where the row's numbers begin. */
-        public function write(row:int, point:Vector3D, normal:Vector3D):int
+        /** Copies the point and the normal of a row of the answer. Returns its contact. */
+        public function write(index:int, point:Vector3D, normal:Vector3D):ContactPoint
         {
-            var from:Vector.<Number> = numbers;
-            var at:int = _indices[row];
-            point.setTo(from[int(at + 1)], from[int(at + 2)], from[int(at + 3)]);
-            normal.setTo(from[int(at + 4)], from[int(at + 5)], from[int(at + 6)]);
-            return at;
+            var from:ContactPoint = _contacts[_indices[_found.rows[index]]];
+            point.setTo(from.x, from.y, from.z);
+            normal.setTo(from.normalX, from.normalY, from.normalZ);
+            return from;
         }
 
         /**
-         * Makes a list have a number of hits. It removes surplus hits one at a time, because V8 frees an array's memory if its length is set to
-         * less.
+         * Ends the search, sorts its answer, and makes a list have a hit for each row of it. It removes surplus hits one at a time, because V8
+         * frees an array's memory if its length is set to less.
          *
          * @param hits a list of hits of the type
          */
-        public function fit(hits:Object, length:int):void
+        public function fit(hits:Object):void
         {
+            var length:int = _found.endSorted();
             while (hits.length > length)
             {
                 var hit:Object = hits.pop();

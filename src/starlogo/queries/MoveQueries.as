@@ -5,8 +5,8 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.Body;
+    import starlogo.search.NumberList;
 
     use namespace engine;
 
@@ -18,59 +18,42 @@ package starlogo.queries
     public final class MoveQueries
     {
         /** Computes where moving bodies end. */
-        public var mover:Mover = null;
+        public var mover:Mover;
 
         /** The body that moves, as it was at the beginning of the last question. */
         public var body:Body;
 
         /** The rows that count and are near the way of the last question, in the order of the list. */
-        public var near:Vector.<int> = new Vector.<int>();
+        public var near:NumberList = new NumberList();
 
-        /** The number of these rows. */
-        public var nearCount:int = 0;
-
-        private var _seen:QueryWorld;
-        private var _bodies:QueryBodies;
-        private var _found:Collector;
-        private var _search:SweptBoxSearch;
-
-        // The last number of a hit is the depth.
+        private var _set:QuerySet;
         private var _hits:Hits;
-        private var _copy:Body = new Body();
         private var _way:Vector3D = new Vector3D();
 
         // The place where the row that is met first stops the body.
         private var _end:Vector3D = new Vector3D();
 
-        /**
-         * @param seen the agents that questions are about
-         * @param bodies the bodies that ask
-         * @param found collects the rows near a way, and then those that are met
-         * @param search finds the rows near a way
-         */
-        public function MoveQueries(seen:QueryWorld, bodies:QueryBodies, found:Collector, search:SweptBoxSearch)
+        /** @param questions what questions work with */
+        public function MoveQueries(questions:QuerySet)
         {
-            _seen = seen;
-            _bodies = bodies;
-            _found = found;
-            _search = search;
-            _hits = new Hits(found, ShapeHit);
+            _set = questions;
+            _hits = new Hits(questions.found, ShapeHit);
+            mover = new Mover(questions.seen);
         }
 
         /** See AgentQueries.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            begin(agent, _bodies.ofMoving(agent), dx, dy, dz, filter);
+            begin(agent, _set.ofMoving(agent), dx, dy, dz, filter);
             collect(1, Mover.TOUCH);
-            var row:int = _found.first();
-            var part:Number = row < 0 ? 1 : _found.limit;
+            var isMet:Boolean = _set.found.count > 0;
+            var part:Number = isMet ? _set.found.keys[0] : 1;
             if (contact != null)
             {
                 contact.time = part;
-                if (row >= 0)
+                if (isMet)
                 {
-                    var at:int = _hits.write(row, contact.point, contact.normal);
-                    contact.depth = _hits.numbers[int(at + 7)];
+                    contact.depth = _hits.write(0, contact.point, contact.normal).depth;
                     contact.approachSpeed = Math.max(0, -(contact.normal.x * dx + contact.normal.y * dy + contact.normal.z * dz));
                 }
             }
@@ -85,8 +68,8 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             // the agent may go anywhere within the length of its way
-            begin(agent, _bodies.ofMoving(agent), dx, dy, dz, filter, Math.sqrt(dx * dx + dy * dy + dz * dz));
-            mover.begin(_seen.table, body, near, 0, nearCount);
+            begin(agent, _set.ofMoving(agent), dx, dy, dz, filter, Math.sqrt(dx * dx + dy * dy + dz * dz));
+            mover.begin(body, near.numbers, 0, near.count);
             mover.go(_way, Mover.SLIDE);
             mover.restoreClearance(true);
             if (dx != 0 || dy != 0 || dz != 0)
@@ -96,17 +79,22 @@ package starlogo.queries
             return mover.fraction;
         }
 
-        /** Puts an agent to its new place, and turns it by some degrees. */
+        /**
+         * Puts an agent to its new place, and turns it by some degrees.
+         *
+         * @throws ArgumentError if the filter's accepts has removed the agent's model. The agent has then not moved
+         */
         public function put(agent:Agent, at:Vector3D, turn:Number = 0):void
         {
+            _set.ofAgent(agent);
             agent.moveTo(at.x, at.y, at.z);
             if (turn != 0)
             {
                 agent.heading += turn;
             }
-            if (_seen.table.rowOf(agent) >= 0)
+            if (_set.seen.rowOf(agent) >= 0)
             {
-                _seen.moved(agent);
+                _set.seen.moved(agent);
             }
         }
 
@@ -122,8 +110,7 @@ package starlogo.queries
         {
             begin(agent, body, dx, dy, dz, filter);
             collect(1, Mover.SHORT);
-            var row:int = _found.first();
-            return row < 0 ? null : write(row, hit || new ShapeHit());
+            return _set.found.count == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         /** See AgentQueries.castAgentAll and AgentQueries.castShapeAll. The parameters are those of <code>cast()</code>. */
@@ -132,11 +119,10 @@ package starlogo.queries
             begin(agent, body, dx, dy, dz, filter);
             collect(Collector.ALL, Mover.SHORT);
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            var rows:Vector.<int> = _found.sorted();
-            _hits.fit(hits, _found.end());
+            _hits.fit(hits);
             for (var i:int = 0; i < hits.length; i++)
             {
-                write(rows[i], hits[i]);
+                write(i, hits[i]);
             }
             return hits;
         }
@@ -156,86 +142,62 @@ package starlogo.queries
         {
             requireInWorld("a motion", dx, dy, dz);
             _way.setTo(dx, dy, dz);
-            if (mover == null || mover.narrowPhase !== _seen.narrowPhase)
-            {
-                mover = new Mover(_seen.narrowPhase);
-            }
             body = asking;
-            nearCount = 0;
+            near.count = 0;
             if (asking.shape == null)
             {
                 return;
             }
-            body = _copy;
+            body = _set.second;
             body.readShrunk(asking, null, 0);
             if (turn != 0)
             {
                 body.turn(asker, turn);
             }
-            _found.begin(Collector.ALL, Infinity, asker, filter);
-            _seen.beginWay(_search, body);
-            _search.widen(reach, up, down);
+            var found:Collector = _set.found;
+            found.begin(Collector.ALL, Infinity, asker, filter);
+            _set.seen.beginWay(_set.way, body);
+            _set.way.widen(reach, up, down);
             if (reach == 0)
             {
-                _search.moveAlong(dx, dy, dz, 1);
+                _set.way.moveAlong(dx, dy, dz, 1);
             }
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            for (var row:int = found.nextOf(_set.way); row >= 0; row = found.nextOf(_set.way))
             {
-                _found.add(row, 0);
+                found.add(row, 0);
             }
-            var rows:Vector.<int> = _found.sorted();
-            nearCount = _found.end();
-            for (var i:int = 0; i < nearCount; i++)
+            var count:int = found.endSorted();
+            for (var i:int = 0; i < count; i++)
             {
-                near[i] = rows[i];
+                near.add(found.rows[i]);
             }
-        }
-
-        /** Whether a row counts and is near the way of the last question. */
-        public function isNear(row:int):Boolean
-        {
-            var i:int = 0;
-            while (i < nearCount && near[i] != row)
-            {
-                i++;
-            }
-            return i < nearCount;
         }
 
         // Finds the rows that stop the body, each as if the others were not there. If one is wanted, the body ends at _end.
         private function collect(wanted:int, ending:int):void
         {
-            var numbers:Vector.<Number> = _hits.numbers;
-            var contact:ContactPoint = mover.contact;
+            var rows:Vector.<int> = near.numbers;
             _end.setTo(body.placement.x, body.placement.y, body.placement.z);
             _end.incrementBy(_way);
-            _found.begin(wanted, Infinity, null, null);
-            for (var i:int = 0; i < nearCount && _found.limit > 0; i++)
+            _set.found.begin(wanted, Infinity, null, null);
+            for (var i:int = 0; i < near.count && _set.found.limit > 0; i++)
             {
-                mover.begin(_seen.table, body, near, i, i + 1);
+                mover.begin(body, rows, i, i + 1);
                 mover.go(_way, ending);
-                if (mover.hasContact && _found.add(near[i], mover.fraction))
+                if (mover.hasContact && _set.found.add(rows[i], mover.fraction))
                 {
-                    var at:int = _hits.put(near[i]);
-                    numbers[at] = mover.fraction;
-                    numbers[int(at + 1)] = contact.x;
-                    numbers[int(at + 2)] = contact.y;
-                    numbers[int(at + 3)] = contact.z;
-                    numbers[int(at + 4)] = contact.normalX;
-                    numbers[int(at + 5)] = contact.normalY;
-                    numbers[int(at + 6)] = contact.normalZ;
-                    numbers[int(at + 7)] = contact.depth;
+                    _hits.put(rows[i]).copyFrom(mover.contact);
                     _end.copyFrom(mover.at);
                 }
             }
         }
 
-        // Writes how the body touches a row that stops it.
-        private function write(row:int, hit:ShapeHit):ShapeHit
+        // Writes how the body touches a row of the answer.
+        private function write(index:int, hit:ShapeHit):ShapeHit
         {
-            var at:int = _hits.write(row, hit.point, hit.normal);
-            hit.agent = _seen.table.agents[row];
-            hit.time = _hits.numbers[at];
+            _hits.write(index, hit.point, hit.normal);
+            hit.agent = _set.found.agentAt(index);
+            hit.time = _set.found.keys[index];
             return hit;
         }
     }

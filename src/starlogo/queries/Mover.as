@@ -4,9 +4,8 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.search.AgentTable;
     import starlogo.search.Body;
-    import starlogo.search.NarrowPhase;
+    import starlogo.search.NumberList;
 
     use namespace engine;
 
@@ -50,9 +49,6 @@ package starlogo.queries
         // A motion ends after this many iterations.
         private static const MOST_ITERATIONS:int = 8;
 
-        /** Tests which rows touch. */
-        public var narrowPhase:NarrowPhase;
-
         /** Whether the last slide met a wall: a surface that was too steep for it. */
         public var metWall:Boolean = false;
 
@@ -67,9 +63,6 @@ package starlogo.queries
 
         /** The other row. */
         public var contactRow:int = -1;
-
-        /** Whether no contact showed what stops the motion, so that the normal is just the opposite of the motion. */
-        public var isNormalFallback:Boolean = false;
 
         /** The contact with that row. The next motion overwrites it. */
         public var contact:ContactPoint = new ContactPoint();
@@ -93,9 +86,10 @@ package starlogo.queries
         private var _sweep:CoreSweep;
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _lifts:EndClearance = new EndClearance();
-        private var _others:Vector.<int> = new Vector.<int>();
+
+        // The rows in the way, and how many of them no plane replaces. These come first.
+        private var _others:NumberList = new NumberList();
         private var _count:int = 0;
-        private var _all:int = 0;
 
         // The place of the row before it was lifted, and the lift.
         private var _before:Vector3D = new Vector3D();
@@ -104,13 +98,15 @@ package starlogo.queries
         // How far the rest of the motion goes along the contact's normal, which is less than 0.
         private var _along:Number = 0;
 
+        // Whether no contact showed what stops the motion, so that the normal is just the opposite of the motion.
+        private var _isNormalFallback:Boolean = false;
+
         private var _standing:ContactPoint = new ContactPoint();
 
-        /** @param narrowPhase tests which rows touch */
-        public function Mover(narrowPhase:NarrowPhase)
+        /** @param seen has the rows, and tests which of them touch */
+        public function Mover(seen:QueryWorld)
         {
-            this.narrowPhase = narrowPhase;
-            _sweep = new CoreSweep(narrowPhase);
+            _sweep = new CoreSweep(seen);
         }
 
         /**
@@ -120,21 +116,20 @@ package starlogo.queries
          * @param others the rows, of which those from an index to another count
          * @param except a row that does not count, or -1
          */
-        public function begin(table:AgentTable, body:Body, others:Vector.<int>, from:int, end:int, except:int = -1):void
+        public function begin(body:Body, others:Vector.<int>, from:int, end:int, except:int = -1):void
         {
             at.setTo(body.placement.x, body.placement.y, body.placement.z);
-            _sweep.begin(table, body);
-            _all = 0;
+            _sweep.begin(body);
+            _others.count = 0;
             for (var i:int = from; i < end; i++)
             {
                 if (others[i] != except)
                 {
-                    _others[_all] = others[i];
+                    _others.add(others[i]);
                     _sweep.addOther(others[i]);
-                    _all++;
                 }
             }
-            _count = _all;
+            _count = _others.count;
         }
 
         /**
@@ -158,7 +153,7 @@ package starlogo.queries
                 _rest.advance(at, 1);
                 return;
             }
-            _count = _all;
+            _count = _others.count;
             _before.copyFrom(at);
             liftOut();
             isDeep = _rest.count > 0;
@@ -178,7 +173,7 @@ package starlogo.queries
         {
             _sweep.beginMotion(from, motion);
             _sweep.aim(from, motion);
-            return _sweep.find(row);
+            return _sweep.find(row, from);
         }
 
         // Lifts the row out of rows that it overlaps a little at its place. If no round frees it, the last round puts it back at its place.
@@ -194,7 +189,7 @@ package starlogo.queries
                 }
                 for (var i:int = _count - 1; i >= 0; i--)
                 {
-                    if (_sweep.coreTouchesAt(_others[i], at))
+                    if (_sweep.coreTouchesAt(_others.numbers[i], at))
                     {
                         isFree = false;
                         liftOutOf(i, round);
@@ -206,7 +201,7 @@ package starlogo.queries
         // Lifts the row out of another. If the overlap is deeper, the contact's plane replaces the other row.
         private function liftOutOf(i:int, round:int):void
         {
-            var other:int = _others[i];
+            var other:int = _others.numbers[i];
             var isShallow:Boolean = _sweep.findContact(other, at, _standing, round >= SURE_ROUND);
             if (isShallow && round < LIFTING_ROUNDS)
             {
@@ -220,9 +215,9 @@ package starlogo.queries
                 // the others keep their order, because the first in the list is named if several are met at once
                 for (var next:int = i; next < _count; next++)
                 {
-                    _others[next] = _others[int(next + 1)];
+                    _others.numbers[next] = _others.numbers[int(next + 1)];
                 }
-                _others[_count] = other;
+                _others.numbers[_count] = other;
             }
         }
 
@@ -235,9 +230,9 @@ package starlogo.queries
         public function findDeepest():Boolean
         {
             deepest.depth = overlap = 0;
-            for (var i:int = 0; i < _all; i++)
+            for (var i:int = 0; i < _others.count; i++)
             {
-                if (_sweep.isDeepIn(_others[i], at, _standing))
+                if (_sweep.isDeepIn(_others.numbers[i], at, _standing))
                 {
                     overlap += _standing.depth;
                     if (_standing.depth > deepest.depth)
@@ -251,11 +246,11 @@ package starlogo.queries
 
         private function goUntilTouch(ending:int):void
         {
-            var crossed:ContactPoint = _rest.findCrossed();
-            if (crossed != null)
+            var crossed:int = _rest.findCrossed();
+            if (crossed >= 0)
             {
-                contact.copyFrom(crossed);
-                contactRow = _rest.crossedRow;
+                contact.copyFrom(_rest.planes[crossed]);
+                contactRow = _rest.rows[crossed];
                 hasContact = true;
                 fraction = 0;
             }
@@ -339,7 +334,7 @@ package starlogo.queries
                 }
                 _sweep.findWhole(contactRow, _along, contact);
                 gone += _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.clearance / _along, 0));
-                if (!isNormalFallback && contact.normalZ > floor.normalZ)
+                if (!_isNormalFallback && contact.normalZ > floor.normalZ)
                 {
                     floor.copyFrom(contact);
                     floorRow = contactRow;
@@ -393,7 +388,7 @@ package starlogo.queries
          */
         public function restoreClearance(isAtEnd:Boolean):void
         {
-            _lifts.restoreClearance(_sweep, at, _others, _count, isAtEnd ? _sweep.clearRow : -1);
+            _lifts.restoreClearance(_sweep, at, _others.numbers, _count, isAtEnd ? _sweep.clearRow : -1);
         }
 
         // Finds the row that the rest of the motion meets first. Returns whether there is one.
@@ -403,9 +398,9 @@ package starlogo.queries
             _sweep.aim(at, motion);
             for (var i:int = 0; i < _count; i++)
             {
-                if (_sweep.find(_others[i]))
+                if (_sweep.find(_others.numbers[i], at))
                 {
-                    contactRow = _others[i];
+                    contactRow = _others.numbers[i];
                 }
             }
             if (_sweep.time > 1)
@@ -414,8 +409,8 @@ package starlogo.queries
             }
             contact.copyFrom(_sweep.contact);
             _along = contact.along(motion);
-            isNormalFallback = !(_along < -SlidePlanes.PARALLEL_SINE * _rest.length);
-            if (isNormalFallback)
+            _isNormalFallback = !(_along < -SlidePlanes.PARALLEL_SINE * _rest.length);
+            if (_isNormalFallback)
             {
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();

@@ -1,5 +1,7 @@
 package starlogo.queries
 {
+    import starlogo.broadphase.Points;
+
     /**
      * Finds the rows of a tree of places that are near a place. It visits the nearest nodes first.
      *
@@ -43,7 +45,7 @@ package starlogo.queries
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
             _countsNodes = found.countsOnly && !found.filters;
-            var asks:Boolean = found.asks && found.wanted < Collector.ALL;
+            var asks:Boolean = found.accepts != null && found.wanted < Collector.ALL;
             var waiting:int = begin();
             while (waiting > 0)
             {
@@ -221,9 +223,10 @@ package starlogo.queries
         // test.
         private function visit(start:int, end:int, found:Collector):void
         {
-            var xs:Vector.<Number> = _tree.x;
-            var ys:Vector.<Number> = _tree.y;
-            var zs:Vector.<Number> = _tree.z;
+            var places:Points = _tree.middles;
+            var xs:Vector.<Number> = places.x;
+            var ys:Vector.<Number> = places.y;
+            var zs:Vector.<Number> = places.z;
             var atX:Number = _x;
             var atY:Number = _y;
             var atZ:Number = _z;
@@ -266,13 +269,13 @@ package starlogo.queries
                         continue;
                     }
                 }
-                if (cone != null && !cone.contains(row))
+                if (cone != null && !cone.contains(places, slot))
                 {
                     continue;
                 }
                 if (keepsFirst)
                 {
-                    if (count == 0 || square < limit || found.ranks[row] < found.ranks[foundRows[0]])
+                    if (count == 0 || square < limit || found.seen.table.ranks[row] < found.seen.table.ranks[foundRows[0]])
                     {
                         count = 1;
                         limit = keys[0] = square;

@@ -1,21 +1,38 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
+    import starlogo.search.ModelShape;
     import starlogo.search.RowList;
 
     use namespace engine;
 
     /**
-     * Answers all kinds of questions about the same agents. A filter's <code>accepts</code> may ask questions while a search waits for it. These
-     * questions have a set of their own, so that search finds everything as it was.
+     * Answers all kinds of questions about the same agents, and has what a question works with. A filter's <code>accepts</code> may ask questions
+     * while a search waits for it. These questions have a set of their own, so that search finds everything as it was.
      *
      * @private
      */
     public final class QuerySet
     {
+        /** The agents that questions are about. */
+        public var seen:QueryWorld;
+
+        /** Collects the rows of the answer. */
+        public var found:Collector;
+
+        /** Finds the rows near a body, a way or a ray. */
+        public var way:SweptBoxSearch = new SweptBoxSearch();
+
+        /** Tests where a ray meets a row. */
+        public var rowRays:RowRays;
+
+        /** The body of a second agent or structure, and the body that moves. */
+        public var second:Body = new Body();
+
         /** Questions about distances of surfaces. */
         public var distances:DistanceQueries;
 
@@ -28,25 +45,20 @@ package starlogo.queries
         /** Walks. */
         public var walks:WalkQueries;
 
-        /** The bodies of the agents and structures that questions are about. */
-        public var bodies:QueryBodies;
-
-        private var _seen:QueryWorld;
-        private var _found:Collector;
+        private var _first:Body = new Body();
         private var _near:NearSearch = new NearSearch();
-        private var _way:SweptBoxSearch = new SweptBoxSearch();
         private var _cone:Cone = new Cone();
 
         /** @param seen the agents that questions are about */
         public function QuerySet(seen:QueryWorld)
         {
-            _seen = seen;
-            _found = new Collector(seen);
-            bodies = new QueryBodies(seen);
-            distances = new DistanceQueries(seen, bodies);
-            rays = new RayQueries(seen, bodies, _found, _way);
-            moves = new MoveQueries(seen, bodies, _found, _way);
-            walks = new WalkQueries(seen, bodies, moves);
+            this.seen = seen;
+            found = new Collector(seen);
+            rowRays = new RowRays(seen);
+            distances = new DistanceQueries(this);
+            rays = new RayQueries(this);
+            moves = new MoveQueries(this);
+            walks = new WalkQueries(this);
         }
 
         /**
@@ -65,13 +77,13 @@ package starlogo.queries
         public function near(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
         {
             requirePositive("radius", radius);
-            _found.begin(wanted, radius * radius, asker, filter);
+            found.begin(wanted, radius * radius, asker, filter);
             if (degrees < 360)
             {
-                _found.cone = _cone.setTo(asker.worldPlacement(), degrees / 2, _seen.table);
+                found.cone = _cone.setTo(asker.worldPlacement(), degrees / 2);
             }
-            _near.find(_seen.findPlaces(), x, y, z, _found);
-            return _found;
+            _near.find(seen.findPlaces(), x, y, z, found);
+            return found;
         }
 
         /**
@@ -85,18 +97,17 @@ package starlogo.queries
          */
         public function touching(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
         {
-            var table:AgentTable = _seen.table;
-            var found:Collector = _found;
+            var table:AgentTable = seen.table;
             found.begin(wanted, Infinity, asker, filter);
             if (body.shape == null)
             {
                 return found;
             }
-            _seen.beginWay(_way, body);
+            seen.beginWay(way, body);
             // if one row is wanted, it may be any that touches
-            for (var other:int = found.nextOf(_way); other >= 0 && !(found.keepsFirst && found.count > 0); other = found.nextOf(_way))
+            for (var other:int = found.nextOf(way); other >= 0 && !(found.keepsFirst && found.count > 0); other = found.nextOf(way))
             {
-                if (_seen.narrowPhase.areTouching(body, table.bodyOf(other)))
+                if (seen.narrowPhase.areTouching(body, table.bodyOf(other)))
                 {
                     var toX:Number = table.now.x[other] - body.placement.x;
                     var toY:Number = table.now.y[other] - body.placement.y;
@@ -106,6 +117,62 @@ package starlogo.queries
                 }
             }
             return found;
+        }
+
+        /**
+         * The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
+         *
+         * @param made becomes this body if the agent has changed since the last update; null for the first of this set
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
+         */
+        public function ofAgent(agent:Agent, made:Body = null):Body
+        {
+            QueryWorld.requireAgent(agent);
+            return seen.table.bodyOfNow(agent, made || _first);
+        }
+
+        /** The body of an agent that can move, as it is now. Throws the errors of <code>QueryWorld.placeOf()</code> and <code>ofAgent()</code>. */
+        public function ofMoving(agent:Agent):Body
+        {
+            seen.placeOf(agent);
+            return ofAgent(agent);
+        }
+
+        /**
+         * The body of an agent that goes straight on. A sphere, box or capsule becomes the body of a structure, so that an agent and the same
+         * structure meet the same, to the last bit.
+         */
+        public function ofGoing(agent:Agent):Body
+        {
+            var body:Body = ofMoving(agent);
+            if (body.shape == null || body.form >= ModelShape.TREE)
+            {
+                return body;
+            }
+            second.readPlaced(body);
+            return second;
+        }
+
+        /** The body that an agent would have at a place. */
+        public function ofAgentAt(agent:Agent, x:Number, y:Number, z:Number):Body
+        {
+            var body:Body = ofMoving(agent);
+            if (body.shape == null)
+            {
+                return body;
+            }
+            second.readShrunk(body, null, 0);
+            second.placement.x = x;
+            second.placement.y = y;
+            second.placement.z = z;
+            return second;
+        }
+
+        /** The body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
+        public function ofStructure(structure:BoundingStructure):Body
+        {
+            _first.readStructure(structure);
+            return _first;
         }
 
         /** Throws a RangeError if a number is negative or not a number. */

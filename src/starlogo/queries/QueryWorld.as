@@ -3,7 +3,6 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.broadphase.Extents;
     import starlogo.collision.BaseCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.Collision;
@@ -83,8 +82,7 @@ package starlogo.queries
             next.readWorldAgent(RowList.GROUND, terrain == null ? null : terrain.agent);
             table = next;
             see(collider);
-            _places.isStale = _extents.isStale = true;
-            _extents.groundRow = table.agents[RowList.GROUND] == null ? -1 : RowList.GROUND;
+            _places.movesLeft = _extents.movesLeft = -1;
         }
 
         /** See AgentQueries.refresh. */
@@ -140,9 +138,9 @@ package starlogo.queries
         /** Returns the tree of the places, and builds it first if it is stale. */
         public function findPlaces():RowTree
         {
-            if (_places.isStale)
+            if (_places.movesLeft < 0)
             {
-                _places.build(table.rows, table.count, table.now.x, table.now.y, table.now.z);
+                _places.build(table.rows, table.count, table.now);
             }
             return _places;
         }
@@ -150,10 +148,9 @@ package starlogo.queries
         /** Returns the tree of the extents, and builds it first if it is stale. While a model is loading, its extents mean nothing. */
         public function findExtents():RowTree
         {
-            if (_extents.isStale)
+            if (_extents.movesLeft < 0)
             {
-                var of:Extents = table.extents;
-                _extents.build(table.rows, table.count, of.x, of.y, of.z, of);
+                _extents.build(table.rows, table.count, table.extents);
             }
             return _extents;
         }

@@ -5,6 +5,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.Body;
@@ -18,33 +19,18 @@ package starlogo.queries
      */
     public final class RayQueries
     {
-        private var _seen:QueryWorld;
-        private var _bodies:QueryBodies;
-        private var _found:Collector;
-        private var _search:SweptBoxSearch;
-        private var _rays:RowRays;
-        private var _ray:Ray;
+        private var _set:QuerySet;
 
-        // The last number of a hit is the triangle.
+        // The depth of a contact is the number of the triangle.
         private var _hits:Hits;
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
 
-        /**
-         * @param seen the agents that questions are about
-         * @param bodies the bodies that ask
-         * @param found collects the rows that the ray meets
-         * @param search finds the rows near the ray
-         */
-        public function RayQueries(seen:QueryWorld, bodies:QueryBodies, found:Collector, search:SweptBoxSearch)
+        /** @param questions what questions work with */
+        public function RayQueries(questions:QuerySet)
         {
-            _seen = seen;
-            _bodies = bodies;
-            _found = found;
-            _search = search;
-            _rays = new RowRays(seen);
-            _ray = _rays.ray;
-            _hits = new Hits(found, RayHit);
+            _set = questions;
+            _hits = new Hits(questions.found, RayHit);
         }
 
         /** See AgentQueries.cast. */
@@ -52,8 +38,7 @@ package starlogo.queries
         {
             begin(1, checked(origin), direction, maxDistance, filter);
             collect();
-            var row:int = _found.first();
-            return row < 0 ? null : write(row, hit || new RayHit());
+            return _set.found.end() == 0 ? null : write(0, hit || new RayHit());
         }
 
         /** See AgentQueries.castAll. */
@@ -62,11 +47,10 @@ package starlogo.queries
             begin(Collector.ALL, checked(origin), direction, maxDistance, filter);
             collect();
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var rows:Vector.<int> = _found.sorted();
-            _hits.fit(hits, _found.end());
+            _hits.fit(hits);
             for (var i:int = 0; i < hits.length; i++)
             {
-                write(rows[i], hits[i]);
+                write(i, hits[i]);
             }
             return hits;
         }
@@ -87,29 +71,29 @@ package starlogo.queries
                 // any direction will do
                 towards.z = 1;
             }
-            var rowA:int = _seen.rowOf(a);
-            var rowB:int = _seen.rowOf(b);
-            begin(1, from, towards, distance, filter);
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            var rowA:int = _set.seen.rowOf(a);
+            var rowB:int = _set.seen.rowOf(b);
+            var found:Collector = begin(1, from, towards, distance, filter);
+            for (var row:int = found.nextOf(_set.way); row >= 0; row = found.nextOf(_set.way))
             {
-                if (row != rowA && row != rowB && _rays.meets(row))
+                if (row != rowA && row != rowB && _set.rowRays.meets(row))
                 {
-                    if (!_found.asks)
+                    if (found.accepts == null)
                     {
                         // any row will do
                         return false;
                     }
-                    _found.add(row, _ray.from);
+                    found.add(row, _set.rowRays.ray.from);
                 }
             }
-            return _found.end() == 0;
+            return found.end() == 0;
         }
 
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
-            var at:Placement = _seen.placeOf(agent);
-            var body:Body = _bodies.ofAgent(agent);
+            var at:Placement = _set.seen.placeOf(agent);
+            var body:Body = _set.ofAgent(agent);
             if (body.shape == null)
             {
                 out.setTo(at.x, at.y, at.z);
@@ -130,46 +114,44 @@ package starlogo.queries
             return origin;
         }
 
-        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
+        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
         {
-            _ray.aim(origin, direction);
+            var ray:Ray = _set.rowRays.ray;
+            ray.aim(origin, direction);
             QuerySet.requirePositive("maxDistance", maxDistance);
-            _ray.to = maxDistance;
-            _found.begin(wanted, maxDistance, null, filter);
-            _search.begin(_seen.findExtents(), _ray.x, _ray.y, _ray.z, 0, 0, 0);
-            _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
+            ray.to = maxDistance;
+            _set.found.begin(wanted, maxDistance, null, filter);
+            _set.way.begin(_set.seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
+            _set.way.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
+            return _set.found;
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect():void
         {
-            var ray:Ray = _ray;
-            var numbers:Vector.<Number> = _hits.numbers;
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            var found:Collector = _set.found;
+            var ray:Ray = _set.rowRays.ray;
+            for (var row:int = found.nextOf(_set.way); row >= 0; row = found.nextOf(_set.way))
             {
-                if (_rays.meets(row) && _found.add(row, ray.from))
+                if (_set.rowRays.meets(row) && found.add(row, ray.from))
                 {
-                    var at:int = _hits.put(row);
-                    numbers[at] = ray.from;
-                    numbers[int(at + 1)] = ray.x + ray.from * ray.directionX;
-                    numbers[int(at + 2)] = ray.y + ray.from * ray.directionY;
-                    numbers[int(at + 3)] = ray.z + ray.from * ray.directionZ;
-                    numbers[int(at + 4)] = ray.normalX;
-                    numbers[int(at + 5)] = ray.normalY;
-                    numbers[int(at + 6)] = ray.normalZ;
-                    numbers[int(at + 7)] = _rays.triangle;
-                    _search.limit = ray.to = _found.limit;
+                    var contact:ContactPoint = _hits.put(row);
+                    contact.x = ray.x + ray.from * ray.directionX;
+                    contact.y = ray.y + ray.from * ray.directionY;
+                    contact.z = ray.z + ray.from * ray.directionZ;
+                    contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
+                    contact.depth = _set.rowRays.triangle;
+                    _set.way.limit = ray.to = found.limit;
                 }
             }
         }
 
-        // Writes how the ray meets a row.
-        private function write(row:int, hit:RayHit):RayHit
+        // Writes how the ray meets a row of the answer.
+        private function write(index:int, hit:RayHit):RayHit
         {
-            var at:int = _hits.write(row, hit.point, hit.normal);
-            hit.agent = _seen.table.agents[row];
-            hit.distance = _hits.numbers[at];
-            hit.triangle = _hits.numbers[int(at + 7)];
+            hit.triangle = _hits.write(index, hit.point, hit.normal).depth;
+            hit.agent = _set.found.agentAt(index);
+            hit.distance = _set.found.keys[index];
             return hit;
         }
     }

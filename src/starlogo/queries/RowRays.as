@@ -51,14 +51,13 @@ package starlogo.queries
         /** Whether the ray meets a row that has a shape. If it does, <code>ray.from</code> is the distance to the hit. */
         public function meets(row:int):Boolean
         {
-            var shape:ModelShape = _seen.table.shapes[row];
+            var body:Body = _seen.table.bodyOf(row);
             ray.from = 0;
             triangle = -1;
-            if (shape.form == ModelShape.GROUND)
+            if (body.form == ModelShape.GROUND)
             {
-                return shape.fixture.isMet(ray);
+                return _seen.narrowPhase.testsOf(body, body).isMet(body, ray);
             }
-            var body:Body = _seen.table.bodyOf(row);
             var placement:Placement = body.placement;
             var line:Ray = _line;
             var toX:Number = placement.x - ray.x;

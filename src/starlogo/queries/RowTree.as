@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -21,17 +22,14 @@ package starlogo.queries
         /** The most rows that a leaf can have. */
         private static const LEAF_SIZE:int = 24;
 
-        // The tree becomes stale after this many moves per row, because its boxes have grown too much.
+        // After this many moves per row the tree has to be built again, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
 
-        /** Whether the tree must be built again before the next search. */
-        public var isStale:Boolean = true;
+        /** How many rows may still move. If it is less than 0, the tree must be built again before the next search. */
+        public var movesLeft:int = -1;
 
         /** The number of rows. */
         public var count:int = 0;
-
-        /** The row of the ground, which is not in the tree because it is near all rows; or -1. */
-        public var groundRow:int = -1;
 
         /** The node number of the first leaf. The number of leaves is the same. */
         public var firstLeaf:int = 1;
@@ -43,9 +41,7 @@ package starlogo.queries
         public var rows:Vector.<int> = new Vector.<int>();
 
         /** By slot: the middle of the row's box. */
-        public var x:Vector.<Number> = new Vector.<Number>();
-        public var y:Vector.<Number> = new Vector.<Number>();
-        public var z:Vector.<Number> = new Vector.<Number>();
+        public var middles:Points = new Points();
 
         /** By slot: the row's box, with a margin larger than its rounding errors. Not used for places. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
@@ -53,15 +49,11 @@ package starlogo.queries
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        private var _moves:int = 0;
-
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
 
         // The columns given to build(), by row: the middle of the row's box, and half of its lengths, or null for places.
-        private var _x:Vector.<Number>;
-        private var _y:Vector.<Number>;
-        private var _z:Vector.<Number>;
+        private var _points:Points;
         private var _sizes:Extents;
 
         /**
@@ -69,33 +61,25 @@ package starlogo.queries
          *
          * @param rows the rows that the tree has
          * @param count how many of them count
-         * @param x by row: the middle of its box
-         * @param y by row: the middle of its box
-         * @param z by row: the middle of its box
-         * @param sizes half of the boxes' lengths; null if the rows are places
+         * @param points by row: the middle of its box. Unless they are Extents, the rows are places
          */
-        public function build(rows:Vector.<int>, count:int, x:Vector.<Number>, y:Vector.<Number>, z:Vector.<Number>, sizes:Extents = null):void
+        public function build(rows:Vector.<int>, count:int, points:Points):void
         {
-            isStale = false;
-            _moves = 0;
+            movesLeft = MOVES * count;
             this.count = count;
-            _x = x;
-            _y = y;
-            _z = z;
-            _sizes = sizes;
+            _points = points;
+            _sizes = points as Extents;
             firstLeaf = 1;
             while (firstLeaf * LEAF_SIZE < count)
             {
                 firstLeaf *= 2;
             }
-            grow(x.length);
+            grow(points.x.length);
             for (var slot:int = 0; slot < count; slot++)
             {
                 var row:int = rows[slot];
                 this.rows[slot] = row;
-                this.x[slot] = x[row];
-                this.y[slot] = y[row];
-                this.z[slot] = z[row];
+                takeMiddle(slot, row);
             }
             for (var leaf:int = 0; leaf <= firstLeaf; leaf++)
             {
@@ -115,9 +99,9 @@ package starlogo.queries
         public function squareTo(row:int, x:Number, y:Number, z:Number):Number
         {
             var slot:int = _slots[row];
-            var toX:Number = this.x[slot] - x;
-            var toY:Number = this.y[slot] - y;
-            var toZ:Number = this.z[slot] - z;
+            var toX:Number = middles.x[slot] - x;
+            var toY:Number = middles.y[slot] - y;
+            var toZ:Number = middles.z[slot] - z;
             return toX * toX + toY * toY + toZ * toZ;
         }
 
@@ -134,21 +118,18 @@ package starlogo.queries
         }
 
         /**
-         * Reads the box of one row again, unless the tree is stale. The boxes around the row grow. So searches stay correct, but take more time
+         * Reads the box of one row again, unless the tree must be built again. The boxes around the row grow. So searches stay correct, but take more time
          * than in a tree that was built again.
          */
         public function move(row:int):void
         {
-            _moves++;
-            isStale ||= _moves > MOVES * count;
-            if (isStale)
+            movesLeft--;
+            if (movesLeft < 0)
             {
                 return;
             }
             var slot:int = _slots[row];
-            x[slot] = _x[row];
-            y[slot] = _y[row];
-            z[slot] = _z[row];
+            takeMiddle(slot, row);
             boundRow(slot);
             var node:int = leafOf(row);
             // if a box does not grow, the boxes around it do not grow either
@@ -156,6 +137,13 @@ package starlogo.queries
             {
                 node >>= 1;
             }
+        }
+
+        private function takeMiddle(slot:int, row:int):void
+        {
+            middles.x[slot] = _points.x[row];
+            middles.y[slot] = _points.y[row];
+            middles.z[slot] = _points.z[row];
         }
 
         private function grow(rowCount:int):void
@@ -166,7 +154,8 @@ package starlogo.queries
             }
             if (rows.length < count)
             {
-                rows.length = x.length = y.length = z.length = count;
+                rows.length = count;
+                middles.grow(count);
                 rowBoxes.length = PER_BOX * count;
             }
             if (starts.length <= firstLeaf)
@@ -191,7 +180,7 @@ package starlogo.queries
                 }
                 var box:int = PER_BOX * node;
                 var axis:int = longestSide(box);
-                var keys:Vector.<Number> = axis == 0 ? x : (axis == 1 ? y : z);
+                var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
                 var nth:int = node - width;
                 var middle:int = (2 * nth + 1) * count / (2 * width);
                 select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);
@@ -209,7 +198,7 @@ package starlogo.queries
         {
             for (var axis:int = 0; axis < 3; axis++)
             {
-                var keys:Vector.<Number> = axis == 0 ? x : (axis == 1 ? y : z);
+                var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
                 var least:Number = Infinity;
                 var greatest:Number = -Infinity;
                 for (var slot:int = first; slot < end; slot++)
@@ -298,6 +287,9 @@ package starlogo.queries
             var row:int = rows[a];
             rows[a] = rows[b];
             rows[b] = row;
+            var x:Vector.<Number> = middles.x;
+            var y:Vector.<Number> = middles.y;
+            var z:Vector.<Number> = middles.z;
             var key:Number = x[a];
             x[a] = x[b];
             x[b] = key;
@@ -345,6 +337,9 @@ package starlogo.queries
 
         private function boundRow(slot:int):void
         {
+            var x:Number = middles.x[slot];
+            var y:Number = middles.y[slot];
+            var z:Number = middles.z[slot];
             var reachX:Number = 0;
             var reachY:Number = 0;
             var reachZ:Number = 0;
@@ -354,18 +349,18 @@ package starlogo.queries
                 reachX = _sizes.halfX[row];
                 reachY = _sizes.halfY[row];
                 reachZ = _sizes.halfZ[row];
-                var slack:Number = slackOf(x[slot], y[slot], z[slot], reachX, reachY, reachZ);
+                var slack:Number = slackOf(x, y, z, reachX, reachY, reachZ);
                 reachX += slack;
                 reachY += slack;
                 reachZ += slack;
             }
             var box:int = PER_BOX * slot;
-            rowBoxes[box] = x[slot] - reachX;
-            rowBoxes[int(box + 1)] = y[slot] - reachY;
-            rowBoxes[int(box + 2)] = z[slot] - reachZ;
-            rowBoxes[int(box + 3)] = x[slot] + reachX;
-            rowBoxes[int(box + 4)] = y[slot] + reachY;
-            rowBoxes[int(box + 5)] = z[slot] + reachZ;
+            rowBoxes[box] = x - reachX;
+            rowBoxes[int(box + 1)] = y - reachY;
+            rowBoxes[int(box + 2)] = z - reachZ;
+            rowBoxes[int(box + 3)] = x + reachX;
+            rowBoxes[int(box + 4)] = y + reachY;
+            rowBoxes[int(box + 5)] = z + reachZ;
         }
 
         /** The margin by which a box is widened. It is larger than the rounding errors of the box's middle and lengths. */

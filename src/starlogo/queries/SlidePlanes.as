@@ -32,11 +32,14 @@ package starlogo.queries
         /** The number of planes. */
         public var count:int = 0;
 
+        /** The contacts that have the planes. */
+        public var planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+
+        /** By plane: the row that it belongs to. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
         /** The index of the first plane of the current corner. */
         public var corner:int = 0;
-
-        /** The row whose plane <code>findCrossed()</code> has found. */
-        public var crossedRow:int = -1;
 
         // How far the rest may go on the ground plane at most.
         private var _widest:Number = Infinity;
@@ -44,15 +47,9 @@ package starlogo.queries
         // How far a fall has to go down for each patch on the ground plane; less than 0 for a motion that is no fall.
         private var _steepness:Number = -1;
 
-        private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
-
-        // By plane: the row that it belongs to.
-        private var _rows:Vector.<int> = new Vector.<int>();
-
-        // The rest of the motion when the corner began; a projection that is tried; and the plane that does not count for it.
+        // The rest of the motion when the corner began, and a projection that is tried.
         private var _whole:Vector3D = new Vector3D();
         private var _tried:Vector3D = new Vector3D();
-        private var _without:int = -1;
 
         /**
          * Begins a motion, without planes.
@@ -105,16 +102,16 @@ package starlogo.queries
         public function add(contact:ContactPoint, row:int):void
         {
             var same:int = 0;
-            while (same < count && !isSame(_planes[same], contact))
+            while (same < count && !isSame(planes[same], contact))
             {
                 same++;
             }
-            if (same == _planes.length)
+            if (same == planes.length)
             {
-                _planes.push(new ContactPoint());
+                planes.push(new ContactPoint());
             }
-            _planes[same].copyFrom(contact);
-            _rows[same] = row;
+            planes[same].copyFrom(contact);
+            rows[same] = row;
             count = Math.max(count, same + 1);
         }
 
@@ -129,23 +126,22 @@ package starlogo.queries
         public function remove(at:int):void
         {
             count--;
-            _planes[at].copyFrom(_planes[count]);
-            _rows[at] = _rows[count];
+            planes[at].copyFrom(planes[count]);
+            rows[at] = rows[count];
         }
 
-        /** The plane that the motion crosses at the steepest angle; null if it crosses none. */
-        public function findCrossed():ContactPoint
+        /** The index of the plane that the motion crosses at the steepest angle; -1 if it crosses none. */
+        public function findCrossed():int
         {
-            var crossed:ContactPoint = null;
+            var crossed:int = -1;
             var least:Number = -PARALLEL_SINE * length;
             for (var i:int = 0; i < count; i++)
             {
-                var along:Number = _planes[i].along(motion);
+                var along:Number = planes[i].along(motion);
                 if (along < least)
                 {
                     least = along;
-                    crossed = _planes[i];
-                    crossedRow = _rows[i];
+                    crossed = i;
                 }
             }
             return crossed;
@@ -160,21 +156,20 @@ package starlogo.queries
          */
         public function project(without:int = -1):Boolean
         {
-            _without = without;
             motion.setTo(0, 0, 0);
             length = 0;
             _tried.copyFrom(_whole);
-            tryMotion();
+            tryMotion(without);
             var isFree:Boolean = length > 0;
             for (var i:int = 0; !isFree && i < count; i++)
             {
                 _tried.copyFrom(_whole);
-                _planes[i].push(_tried, -_planes[i].along(_whole));
-                tryMotion();
+                planes[i].push(_tried, -planes[i].along(_whole));
+                tryMotion(without);
             }
             for (i = 0; length == 0 && i < count; i++)
             {
-                tryCreases(i);
+                tryCreases(i, without);
             }
             return keepWithinWidest() && length > STUCK * _whole.length;
         }
@@ -202,24 +197,24 @@ package starlogo.queries
         }
 
         // Tries the lines where one plane meets the planes after it.
-        private function tryCreases(first:int):void
+        private function tryCreases(first:int, without:int):void
         {
-            var a:ContactPoint = _planes[first];
+            var a:ContactPoint = planes[first];
             for (var i:int = first + 1; i < count; i++)
             {
-                var b:ContactPoint = _planes[i];
+                var b:ContactPoint = planes[i];
                 _tried.setTo(a.normalY * b.normalZ - a.normalZ * b.normalY, a.normalZ * b.normalX - a.normalX * b.normalZ,
                         a.normalX * b.normalY - a.normalY * b.normalX);
                 if (_tried.lengthSquared > Tolerances.NEARLY_PARALLEL)
                 {
                     _tried.scaleBy(_tried.dotProduct(_whole) / _tried.lengthSquared);
-                    tryMotion();
+                    tryMotion(without);
                 }
             }
         }
 
-        // Takes a projection if it crosses no plane and is longer than the best one so far.
-        private function tryMotion():void
+        // Takes a projection if it crosses no plane that counts, and is longer than the best one so far.
+        private function tryMotion(without:int):void
         {
             var long:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
             if (!(long > length))
@@ -229,7 +224,7 @@ package starlogo.queries
             var least:Number = -PARALLEL_SINE * long;
             for (var i:int = 0; i < count; i++)
             {
-                if (i != _without && _planes[i].along(_tried) < least)
+                if (i != without && planes[i].along(_tried) < least)
                 {
                     return;
                 }

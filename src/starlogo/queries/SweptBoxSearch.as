@@ -1,5 +1,7 @@
 package starlogo.queries
 {
+    import starlogo.search.RowList;
+
     /**
      * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time, roughly the nearest first. A ray is a moving box
      * without size. A box that stands still has a motion without length.
@@ -13,24 +15,14 @@ package starlogo.queries
 
         private var _tree:RowTree;
 
-        // The row of the ground, which every box meets. It is -1 if there is no ground, or if the row was returned already.
-        private var _groundRow:int = -1;
         private var _moves:Boolean = false;
 
-        // By axis, if the box moves: the box at the beginning of the way, and the way.
-        private var _least:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _greatest:Vector.<Number> = new Vector.<Number>(3, true);
+        // The way by axis, if the box moves; the box where the way begins; and the box around the whole way. The boxes are like those of a RowTree.
         private var _along:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _box:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
+        private var _around:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
 
-        // The box around the whole way.
-        private var _minX:Number = 0;
-        private var _minY:Number = 0;
-        private var _minZ:Number = 0;
-        private var _maxX:Number = 0;
-        private var _maxY:Number = 0;
-        private var _maxZ:Number = 0;
-
-        // The nodes that wait for a visit, and where on the way the box meets them.
+        // The nodes that wait for a visit, or 0 for the row of the ground, which every box meets; and where on the way the box meets them.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
@@ -58,19 +50,20 @@ package starlogo.queries
         {
             var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
             _tree = tree;
-            _groundRow = tree.groundRow;
             _moves = false;
             limit = 1;
-            _minX = x - halfX - slack;
-            _minY = y - halfY - slack;
-            _minZ = z - halfZ - slack;
-            _maxX = x + halfX + slack;
-            _maxY = y + halfY + slack;
-            _maxZ = z + halfZ + slack;
+            _around[0] = x - halfX - slack;
+            _around[1] = y - halfY - slack;
+            _around[2] = z - halfZ - slack;
+            _around[3] = x + halfX + slack;
+            _around[4] = y + halfY + slack;
+            _around[5] = z + halfZ + slack;
             _next = _end = 0;
-            _nodes[0] = 1;
+            _nodes[0] = 0;
+            _nodes[1] = 1;
             _entries[0] = 0;
-            _waiting = tree.count > 0 ? 1 : 0;
+            _entries[1] = 0;
+            _waiting = tree.count > 0 ? 2 : 1;
         }
 
         /**
@@ -82,12 +75,12 @@ package starlogo.queries
          */
         public function widen(by:Number, up:Number = 0, down:Number = 0):void
         {
-            _minX -= by;
-            _minY -= by;
-            _minZ -= by + down;
-            _maxX += by;
-            _maxY += by;
-            _maxZ += by + up;
+            _around[0] -= by;
+            _around[1] -= by;
+            _around[2] -= by + down;
+            _around[3] += by;
+            _around[4] += by;
+            _around[5] += by + up;
         }
 
         /**
@@ -105,21 +98,23 @@ package starlogo.queries
             _along[0] = dx;
             _along[1] = dy;
             _along[2] = dz;
-            _least[0] = _minX;
-            _least[1] = _minY;
-            _least[2] = _minZ;
-            _greatest[0] = _maxX;
-            _greatest[1] = _maxY;
-            _greatest[2] = _maxZ;
-            _minX = dx < 0 ? _minX + limit * dx : _minX;
-            _minY = dy < 0 ? _minY + limit * dy : _minY;
-            _minZ = dz < 0 ? _minZ + limit * dz : _minZ;
-            _maxX = dx > 0 ? _maxX + limit * dx : _maxX;
-            _maxY = dy > 0 ? _maxY + limit * dy : _maxY;
-            _maxZ = dz > 0 ? _maxZ + limit * dz : _maxZ;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                _box[axis] = _around[axis];
+                _box[axis + 3] = _around[axis + 3];
+                // 0 times Infinity is not a number
+                if (_along[axis] < 0)
+                {
+                    _around[axis] += limit * _along[axis];
+                }
+                if (_along[axis] > 0)
+                {
+                    _around[axis + 3] += limit * _along[axis];
+                }
+            }
         }
 
-        /** The next row, or -1 if there are no more. */
+        /** The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none. */
         public function next():int
         {
             while (true)
@@ -135,11 +130,13 @@ package starlogo.queries
                 }
                 if (_waiting == 0)
                 {
-                    var groundRow:int = _groundRow;
-                    _groundRow = -1;
-                    return groundRow;
+                    return -1;
                 }
                 _waiting--;
+                if (_nodes[_waiting] == 0)
+                {
+                    return RowList.GROUND;
+                }
                 if (!_moves || _entries[_waiting] <= limit)
                 {
                     visit(_nodes[_waiting]);
@@ -170,12 +167,12 @@ package starlogo.queries
         // number of entries.
         private function findOverlapping(boxes:Vector.<Number>, first:int, end:int, out:Vector.<int>, count:int):int
         {
-            var minX:Number = _minX;
-            var minY:Number = _minY;
-            var minZ:Number = _minZ;
-            var maxX:Number = _maxX;
-            var maxY:Number = _maxY;
-            var maxZ:Number = _maxZ;
+            var minX:Number = _around[0];
+            var minY:Number = _around[1];
+            var minZ:Number = _around[2];
+            var maxX:Number = _around[3];
+            var maxY:Number = _around[4];
+            var maxZ:Number = _around[5];
             for (var i:int = first; i < end; i++)
             {
                 var box:int = RowTree.PER_BOX * i;
@@ -249,8 +246,8 @@ package starlogo.queries
                     // along this axis the box around the way is the box itself, which was tested before
                     continue;
                 }
-                var near:Number = (boxes[int(box + axis)] - _greatest[axis]) / along;
-                var far:Number = (boxes[int(box + 3 + axis)] - _least[axis]) / along;
+                var near:Number = (boxes[int(box + axis)] - _box[int(axis + 3)]) / along;
+                var far:Number = (boxes[int(box + 3 + axis)] - _box[axis]) / along;
                 if (near > far)
                 {
                     var swapped:Number = near;

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.geometry.Trigonometry;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
+    import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.RowList;
 
@@ -39,29 +40,23 @@ package starlogo.queries
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
 
-        private var _seen:QueryWorld;
-        private var _bodies:QueryBodies;
-        private var _moves:MoveQueries;
-        private var _mover:Mover;
-        private var _rays:RowRays;
-        private var _defaults:WalkOptions = new WalkOptions();
+        private static const DEFAULTS:WalkOptions = new WalkOptions();
+        private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
 
-        // The walk: its options, and the cosine and the tangent of the steepest slope; the number of pieces; the way of a piece, its length, and the
-        // place where it begins; how far the agent may come; how far it slides down after a fall; its largest extent; the depth of ground that is
-        // close; and its lowest point as seen from its place.
+        private var _set:QuerySet;
+        private var _mover:Mover;
+
+        // The walk: its options, and the cosine of the steepest slope; the number of pieces; the way of a piece, its length, and the place where
+        // it begins; how far the agent may come; its largest extent; and the depth of ground that is close.
         private var _options:WalkOptions;
         private var _cosine:Number = 0;
-        private var _tangent:Number = 0;
         private var _pieces:int = 1;
-        private var _dx:Number = 0;
-        private var _dy:Number = 0;
+        private var _piece:Vector3D = new Vector3D();
         private var _whole:Number = 0;
         private var _start:Vector3D = new Vector3D();
         private var _reach:Number = 0;
-        private var _slide:Number = 0;
         private var _extent:Number = 0;
         private var _close:Number = 0;
-        private var _bottom:Number = 0;
 
         // How the agent is carried: its motion, and its turn in degrees.
         private var _carry:Vector3D = new Vector3D();
@@ -73,58 +68,38 @@ package starlogo.queries
         private var _below:Vector3D = new Vector3D();
         private var _way:Vector3D = new Vector3D();
 
-        // The ground that was found: its row and its normal.
+        // The ground that was found: its row and its normal; and where the ray begins that looks for it behind an edge.
         private var _row:int = -1;
         private var _normal:Vector3D = new Vector3D();
-
         private var _origin:Vector3D = new Vector3D();
-        private var _down:Vector3D = new Vector3D(0, 0, -1);
 
-        /**
-         * @param seen the agents that are asked about
-         * @param bodies the bodies that ask
-         * @param moves finds the agents near the way
-         */
-        public function WalkQueries(seen:QueryWorld, bodies:QueryBodies, moves:MoveQueries)
+        /** @param questions what questions work with */
+        public function WalkQueries(questions:QuerySet)
         {
-            _seen = seen;
-            _bodies = bodies;
-            _moves = moves;
-            _rays = new RowRays(seen);
+            _set = questions;
+            _mover = questions.moves.mover;
         }
 
         /** See AgentQueries.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
-            var size:Number = _seen.placeOf(agent).size;
-            _options = options || _defaults;
+            var size:Number = _set.seen.placeOf(agent).size;
+            _options = options || DEFAULTS;
             _cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(_options.slopeDegrees);
-            _tangent = Math.sqrt(1 - _cosine * _cosine) / _cosine;
-            _slide = Math.min(_options.fall, size);
             _whole = Math.sqrt(dx * dx + dy * dy);
             _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
             var standing:PlatformLink = agent.standing ||= new PlatformLink(agent);
-            var platform:int = findPlatform(standing);
+            var platform:int = findPlatform(agent, standing);
             // on the steepest slope the way is this long
-            _reach = _whole / _cosine + _slide / 2 + _carry.length;
-            _dx = dx;
-            _dy = dy;
+            _reach = _whole / _cosine + Math.min(_options.fall, size) / 2 + _carry.length;
+            _piece.setTo(dx, dy, 0);
             findNear(agent, 0);
-            if (platform >= 0 && !_moves.isNear(platform))
-            {
-                // the filter excludes it, so it does not carry
-                platform = -1;
-                _turn = 0;
-                findNear(agent, 0);
-            }
-            _dx /= _pieces;
-            _dy /= _pieces;
+            _piece.setTo(dx / _pieces, dy / _pieces, 0);
             _whole /= _pieces;
-            var body:Body = _moves.body;
+            var body:Body = _set.moves.body;
             _start.setTo(body.placement.x, body.placement.y, body.placement.z);
             _extent = 2 * body.largestHalf;
             _close = CLOSE * _extent;
-            _bottom = body.z - body.halfZ - _start.z;
             if (platform >= 0)
             {
                 carryWith(platform);
@@ -132,33 +107,39 @@ package starlogo.queries
             beginAt(_start, -1);
             var footing:Footing = out || new Footing();
             footing.stands = go(agent, footing);
-            _moves.put(agent, _mover.at, _turn);
-            noteStanding(standing, footing.stands ? _row : -1);
-            footing.on = footing.stands ? _seen.table.agents[_row] : null;
+            _set.moves.put(agent, _mover.at, _turn);
             if (!footing.stands)
             {
+                _row = -1;
                 _normal.setTo(0, 0, 1);
             }
+            var table:AgentTable = _set.seen.table;
+            footing.on = _row < 0 ? null : table.agents[_row];
             footing.normal.copyFrom(_normal);
+            standing.on = null;
+            if (_row >= RowList.LISTED)
+            {
+                standing.read(footing.on, table.bodyOf(_row).placement, table.now.revisions[_row]);
+            }
             return footing;
         }
 
-        // Returns the row of the agent below if it has moved since the last walk, or -1. Writes how it carries the agent.
-        private function findPlatform(standing:PlatformLink):int
+        // Returns the row of the agent below if it carries the agent, or -1: if it has moved since the last walk, and the filter does not exclude
+        // it. Writes how it carries the agent.
+        private function findPlatform(agent:Agent, standing:PlatformLink):int
         {
+            var row:int = _options.carried && standing.isValid ? _set.seen.rowOf(standing.on) : -1;
+            if (row >= 0 && _set.seen.table.shapes[row] != null)
+            {
+                _turn = standing.carry(_set.seen.table.bodyOf(row).placement, _carry);
+                if ((_turn != 0 || _carry.length > 0) && _set.found.admits(row, agent, _options.filter))
+                {
+                    return row;
+                }
+            }
             _carry.setTo(0, 0, 0);
             _turn = 0;
-            if (!_options.carried || !standing.isValid)
-            {
-                return -1;
-            }
-            var row:int = _seen.rowOf(standing.on);
-            if (row < 0 || _seen.table.shapes[row] == null)
-            {
-                return -1;
-            }
-            _turn = standing.carry(_seen.table.bodyOf(row).placement, _carry);
-            return _turn != 0 || _carry.length > 0 ? row : -1;
+            return -1;
         }
 
         // Carries the agent with the platform. It slides along others that are in its way, but not into the platform. The platform has moved
@@ -190,31 +171,18 @@ package starlogo.queries
             return _mover.meets(platform, _above, _way);
         }
 
-        private function noteStanding(standing:PlatformLink, row:int):void
-        {
-            if (row >= RowList.LISTED)
-            {
-                standing.read(_seen.table.agents[row], _seen.table.bodyOf(row).placement, _seen.table.now.revisions[row]);
-            }
-            else
-            {
-                standing.on = null;
-            }
-        }
-
         // Finds the rows near the walk, and in some distance from these.
         private function findNear(agent:Agent, distance:Number):void
         {
             var up:Number = _pieces * _options.stepHeight;
             var down:Number = _pieces * _options.snap + _options.fall;
-            _moves.begin(agent, _bodies.ofMoving(agent), _dx, _dy, 0, _options.filter, _reach + distance, up, down, _turn);
-            _mover = _moves.mover;
+            _set.moves.begin(agent, _set.ofMoving(agent), _piece.x, _piece.y, 0, _options.filter, _reach + distance, up, down, _turn);
         }
 
         // Lets the next motion begin at a place, among all rows but one.
         private function beginAt(place:Vector3D, except:int):void
         {
-            _mover.begin(_seen.table, _moves.body, _moves.near, 0, _moves.nearCount, except);
+            _mover.begin(_set.moves.body, _set.moves.near.numbers, 0, _set.moves.near.count, except);
             _mover.at.copyFrom(place);
         }
 
@@ -247,7 +215,7 @@ package starlogo.queries
             y = at.y - y;
             footing.pushed = pushed;
             footing.part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (_pieces * _whole)) : 1;
-            stands ||= _moves.body.shape != null && fall();
+            stands ||= _set.moves.body.shape != null && fall();
             _mover.restoreClearance(false);
             return stands;
         }
@@ -293,7 +261,7 @@ package starlogo.queries
                 _mover.at.copyFrom(_start);
                 return true;
             }
-            slide(-(_normal.x * _dx + _normal.y * _dy) / _normal.z, _cosine);
+            slide(-(_normal.x * _piece.x + _normal.y * _piece.y) / _normal.z, _cosine);
             if (_mover.metWall)
             {
                 _plain.copyFrom(_mover.at);
@@ -308,7 +276,7 @@ package starlogo.queries
 
         private function slide(rise:Number, steepest:Number):void
         {
-            _way.setTo(_dx, _dy, rise);
+            _way.setTo(_piece.x, _piece.y, rise);
             _mover.go(_way, Mover.SLIDE, steepest, _whole);
         }
 
@@ -329,7 +297,7 @@ package starlogo.queries
                 return false;
             }
             slide(0, _cosine);
-            var farther:Number = (_mover.at.x - _plain.x) * _dx + (_mover.at.y - _plain.y) * _dy;
+            var farther:Number = (_mover.at.x - _plain.x) * _piece.x + (_mover.at.y - _plain.y) * _piece.y;
             return farther > _close * _whole && findGround(height + _options.snap + _close);
         }
 
@@ -358,7 +326,7 @@ package starlogo.queries
         private function slideDown(depth:Number, widest:Number):void
         {
             _way.setTo(0, 0, -depth);
-            _mover.go(_way, Mover.SLIDE, -2, widest, _tangent);
+            _mover.go(_way, Mover.SLIDE, -2, widest, Math.sqrt(1 - _cosine * _cosine) / _cosine);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -384,7 +352,8 @@ package starlogo.queries
                 {
                     return true;
                 }
-                slideDown(Math.min(left, _slide), _slide / 2);
+                var longest:Number = Math.min(_options.fall, _set.moves.body.placement.size);
+                slideDown(Math.min(left, longest), longest / 2);
                 if (_above.z - _mover.at.z < REST * _extent)
                 {
                     _mover.at.copyFrom(_above);
@@ -404,7 +373,9 @@ package starlogo.queries
             {
                 return true;
             }
-            if (contact.z > Math.min(_start.z, _mover.at.z) + _bottom + _options.stepHeight + _close)
+            var body:Body = _set.moves.body;
+            var bottom:Number = body.z - body.halfZ - body.placement.z;
+            if (contact.z > Math.min(_start.z, _mover.at.z) + bottom + _options.stepHeight + _close)
             {
                 return false;
             }
@@ -413,10 +384,10 @@ package starlogo.queries
             // the ray begins outside of all faces that are not too steep
             var above:Number = 2 * behind / _cosine;
             _origin.setTo(contact.x - behind * _normal.x / across, contact.y - behind * _normal.y / across, contact.z + above);
-            var ray:Ray = _rays.ray;
-            ray.aim(_origin, _down);
+            var ray:Ray = _set.rowRays.ray;
+            ray.aim(_origin, DOWN);
             ray.to = 2 * above;
-            if (!_rays.meets(row) || ray.from == 0)
+            if (!_set.rowRays.meets(row) || ray.from == 0)
             {
                 return false;
             }

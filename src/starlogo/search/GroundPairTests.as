@@ -4,10 +4,12 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.ground.GroundEarlyOut;
+    import starlogo.ground.GroundRay;
     import starlogo.ground.HeightGrid;
     import starlogo.ground.TerrainPair;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.ray.Ray;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -30,6 +32,7 @@ package starlogo.search
         // Decides quickly about bodies that are clearly above or in the ground; and about the others.
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
         private var _pair:TerrainPair = new TerrainPair();
+        private var _rays:GroundRay = new GroundRay();
 
         /** @param narrowPhase knows how deep trees are visited */
         public function GroundPairTests(narrowPhase:NarrowPhase)
@@ -51,6 +54,12 @@ package starlogo.search
             var earlyOut:GroundEarlyOut = lookOf(b);
             var found:int = earlyOut.lookAt(_extents, a.form, 0);
             return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).areOverlapping();
+        }
+
+        /** @inheritDoc */
+        override public function isMet(b:Body, ray:Ray):Boolean
+        {
+            return _rays.find(gridOf(b), ray);
         }
 
         /** @inheritDoc */

@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.ray.Ray;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -103,6 +104,12 @@ package starlogo.search
         public function findExits(a:Body, b:Body, ways:Vector.<ContactPoint>):int
         {
             return 0;
+        }
+
+        /** Whether a ray meets a body. If it does, the ray begins there, and has the normal. Only the ground answers. */
+        public function isMet(b:Body, ray:Ray):Boolean
+        {
+            return false;
         }
 
         /** Whether a piece of the first body is deeper in the second than this, in patches. Only the ground answers. */

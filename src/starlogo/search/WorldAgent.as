@@ -4,7 +4,6 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.ground.HeightGrid;
-    import starlogo.intersection.ray.Ray;
 
     use namespace engine;
 
@@ -14,7 +13,7 @@ package starlogo.search
      *
      * @private
      */
-    public class WorldAgent extends Agent
+    public final class WorldAgent extends Agent
     {
         /** The heights of the ground that it stands for, or null. */
         public var grid:HeightGrid = null;
@@ -22,12 +21,18 @@ package starlogo.search
         /** The edges that it stands for, or null: the least and the greatest x, then y, then z. */
         public var edges:Vector.<Number> = null;
 
-        /** @param breed Breeds.TERRAIN or Breeds.EDGE */
-        public function WorldAgent(breed:String)
+        private var _tests:Class;
+
+        /**
+         * @param breed Breeds.TERRAIN or Breeds.EDGE
+         * @param tests the class of the tests of pairs with what it stands for, whose constructor takes a NarrowPhase; null if there are none
+         */
+        public function WorldAgent(breed:String, tests:Class = null)
         {
             // the name without its asterisk
             super(breed.substr(1));
             breedNumber = Breeds.numberOf(breed);
+            _tests = tests;
         }
 
         /** @private It does not count as an agent of the game. */
@@ -39,13 +44,7 @@ package starlogo.search
         /** Creates the tests of pairs with what it stands for. */
         public function newTests(narrowPhase:NarrowPhase):PairTests
         {
-            return null;
-        }
-
-        /** Whether a ray meets the ground. If it does, the ray ends there, and has the normal. */
-        public function isMet(ray:Ray):Boolean
-        {
-            return false;
+            return new _tests(narrowPhase);
         }
     }
 }

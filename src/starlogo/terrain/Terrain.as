@@ -2,10 +2,13 @@ package starlogo.terrain
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
     import starlogo.ground.HeightGrid;
+    import starlogo.search.GroundPairTests;
+    import starlogo.search.WorldAgent;
 
     use namespace engine;
 
@@ -27,7 +30,7 @@ package starlogo.terrain
         /** @private The heights. */
         engine var grid:HeightGrid;
 
-        private var _agent:GroundAgent;
+        private var _agent:WorldAgent;
 
         /**
          * Flat ground of height 0.
@@ -52,7 +55,9 @@ package starlogo.terrain
             requireInWorld("a terrain's x and y", x, y, 0);
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
-            _agent = new GroundAgent(grid);
+            _agent = new WorldAgent(Breeds.TERRAIN, GroundPairTests);
+            _agent.grid = grid;
+            _agent.number = Agent.takeNumber();
             _agent.moveTo(x, y, 0);
         }
 

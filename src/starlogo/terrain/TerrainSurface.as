@@ -1,5 +1,6 @@
 package starlogo.terrain
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
     import starlogo.ground.GroundTriangles;
@@ -29,8 +30,7 @@ package starlogo.terrain
         private var _faces:GroundTriangles = new GroundTriangles();
 
         // Half the lengths of the box whose faces are drawn.
-        private var _halfX:Number;
-        private var _halfY:Number;
+        private var _half:Vector3D = new Vector3D(0, 0, Infinity);
 
         /**
          * Begins without triangles. <code>update()</code> makes them. With a rectangle, the surface has only the cells of slopes that are
@@ -60,8 +60,8 @@ package starlogo.terrain
             // heights and over the cells between them, and over no other.
             _faces.middle.x = _grid.x + (first + last) / 2 * _grid.cellWidth;
             _faces.middle.y = _grid.y + (firstRow + lastRow) / 2 * _grid.cellWidth;
-            _halfX = ((last - first) / 2 - 0.25) * _grid.cellWidth;
-            _halfY = ((lastRow - firstRow) / 2 - 0.25) * _grid.cellWidth;
+            _half.x = ((last - first) / 2 - 0.25) * _grid.cellWidth;
+            _half.y = ((lastRow - firstRow) / 2 - 0.25) * _grid.cellWidth;
         }
 
         /**
@@ -77,7 +77,7 @@ package starlogo.terrain
             }
             _revision = _grid.revision;
             vertices.length = normals.length = triangles.length = 0;
-            _faces.half.setTo(_halfX, _halfY, Infinity);
+            _faces.half.copyFrom(_half);
             // the last level is one square
             _faces.floor = _grid.bounds[_grid.begins[_grid.levels]];
             _faces.begin(_grid);

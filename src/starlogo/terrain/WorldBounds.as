@@ -1,8 +1,11 @@
 package starlogo.terrain
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
+    import starlogo.search.EdgePairTests;
+    import starlogo.search.WorldAgent;
 
     use namespace engine;
 
@@ -12,7 +15,7 @@ package starlogo.terrain
      */
     public final class WorldBounds
     {
-        private var _agent:EdgeAgent = new EdgeAgent();
+        private var _agent:WorldAgent = new WorldAgent(Breeds.EDGE, EdgePairTests);
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
     import starlogo.collision.Contact;
+    import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import support.Complaints;
     import support.EachCollider;
@@ -212,6 +213,34 @@ package starlogo.queries
             };
             assertEquals(1, queries.moveUntilTouch(mover, 8, 0, 0, filter));
             assertEquals(1, queries.countNear(agentAt("cube", 8, 0, 0), 0.1));
+        }
+
+        [Test]
+        public function anAgentStaysIfAcceptsRemovesItsModel():void
+        {
+            for each (var name:String in ["moveUntilTouch", "slide", "walk"])
+            {
+                var greatLand:GreatLand = landOf(BuiltInModel.cube(), BuiltInModel.sphere());
+                var queries:AgentQueries = new AgentQueries(new TightestFitCollider(greatLand));
+                var mover:Agent = agentAt("cube", 0, 0, 0);
+                queries.update(new <Agent>[mover, agentAt("sphere", 5, 0, 0)]);
+                var options:WalkOptions = new WalkOptions();
+                var filter:AgentFilter = options.filter = new AgentFilter();
+                filter.accepts = function(agent:Agent):Boolean
+                {
+                    greatLand.removeModel("cube");
+                    return true;
+                };
+                if (name == "walk")
+                {
+                    assertThrows(ArgumentError, /cube/, queries.walk, mover, 9, 0, options);
+                }
+                else
+                {
+                    assertThrows(ArgumentError, /cube/, queries[name], mover, 9, 0, 0, filter);
+                }
+                assertEquals(name, 0, mover.x);
+            }
         }
 
         private static function assertNear(message:String, agent:Agent, x:Number, y:Number, z:Number):void

@@ -6,6 +6,7 @@ package starlogo.queries
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.collision.BinCollider;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
@@ -21,10 +22,8 @@ package starlogo.queries
 
         private var _random:SeededRandom;
         private var _filter:AgentFilter = AgentFilter.ofBreeds("thirds");
-        private var _x:Vector.<Number>;
-        private var _y:Vector.<Number>;
-        private var _z:Vector.<Number>;
         private var _sizes:Extents;
+        private var _places:Points;
         private var _rows:Vector.<int>;
         private var _tree:RowTree;
         private var _seen:QueryWorld;
@@ -56,7 +55,7 @@ package starlogo.queries
             for (var world:int = 0; world < 120; world++)
             {
                 makeWorld(world);
-                _tree.build(_rows, _rows.length, _x, _y, _z);
+                _tree.build(_rows, _rows.length, _places);
                 for (var i:int = 0; i < 30; i++)
                 {
                     var message:String = "world " + world + ", " + i;
@@ -80,7 +79,7 @@ package starlogo.queries
             for (var world:int = 0; world < 120; world++)
             {
                 makeWorld(world);
-                _tree.build(_rows, _rows.length, _x, _y, _z, _sizes);
+                _tree.build(_rows, _rows.length, _sizes);
                 for (var i:int = 0; i < 30; i++)
                 {
                     var count:int = assertWay("world " + world + ", " + i, world, i % 3 == 0 ? 0 : _random.logBetween(0.01, 100), i % 3 < 2);
@@ -97,18 +96,19 @@ package starlogo.queries
 
         private function makeWorld(world:int):void
         {
-            _x = new Vector.<Number>(RowList.LISTED);
-            _y = new Vector.<Number>(RowList.LISTED);
-            _z = new Vector.<Number>(RowList.LISTED);
             _sizes = new Extents();
             _sizes.grow(RowList.LISTED + MOST_ROWS);
+            _places = new Points();
+            _places.x = _sizes.x;
+            _places.y = _sizes.y;
+            _places.z = _sizes.z;
             _rows = new Vector.<int>();
             var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, MOST_ROWS);
             for (var row:int = RowList.LISTED; row < RowList.LISTED + count; row++)
             {
-                _x[row] = coordinate(world);
-                _y[row] = coordinate(world);
-                _z[row] = world % 3 == 0 ? 0 : coordinate(world);
+                _sizes.x[row] = coordinate(world);
+                _sizes.y[row] = coordinate(world);
+                _sizes.z[row] = world % 3 == 0 ? 0 : coordinate(world);
                 _sizes.halfX[row] = _sizes.halfY[row] = _random.logBetween(0.01, 10);
                 _sizes.halfZ[row] = _random.pick([0, 0.5, 2]);
             }
@@ -150,30 +150,30 @@ package starlogo.queries
         private function moveOne(world:int):void
         {
             var row:int = anyRow();
-            _x[row] = coordinate(world);
-            _y[row] = coordinate(world);
-            _z[row] = coordinate(world);
-            var wasStale:Boolean = _tree.isStale;
+            _sizes.x[row] = coordinate(world);
+            _sizes.y[row] = coordinate(world);
+            _sizes.z[row] = coordinate(world);
+            var wasStale:Boolean = _tree.movesLeft < 0;
             _tree.move(row);
-            assertTrue(_rows.length + " rows are not worn by one move", !_tree.isStale || wasStale || _rows.length < 60);
-            if (_tree.isStale)
+            assertTrue(_rows.length + " rows are not worn by one move", _tree.movesLeft >= 0 || wasStale || _rows.length < 60);
+            if (_tree.movesLeft < 0)
             {
-                _tree.build(_rows, _rows.length, _x, _y, _z, _sizes);
+                _tree.build(_rows, _rows.length, _sizes);
             }
         }
 
         private function assertNear(message:String, world:int, skipped:int, filter:AgentFilter):Boolean
         {
-            var x:Number = skipped < 0 ? coordinate(world) : _x[skipped];
-            var y:Number = skipped < 0 ? coordinate(world) : _y[skipped];
-            var z:Number = skipped < 0 ? (world % 3 == 0 ? 0 : coordinate(world)) : _z[skipped];
+            var x:Number = skipped < 0 ? coordinate(world) : _sizes.x[skipped];
+            var y:Number = skipped < 0 ? coordinate(world) : _sizes.y[skipped];
+            var z:Number = skipped < 0 ? (world % 3 == 0 ? 0 : coordinate(world)) : _sizes.z[skipped];
             var limit:Number = Math.pow(_random.pick([0, 1, 5, 30, 1e4, Infinity]), 2);
             var near:Array = [];
             for each (var row:int in _rows)
             {
-                var toX:Number = _x[row] - x;
-                var toY:Number = _y[row] - y;
-                var toZ:Number = _z[row] - z;
+                var toX:Number = _sizes.x[row] - x;
+                var toY:Number = _sizes.y[row] - y;
+                var toZ:Number = _sizes.z[row] - z;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
                 if (square <= limit && row != skipped && (filter == null || filter.admits(_seen.table.agents[row])))
                 {
@@ -189,7 +189,7 @@ package starlogo.queries
                 _found.begin(most, limit, null, filter);
                 _found.askerRow = skipped;
                 _near.find(_tree, x, y, z, _found);
-                _found.sorted();
+                _found.endSorted();
                 assertEquals(message + ": " + most + ", how many", Math.min(most, near.length), _found.count);
                 for (var i:int = 0; i < _found.count; i++)
                 {
@@ -224,15 +224,14 @@ package starlogo.queries
                 _found.begin(wanted, limit, null, asking);
                 _found.askerRow = skipped;
                 _near.find(_tree, x, y, z, _found);
-                var rows:Vector.<int> = _found.sorted();
-                assertEquals(message + ": accepted", Math.min(wanted, int(near.length / 3)), _found.end());
+                assertEquals(message + ": accepted", Math.min(wanted, int(near.length / 3)), _found.endSorted());
                 assertEquals(message + ": asked", wanted > near.length / 3 ? near.length : 3 * wanted, asked.length);
                 for (var i:int = 0; i < asked.length; i++)
                 {
                     assertEquals(message + ": asked in order", near[i].row, asked[i]);
                     if (i % 3 == 2)
                     {
-                        assertEquals(message + ": accepted in order", asked[i], rows[int(i / 3)]);
+                        assertEquals(message + ": accepted in order", asked[i], _found.rows[int(i / 3)]);
                     }
                 }
             }
@@ -249,9 +248,9 @@ package starlogo.queries
             {
                 _way.moveAlong(along[0], along[1], along[2], limit);
             }
-            var times:Vector.<int> = new Vector.<int>(_x.length);
+            var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
-            for (var row:int = _way.next(); row >= 0; row = _way.next())
+            for (var row:int = _way.next(); row != RowList.GROUND; row = _way.next())
             {
                 times[row]++;
                 met++;
@@ -259,8 +258,8 @@ package starlogo.queries
             for each (row in _rows)
             {
                 var sizes:Array = [size + _sizes.halfX[row], 2 * size + _sizes.halfY[row], size + _sizes.halfZ[row]];
-                var to:Array = [_x[row] - from[0], _y[row] - from[1], _z[row] - from[2]];
-                var far:Number = Math.abs(_x[row]) + Math.abs(_y[row]) + Math.abs(_z[row]) + Math.abs(from[0]) + Math.abs(from[1]) + Math.abs(from[2]);
+                var to:Array = [_sizes.x[row] - from[0], _sizes.y[row] - from[1], _sizes.z[row] - from[2]];
+                var far:Number = Math.abs(_sizes.x[row]) + Math.abs(_sizes.y[row]) + Math.abs(_sizes.z[row]) + Math.abs(from[0]) + Math.abs(from[1]) + Math.abs(from[2]);
                 if (meets(to, sizes, along, limit, 0))
                 {
                     assertEquals(message + ": row " + row + " is met", 1, times[row]);

@@ -5,10 +5,7 @@ package
     import benchmark.DistanceBenchmark;
     import benchmark.FewMoveBenchmark;
     import benchmark.GroundBenchmark;
-    import benchmark.HandlersBenchmark;
-    import benchmark.MotionBenchmark;
     import benchmark.MoveBenchmark;
-    import benchmark.PausesBenchmark;
     import benchmark.QueriesBenchmark;
     import benchmark.RayBenchmark;
     import benchmark.ReadingBenchmark;
@@ -24,8 +21,8 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, HandlersBenchmark, TraversalBenchmark,
-                DistanceBenchmark, MotionBenchmark, MoveBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
+        private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, TraversalBenchmark, DistanceBenchmark,
+                MoveBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
 
         private var _pending:Array;
 

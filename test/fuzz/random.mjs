@@ -1,12 +1,20 @@
 /** Random calls of a game. */
 import { BREEDS } from "./kinds/handlers.mjs";
 import { MORE, SHAPES, THIN, TRAITS } from "./game.mjs";
-import { engine, toolsOf } from "./tools.mjs";
+import { engine, numbersOf, toolsOf } from "./tools.mjs";
 
 const { Agent } = engine;
 
-/** A random call. */
-export function randomCall(random) {
+/** How many calls a game has. */
+export const CALLS = 120;
+
+/** The calls of the game with this seed: of all kinds, or of these alone. */
+export function gameOf(seed, kinds = null) {
+	const random = numbersOf(seed);
+	return Array.from({ length: CALLS }, () => randomCall(random, kinds));
+}
+
+function randomCall(random, kinds) {
 	const tools = toolsOf(random);
 	const { between, integer, pick } = tools;
 	const place = () => (random() < 0.3 ? pick([-1, 0, 0.5, 1]) : between(-2.5, 2.5));
@@ -38,6 +46,6 @@ export function randomCall(random) {
 	const often = ["add", "add", "add", "move", "move", "move", "trait", "trait", "trait", "frame", "frame", "check", "ask", "ask", "go", "walk", "walk", "file"];
 	const more = ["ground", "stand", "stand", "stand", "stroll", "rest", "inside", "watch", "watch", "watchFrame", "watchOnce", "watchOnce", "watchGround", "beyond", "edges", "beside"];
 	const part = random();
-	const name = part < 0.4 ? pick(often) : part < 0.75 ? pick(more) : pick([...Object.keys(calls), ...Object.keys(MORE)]);
+	const name = kinds ? pick(kinds) : part < 0.4 ? pick(often) : part < 0.75 ? pick(more) : pick([...Object.keys(calls), ...Object.keys(MORE)]);
 	return [name, ...(name in MORE ? MORE[name].random(tools) : calls[name]())];
 }

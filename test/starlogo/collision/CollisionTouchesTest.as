@@ -1,12 +1,10 @@
 package starlogo.collision
 {
-    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
-    import support.Effort;
     import support.MoodyBins;
     import support.OwnVectorSystem;
     import support.assertThrows;
@@ -248,134 +246,6 @@ package starlogo.collision
             // of a system that does not know
             _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_bear, _ball]);
             assertFrame("a client's system", 4, "bears 0.000 -1,balls 0.000 1");
-        }
-
-        [Test]
-        public function startsAndEndsPairUpInALongGame():void
-        {
-            var random:SeededRandom = new SeededRandom(601);
-            var touching:Object = {};
-            var breeds:Array = ["bears", "balls", "walls"];
-            var systems:Array = [new BinCollider(_greatLand), new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand)];
-            var meddle:Function = function():void
-            {
-                var choice:int = _agents.length == 0 ? 6 : random.integer(0, 60);
-                if (choice == 0 && _agents.length > 10)
-                {
-                    _agents.splice(random.integer(0, _agents.length - 1), 1);
-                }
-                else if (choice == 1 && _agents.length < 60)
-                {
-                    _agents.push(newcomer(random, breeds));
-                }
-                else if (choice == 2)
-                {
-                    random.pick(arrayOf(_agents)).shape = random.pick(["sphere", "cube"]);
-                }
-                else if (choice == 3)
-                {
-                    random.pick(arrayOf(_agents)).breed = random.pick(breeds);
-                }
-                else if (choice == 4)
-                {
-                    _collision.collisionSystem = random.pick(systems);
-                }
-                else if (choice == 5)
-                {
-                    throw new Error("now and then");
-                }
-            };
-            for each (var breed:String in breeds)
-            {
-                for each (var other:String in breeds)
-                {
-                    addPair(breed, other, touching, meddle);
-                }
-            }
-            _agents.length = 0;
-            for (var i:int = 0; i < 40; i++)
-            {
-                _agents.push(newcomer(random, breeds));
-            }
-            var frames:int = Effort.choose(300, 3000);
-            for (var frame:int = 0; frame < frames; frame++)
-            {
-                for each (var agent:Agent in _agents)
-                {
-                    agent.moveTo(agent.x * 0.99 + 0.2 * random.normal(), agent.y * 0.99 + 0.2 * random.normal(), 0);
-                }
-                if (_agents.length < 30)
-                {
-                    _agents.push(newcomer(random, breeds));
-                }
-                updateQuietly();
-            }
-            _agents.length = 0;
-            // agents that the last handlers took out have their ends here
-            updateQuietly();
-            for (var key:String in touching)
-            {
-                assertEquals(key + " has not ended", false, touching[key]);
-            }
-            var starts:int = _calls.length;
-            assertTrue("starts: " + starts, starts > 2 * frames);
-            trace("  " + frames + " frames, " + starts + " starts, each with its end");
-        }
-
-        private function addPair(breed:String, other:String, touching:Object, meddle:Function):void
-        {
-            // its order in the list of handlers differs from pair to pair
-            _collision.onCollisionEnd(breed, other, function(collider:Agent, collidee:Agent):void
-                {
-                    var key:String = breed + " " + collider.id + " " + other + " " + collidee.id;
-                    assertEquals(key + " ends", true, touching[key]);
-                    touching[key] = false;
-                    meddle();
-                });
-            _collision.onCollisionStart(breed, other, function(collider:Agent, collidee:Agent):void
-                {
-                    var key:String = breed + " " + collider.id + " " + other + " " + collidee.id;
-                    assertTrue(key + " begins", !touching[key]);
-                    touching[key] = true;
-                    _calls.push(key);
-                    meddle();
-                });
-            _collision.onCollision(breed, other, function(collider:Agent, collidee:Agent):void
-                {
-                    meddle();
-                });
-        }
-
-        private function updateQuietly():void
-        {
-            try
-            {
-                _collision.update(_agents);
-            }
-            catch (error:Error)
-            {
-                for each (error in _collision.handlerErrors)
-                {
-                    assertEquals("now and then", error.message);
-                }
-            }
-        }
-
-        private static function newcomer(random:SeededRandom, breeds:Array):Agent
-        {
-            var agent:Agent = new Agent(random.pick(["sphere", "cube"]), random.pick(breeds));
-            agent.moveTo(random.between(-4, 4), random.between(-4, 4), 0);
-            return agent;
-        }
-
-        private static function arrayOf(agents:Vector.<Agent>):Array
-        {
-            var result:Array = [];
-            for each (var agent:Agent in agents)
-            {
-                result.push(agent);
-            }
-            return result;
         }
 
         // All three kinds of handlers.

@@ -40,7 +40,6 @@ package starlogo.queries
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj"];
 
         private static const BREEDS:Array = ["turtles", "wolves", "sheep"];
-        private static const PRIME:Number = 16777213;
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, 10];
 
         private static var sModels:Object;
@@ -382,34 +381,6 @@ package starlogo.queries
             assertThrows(ArgumentError, /null/, queries.canSee, _agents[0], null);
             assertThrows(ArgumentError, /no model/, queries.canSee, _agents[0], new Agent("nothing"));
             assertNull("nothing was taken", new AgentQueries(new HierarchicalCollider(sGreatLand)).cast(zero, up));
-        }
-
-        [Test]
-        public function answersAreTheSameOnEveryMachine():void
-        {
-            var hash:Number = 0;
-            var hits:int = 0;
-            for each (var system:String in EachCollider.NAMES)
-            {
-                for (var world:int = 0; world < 8; world++)
-                {
-                    makeWorld(RandomWorlds.KINDS[world], 40);
-                    var queries:AgentQueries = queriesOf(system, 6);
-                    for (var i:int = 0; i < 25; i++)
-                    {
-                        choose();
-                        for each (var hit:RayHit in queries.castAll(_origin, _direction))
-                        {
-                            hits++;
-                            hash = (31 * hash + _agents.indexOf(hit.agent)) % PRIME;
-                            hash = (31 * hash + Math.round(hit.distance * 1e4)) % PRIME;
-                            hash = (31 * hash + Math.round(hit.normal.x * 1e4 + hit.normal.y * 1e3 + 20000)) % PRIME;
-                        }
-                    }
-                }
-            }
-            assertEquals("hits", 2758, hits);
-            assertEquals(1967053, hash);
         }
 
         private static function addModel(model:Model):void

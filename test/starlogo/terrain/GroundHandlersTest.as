@@ -414,7 +414,7 @@ package starlogo.terrain
             assertThrows(IllegalOperationError, /./, own.update, new <Agent>[]);
         }
 
-        // GroundPlacementsTest checks what a system tells.
+        // GroundQuestionsTest and test/fuzz check what a system tells.
         [Test]
         public function handlersGetTheContactThatTheSystemTells():void
         {

@@ -11,6 +11,7 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
@@ -33,8 +34,7 @@ package starlogo.terrain
     /** Questions about the ground: rays, sight, touches, distances and motions. */
     public class GroundQuestionsTest
     {
-        private var _cube:Model = BuiltInModel.cube();
-        private var _sphere:Model = BuiltInModel.sphere();
+        private var _models:Object = {cube: BuiltInModel.cube(), sphere: BuiltInModel.sphere(), beam: beam()};
         private var _land:GreatLand;
         private var _random:SeededRandom;
 
@@ -46,7 +46,7 @@ package starlogo.terrain
         [Before]
         public function makeLand():void
         {
-            _land = landOf(_cube, _sphere, new Model("plate", new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0], new <uint>[0, 1, 2, 0, 2, 3]));
+            _land = landOf(_models.cube, _models.sphere, _models.beam, new Model("plate", new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0], new <uint>[0, 1, 2, 0, 2, 3]));
             _random = new SeededRandom(39);
         }
 
@@ -124,7 +124,8 @@ package starlogo.terrain
         // Returns 1 if the agent touches the ground.
         private function checkDistance(name:String, agent:Agent, what:String):int
         {
-            var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+            var collider:Collider = EachCollider.make(name, _land);
+            var queries:AgentQueries = new AgentQueries(collider);
             var a:Vector3D = new Vector3D();
             var b:Vector3D = new Vector3D();
             var distance:Number = queries.distance(agent, _terrain.agent, a, b);
@@ -132,6 +133,7 @@ package starlogo.terrain
             var near:Number = 1e-9 * (agent.size + _terrain.cellWidth + expected) + 1e-11 * (Math.abs(_terrain.x) + 1000);
             what += distance + " instead of " + expected;
             assertTrue(what, Math.abs(distance - expected) < near);
+            assertEquals(what + ", touches", distance == 0, collider.areColliding(agent, _terrain.agent));
             assertTrue(what + ", points", Math.abs(Vector3D.distance(a, b) - distance) < near);
             assertTrue(what + ", a point of the ground " + b, _terrain.heightAt(b.x, b.y) >= b.z || distanceOf(b) < near);
             assertTrue(what + ", a point of the agent " + a, queries.distanceToPoint(agent, a) < near);
@@ -461,6 +463,18 @@ package starlogo.terrain
             assertThrows(ArgumentError, /agents\[0\]/, queries.update, new <Agent>[queries.terrain.agent]);
         }
 
+        // Ten times as long as it is wide.
+        private static function beam():Model
+        {
+            var cube:Model = BuiltInModel.cube();
+            var vertices:Vector.<Number> = cube.vertices.concat();
+            for (var i:int = 0; i < vertices.length; i++)
+            {
+                vertices[i] *= i % 3 == 0 ? 1 : 0.1;
+            }
+            return new Model("beam", vertices, cube.triangles);
+        }
+
         private function makeGround(i:int):void
         {
             _kind = RandomGround.KINDS[i % RandomGround.KINDS.length];
@@ -502,10 +516,10 @@ package starlogo.terrain
 
         private function agentAbout():Agent
         {
-            var agent:Agent = new Agent(_random.chance(0.5) ? "cube" : "sphere");
+            var agent:Agent = new Agent(_random.pick(["cube", "sphere", "beam"]));
             var place:Vector3D = placeAbout(2);
             agent.hierarchical = _random.chance();
-            agent.size = _terrain.cellWidth * _random.logBetween(0.1, 3);
+            agent.size = _terrain.cellWidth * _random.logBetween(0.1, 5);
             agent.heading = _random.between(0, 360);
             agent.pitch = _random.between(-90, 90);
             agent.moveTo(place.x, place.y, place.z + agent.size);
@@ -514,7 +528,7 @@ package starlogo.terrain
 
         private function piecesOf(name:String, agent:Agent):Array
         {
-            return AgentPieces.of(name, agent, _land, agent.shape == "cube" ? _cube : _sphere);
+            return AgentPieces.of(name, agent, _land, _models[agent.shape]);
         }
 
         private function distanceOf(point:Vector3D):Number

@@ -230,6 +230,8 @@ package starlogo.terrain
                         terrain.raiseMound(column, row, random.between(1, 30), random.between(-9, 9));
                     }
                     checkBounds(terrain);
+                    terrain.isBlocky = k % 2 == 0;
+                    checkAround(terrain, random);
                 }
                 terrain.reset();
                 checkBounds(terrain);
@@ -334,6 +336,21 @@ package starlogo.terrain
                 }
             }
             assertEquals("the last level is one square", grid.bounds.length, at + 3);
+        }
+
+        // The ground within a reach of a place is between the bounds that are found there.
+        private static function checkAround(terrain:Terrain, random:SeededRandom):void
+        {
+            var x:Number = random.between(0, terrain.columns - 1);
+            var y:Number = random.between(0, terrain.rows - 1);
+            var reachX:Number = random.between(0, 9);
+            var reachY:Number = random.between(0, 9);
+            terrain.grid.findAround(x, y, reachX, reachY);
+            for (var i:int = 0; i < 30; i++)
+            {
+                var height:Number = terrain.heightAt(x + random.pick([-1, 1, random.between(-1, 1)]) * reachX, y + random.pick([-1, 1, random.between(-1, 1)]) * reachY);
+                assertFalse(height + " is out of bounds", height < terrain.grid.least || height > terrain.grid.greatest);
+            }
         }
 
         private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, bounds:Vector.<Number>):void

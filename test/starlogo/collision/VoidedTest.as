@@ -8,7 +8,6 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.search.BreedInterests;
-    import support.AgentChanges;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -16,8 +15,9 @@ package starlogo.collision
     import support.assertThrows;
 
     /**
-     * Whatever makes void what a collider keeps from frame to frame, cause by cause: one that has been kept finds what a new one finds. In games in which
-     * an agent sweeps, the new one has seen the frame before, which is all that a motion needs.
+     * Models that change or load, frames that throw and others that ask make void what a collider keeps from frame to frame: one that has been kept
+     * finds what a new one finds. In games in which an agent sweeps, the new one has seen the frame before, which is all that a motion needs.
+     * test/fuzz/kept.mjs changes agents, lists, handlers and settings.
      */
     public class VoidedTest
     {
@@ -28,7 +28,6 @@ package starlogo.collision
         private static const NOBODY:Array = [];
         private static const ALL:Array = EachCollider.NAMES;
         private static const STRUCTURES:Array = ["tightest fits", "combinations"];
-        private static const HIERARCHIES:Array = ["hierarchies", "combinations"];
         private static const MODELS:Array = ["tightest fits", "hierarchies", "triangles", "combinations"];
 
         private static var sGreatLand:GreatLand;
@@ -44,12 +43,9 @@ package starlogo.collision
 
         // one that has seen nothing but the last frame
         private var _younger:Collider;
-        private var _levels:int = 0;
         private var _isSwept:Boolean;
         private var _wrong:Complaints;
 
-        // in place of being checked, causes are put here
-        private var _causes:Array = null;
         private var _pairs:int;
 
         [BeforeClass]
@@ -57,7 +53,7 @@ package starlogo.collision
         {
             sGreatLand = new GreatLand();
             sGreatLand.loadAllBoundingStructures = true;
-            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(), egg()])
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart()])
             {
                 sGreatLand.addModel(model);
             }
@@ -75,173 +71,6 @@ package starlogo.collision
             _interests = null;
             _wrong = new Complaints();
             _pairs = 0;
-        }
-
-        [Test]
-        public function agentsChange():void
-        {
-            check("nothing happened", NOBODY, function():void
-                {
-                });
-            changing("position", ALL);
-            changing("jump", ALL);
-            changing("heading", MODELS);
-            changing("pitch", MODELS);
-            changing("roll", MODELS);
-            changing("size", ALL);
-            changing("shape", MODELS);
-            changing("hierarchical", ["combinations"]);
-            changing("collideAs", STRUCTURES);
-            each("one coordinate was set", ALL, function(agent:Agent):void
-                {
-                    agent[_random.pick(["x", "y", "z"])] += _random.normal();
-                });
-            // a capsule
-            check("agents were boxes and are what fits tightest", STRUCTURES, allAre({collideAs: Agent.TIGHTEST}), null,
-                    allAre({shape: "egg", hierarchical: false, collideAs: Agent.BOX}));
-            check("agents changed their traversal depth", HIERARCHIES, allAre({traversalDepth: 1}), null, function():void
-                {
-                    for each (var agent:Agent in _agents)
-                    {
-                        agent.shape = _random.pick(["apart", "cylinder"]);
-                        agent.hierarchical = true;
-                    }
-                });
-            each("agents changed their breed", ALL, function(agent:Agent):void
-                {
-                    agent.breed = _random.pick(["bears", "balls", "walls"]);
-                }, bearsAndBalls);
-            check("agents went far away and came back", NOBODY, function():void
-                {
-                    for each (var far:Number in [9e8, 3e8, 1e7])
-                    {
-                        var agent:Agent = _agents[_random.integer(0, _agents.length - 1)];
-                        var x:Number = agent.x;
-                        var z:Number = agent.z;
-                        agent.jumpTo(far, agent.y, _random.pick([z, far]));
-                        frame();
-                        agent.jumpTo(x, agent.y, z);
-                        frame();
-                    }
-                });
-            check("all agents went far away", NOBODY, function():void
-                {
-                    // where a patch is a multiple of what a Number tells apart, so that the pairs are the same
-                    for each (var agent:Agent in _agents)
-                    {
-                        agent.jumpTo(agent.x + 1048576, agent.y - 524288, agent.z);
-                    }
-                });
-            check("the smallest and the largest came and went", ALL, function():void
-                {
-                    _agents[0].size = 1e6;
-                    _agents[1].size = 1e-6;
-                    frame();
-                    _agents[0].size = 1e-6;
-                    _agents[1].size = 200;
-                    frame();
-                });
-        }
-
-        [Test]
-        public function interestsChange():void
-        {
-            check("interests were exchanged", ALL, function():void
-                {
-                    _interests = new BreedInterests();
-                    _interests.add("walls", _random.pick(["walls", "bears"]));
-                }, bearsAndBalls);
-            check("interests were exchanged for the same", NOBODY, function():void
-                {
-                    _interests = bearsAndBalls();
-                }, bearsAndBalls);
-            check("interests got a pair more", ALL, function():void
-                {
-                    _interests.add("walls", _random.pick(["walls", BreedInterests.ANY_BREED]));
-                }, bearsAndBalls);
-            check("interests came", ALL, comeOrGo);
-            check("interests went", ALL, comeOrGo, bearsAndBalls);
-        }
-
-        [Test]
-        public function theListChanges():void
-        {
-            check("agents left", ALL, function():void
-                {
-                    _agents.splice(_random.integer(0, _agents.length - 1), 1);
-                    _agents.pop();
-                    _agents.shift();
-                    _agents.splice(_random.integer(0, _agents.length - 1), 1);
-                });
-            check("agents came", ALL, function():void
-                {
-                    _agents.splice(_random.integer(0, _agents.length - 1), 0, makeAgent(), makeAgent());
-                    _agents.push(makeAgent(), makeAgent());
-                });
-            // the list is as long as it was
-            check("agents were exchanged for others", ALL, function():void
-                {
-                    for (var i:int = 0; i < _agents.length; i += 4)
-                    {
-                        _agents[i] = makeAgent();
-                    }
-                });
-            check("agents swapped their places", NOBODY, function():void
-                {
-                    var first:Agent = _agents[0];
-                    _agents[0] = _agents[_agents.length - 1];
-                    _agents[_agents.length - 1] = first;
-                    _agents.push(_agents.shift());
-                });
-            check("the list was replaced by another of the same agents", NOBODY, function():void
-                {
-                    _agents = _agents.concat();
-                });
-            check("the list was replaced by another of other agents", ALL, function():void
-                {
-                    _agents = makeAgents();
-                });
-            check("the list was reversed", NOBODY, function():void
-                {
-                    _agents.reverse();
-                });
-            check("an agent left and came back", NOBODY, function():void
-                {
-                    var agent:Agent = _agents.pop();
-                    frame();
-                    _agents.push(agent);
-                    frame();
-                });
-            check("an agent left changed and came back", ALL, function():void
-                {
-                    var gone:Vector.<Agent> = _agents.splice(0, 6);
-                    frame();
-                    for each (var agent:Agent in gone)
-                    {
-                        agent.moveTo(agent.x + _random.normal(), agent.y, 0);
-                        agent.size *= 1.5;
-                        agent.breed = "bears";
-                    }
-                    frame();
-                    _agents = _agents.concat(gone);
-                    frame();
-                });
-            check("an agent left and came back between two frames", NOBODY, function():void
-                {
-                    _agents.push(_agents.splice(3, 1)[0]);
-                });
-            check("the list was emptied and refilled", NOBODY, function():void
-                {
-                    var all:Vector.<Agent> = _agents.concat();
-                    _agents.length = 0;
-                    frame();
-                    assertEquals(0, _kept.statistics.agents);
-                    for each (var agent:Agent in all)
-                    {
-                        _agents.push(agent);
-                    }
-                    frame();
-                });
         }
 
         [Test]
@@ -348,32 +177,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function settingsChange():void
-        {
-            sGreatLand.loadAllBoundingStructures = false;
-            sGreatLand.addModel(BuiltInModel.cube());
-            sGreatLand.loadAllBoundingStructures = true;
-            sGreatLand.addModel(BuiltInModel.cube());
-            check("max depth changed", HIERARCHIES, function():void
-                {
-                    var precise:TreeCollider = _kept as TreeCollider;
-                    if (precise != null)
-                    {
-                        precise.maxDepth = 1;
-                    }
-                });
-            _levels = 2;
-            check("exact changed", ["hierarchies", "triangles", "combinations"], function():void
-                {
-                    var precise:TreeCollider = _kept as TreeCollider;
-                    if (precise != null)
-                    {
-                        precise.exact = !precise.exact;
-                    }
-                });
-        }
-
-        [Test]
         public function framesThrow():void
         {
             check("a frame threw of an unknown model", ALL, function():void
@@ -462,48 +265,6 @@ package starlogo.collision
                 });
         }
 
-        // Games of many frames, before each of which a few of the causes happen.
-        [Test]
-        public function manyThingsHappen():void
-        {
-            _causes = [];
-            agentsChange();
-            interestsChange();
-            theListChanges();
-            modelsChange();
-            framesThrow();
-            othersAskToo();
-            for each (var name:String in ALL)
-            {
-                for (var round:int = 0; round < _rounds; round++)
-                {
-                    _isSwept = round % 3 == 1;
-                    _agents = makeAgents();
-                    _interests = null;
-                    _cause = "many things happen, game " + round;
-                    start(name);
-                    for (var i:int = 0; i < 40; i++)
-                    {
-                        _interests ||= bearsAndBalls();
-                        for each (var agent:Agent in _agents)
-                        {
-                            agent.size = Math.max(0.1, Math.min(agent.size, 10));
-                        }
-                        frame();
-                        moveSome();
-                        var happens:Function = _random.pick(_causes);
-                        happens();
-                        if (_agents.length < COUNT)
-                        {
-                            _agents.push(makeAgent(), makeAgent());
-                        }
-                        compare("frame " + i);
-                    }
-                }
-            }
-            finish(NOBODY, {});
-        }
-
         [Test]
         public function aModelWithoutFitsWasRemoved():void
         {
@@ -546,56 +307,9 @@ package starlogo.collision
             sGreatLand.expectNoMore("later");
         }
 
-        private function changing(trait:String, changed:Array):void
-        {
-            each("agents got another " + trait, changed, function(agent:Agent):void
-                {
-                    AgentChanges.change(trait, agent, SHAPES, _random);
-                });
-        }
-
-        private function comeOrGo():void
-        {
-            _interests = _interests == null ? bearsAndBalls() : null;
-        }
-
-        // Gives all agents these traits.
-        private function allAre(traits:Object):Function
-        {
-            return function():void
-            {
-                for each (var agent:Agent in _agents)
-                {
-                    for (var trait:String in traits)
-                    {
-                        agent[trait] = traits[trait];
-                    }
-                }
-            };
-        }
-
-        private function each(cause:String, changed:Array, change:Function, interests:Function = null):void
-        {
-            check(cause, changed, function():void
-                {
-                    for each (var agent:Agent in some())
-                    {
-                        change(agent);
-                    }
-                }, interests);
-        }
-
         // Each collider in games of several frames, in which no agent sweeps, and in which some do.
         private function check(cause:String, changed:Array, happens:Function, interests:Function = null, before:Function = null):void
         {
-            if (_causes != null)
-            {
-                if (before == null)
-                {
-                    _causes.push(happens);
-                }
-                return;
-            }
             begin();
             _cause = cause;
             var changes:Object = {};
@@ -660,10 +374,6 @@ package starlogo.collision
         {
             _name = name;
             _kept = EachCollider.make(name, sGreatLand);
-            if (_levels > 0 && _kept is TreeCollider)
-            {
-                TreeCollider(_kept).maxDepth = _levels;
-            }
         }
 
         // What the kept one finds.
@@ -673,7 +383,6 @@ package starlogo.collision
             if (_isSwept)
             {
                 _younger = EachCollider.make(_name, sGreatLand);
-                copySettings();
                 assertEquals("agents", _agents.length, _kept.statistics.agents);
                 find(_younger);
             }
@@ -687,7 +396,6 @@ package starlogo.collision
             {
                 _younger = EachCollider.make(_name, sGreatLand);
             }
-            copySettings();
             var expected:String = find(_younger);
             var found:String = find(_kept);
             _wrong.addIf(found != expected,
@@ -720,16 +428,6 @@ package starlogo.collision
         private function findAll():void
         {
             find(_kept);
-        }
-
-        private function copySettings():void
-        {
-            var precise:TreeCollider = _kept as TreeCollider;
-            if (precise != null)
-            {
-                TreeCollider(_younger).exact = precise.exact;
-                TreeCollider(_younger).maxDepth = precise.maxDepth;
-            }
         }
 
         private static function bearsAndBalls():BreedInterests
@@ -783,18 +481,6 @@ package starlogo.collision
             agent.hierarchical = _random.chance();
             agent.sweeps = _isSwept && _random.chance(0.4);
             return agent;
-        }
-
-        // A sphere that is twice as high as wide.
-        private static function egg():Model
-        {
-            var sphere:Model = BuiltInModel.sphere();
-            var vertices:Vector.<Number> = sphere.vertices.concat();
-            for (var i:int = 2; i < vertices.length; i += 3)
-            {
-                vertices[i] *= 2;
-            }
-            return new Model("egg", vertices, sphere.triangles);
         }
 
         private static function flat(height:Number):Model

@@ -64,6 +64,8 @@ package benchmark
             addSweptStructures("swept boxes and structures", boxes, false);
             addSweptStructures("swept exact and structures", boxes, true);
             addTraversal("boxes, leaning, near, the traversal alone", boxes);
+            add("boxes, upright, mostly apart", boxes, boxes, 2.6, 1, true, false);
+            add("boxes, leaning, mostly apart", boxes, boxes, 2.6, 1, false, false);
             Measurement.runAll(_all, ROUNDS);
             var table:Table = new Table("a pair", "ns", "hits %", "visits", "hash");
             for (var i:int = 0; i < _all.length; i++)

@@ -32,6 +32,9 @@ package starlogo.hierarchy
         public var firstA:HierarchyNode = null;
         public var firstB:HierarchyNode = null;
 
+        /** The least bound that there can be. A pair with this bound ends the search. */
+        protected var lowest:Number = 0;
+
         /** The pose of the second tree's nodes in the first model's space. */
         protected var pose:RelativePose;
 
@@ -66,7 +69,7 @@ package starlogo.hierarchy
             var top:int = 0;
             var visits:int = 1;
             least = Infinity;
-            bound = 0;
+            bound = lowest;
             begin(a, b);
             estimate(a, b);
             while (true)
@@ -123,7 +126,7 @@ package starlogo.hierarchy
                         firstB = b;
                     }
                 }
-                if (top == 0 || !(least > 0))
+                if (top == 0 || !(least > lowest))
                 {
                     nodeVisits += visits;
                     return least < Infinity;

@@ -56,7 +56,7 @@ package starlogo.solid
             {
                 return findTriangle(hierarchy, ray);
             }
-            return _nodes.find(hierarchy.root, exact ? int.MAX_VALUE : depth, ray);
+            return _nodes.findHit(hierarchy.root, exact ? int.MAX_VALUE : depth, ray);
         }
 
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean

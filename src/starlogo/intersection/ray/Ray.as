@@ -159,27 +159,18 @@ package starlogo.intersection.ray
          */
         public function cut(offset:Number, speed:Number, half:Number):Boolean
         {
-            if (speed == 0)
+            var enter:Number = near;
+            var leave:Number = far;
+            var reach:Number;
+            var place:Number;
+            include "cut.inc";
+            far = leave;
+            if (enter == near)
             {
-                if (offset > half || offset < -half)
-                {
-                    far = -Infinity;
-                }
                 return false;
             }
-            var reach:Number = speed > 0 ? half : -half;
-            var first:Number = (-reach - offset) / speed;
-            var last:Number = (reach - offset) / speed;
-            if (last < far)
-            {
-                far = last;
-            }
-            if (first > near)
-            {
-                near = first;
-                return true;
-            }
-            return false;
+            near = enter;
+            return true;
         }
 
         /** Widens near and far to include the part in a ball. */

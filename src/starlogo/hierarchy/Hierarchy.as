@@ -68,7 +68,7 @@ package starlogo.hierarchy
         /** @private The number of items. */
         engine function get itemCount():int
         {
-            return (hasTriangles ? triangles.length : vertices.length) / 3;
+            return hasTriangles ? triangles.length / 3 : vertices.length / 3;
         }
 
         /** @private The number of vertices of some items. Each vertex is counted once. */

@@ -86,7 +86,11 @@ package starlogo.solid
                 for (var last:int = corner + 3; corner < last; corner++)
                 {
                     var at:int = triangles[corner];
-                    at = 3 * (welded == null ? at : welded[at]);
+                    if (welded != null)
+                    {
+                        at = welded[at];
+                    }
+                    at *= 3;
                     out[to] = vertices[at];
                     out[int(to + 1)] = vertices[int(at + 1)];
                     out[int(to + 2)] = vertices[int(at + 2)];

@@ -4,7 +4,7 @@ package starlogo.hierarchy
 
     /**
      * Finds the leaves of a hierarchy of triangles that an axis-aligned box may meet on its way, the nearer of two children first. A ray is
-     * a box without extents. For a box that stands, <code>findStanding()</code> takes few comparisons.
+     * a box without extents. A box that stands has no motion.
      *
      * <p>A place on the way is a multiple of the motion. The box meets a node between two places on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986). In the loop, all numbers are in steps of the tree's grid.</p>
@@ -30,9 +30,6 @@ package starlogo.hierarchy
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
 
-        /** How far leaves are from the middle at most, if the box stands. */
-        public var radius:Number = 0;
-
         /** The place where the way begins. */
         public var from:Number = 0;
 
@@ -55,7 +52,7 @@ package starlogo.hierarchy
             halfX = halfY = halfZ = half;
         }
 
-        /** Sets the motion. */
+        /** Sets the motion; 0 if the box stands. */
         public function setMotion(x:Number, y:Number, z:Number):void
         {
             _motionX = x;
@@ -70,96 +67,10 @@ package starlogo.hierarchy
         }
 
         /**
-         * Lets a test look at the leaves that the standing box meets and that are in reach of its middle, nearer ones mostly first.
-         *
-         * @param tree the hierarchy, packed
-         * @param test it ends the search by a negative <code>least</code>
-         */
-        public function findStanding(tree:PackedTree, test:TriangleTest):void
-        {
-            if (tree.root == null)
-            {
-                nodeVisits++;
-                test.look(PackedTree.firstOf(tree.rootLeaf), PackedTree.endOf(tree.rootLeaf));
-                return;
-            }
-            var scale:Number = tree.scale;
-            var fromX:Number = (x - tree.x) * scale;
-            var fromY:Number = (y - tree.y) * scale;
-            var fromZ:Number = (z - tree.z) * scale;
-            var reachX:Number = halfX * scale;
-            var reachY:Number = halfY * scale;
-            var reachZ:Number = halfZ * scale;
-            var reachSquared:Number = radius * scale * radius * scale;
-            var pairs:Vector.<BoxPair> = _pairs;
-            var sides:Vector.<int> = _leaves;
-            var visits:int = 0;
-            var top:int = 2;
-            pairs[0] = tree.root;
-            pairs[1] = tree.root;
-            sides[0] = 0;
-            sides[1] = 1;
-            while (top > 0)
-            {
-                top--;
-                visits++;
-                var pair:BoxPair = pairs[top];
-                var isLow:Boolean = sides[top] == 0;
-                var middle:int = isLow ? pair.lowX : pair.highX;
-                var half:int = isLow ? pair.lowHalfX : pair.highHalfX;
-                var gapX:Number = middle - fromX;
-                gapX = gapX < 0 ? -gapX : gapX;
-                gapX -= half;
-                middle = isLow ? pair.lowY : pair.highY;
-                half = isLow ? pair.lowHalfY : pair.highHalfY;
-                var gapY:Number = middle - fromY;
-                gapY = gapY < 0 ? -gapY : gapY;
-                gapY -= half;
-                middle = isLow ? pair.lowZ : pair.highZ;
-                half = isLow ? pair.lowHalfZ : pair.highHalfZ;
-                var gapZ:Number = middle - fromZ;
-                gapZ = gapZ < 0 ? -gapZ : gapZ;
-                gapZ -= half;
-                gapX = gapX < 0 ? 0 : gapX;
-                gapY = gapY < 0 ? 0 : gapY;
-                gapZ = gapZ < 0 ? 0 : gapZ;
-                if (gapX > reachX || gapY > reachY || gapZ > reachZ || gapX * gapX + gapY * gapY + gapZ * gapZ > reachSquared)
-                {
-                    continue;
-                }
-                var child:BoxPair = isLow ? pair.low : pair.high;
-                if (child == null)
-                {
-                    var leaf:int = isLow ? pair.lowLeaf : pair.highLeaf;
-                    test.look(PackedTree.firstOf(leaf), PackedTree.endOf(leaf));
-                    top = test.least < 0 ? 0 : top;
-                    continue;
-                }
-                // the nearer child comes last, so it is visited first
-                var beyond:Number = 2 * fromZ - child.highZ - child.lowZ;
-                if (child.axis == 0)
-                {
-                    beyond = 2 * fromX - child.highX - child.lowX;
-                }
-                else if (child.axis == 1)
-                {
-                    beyond = 2 * fromY - child.highY - child.lowY;
-                }
-                var near:int = beyond < 0 ? 0 : 1;
-                pairs[top] = child;
-                sides[top] = 1 - near;
-                pairs[top + 1] = child;
-                sides[top + 1] = near;
-                top += 2;
-            }
-            nodeVisits += visits;
-        }
-
-        /**
          * Lets a test look at the leaves.
          *
          * @param tree the hierarchy, packed
-         * @param test its <code>least</code> must be the place where the way ends
+         * @param test its <code>least</code> must be the place where the way ends; 0 if the box stands
          */
         public function find(tree:PackedTree, test:TriangleTest):void
         {
@@ -184,6 +95,7 @@ package starlogo.hierarchy
             var enters:Vector.<Number> = _enters;
             var begin:Number = from;
             var limit:Number = test.least < FARTHEST ? test.least : FARTHEST;
+            var stands:Boolean = _motionX == 0 && _motionY == 0 && _motionZ == 0;
             var visits:int = 0;
             var top:int = 0;
             var pair:BoxPair = tree.root;
@@ -217,7 +129,21 @@ package starlogo.hierarchy
                             pair = pair.low;
                             continue;
                         }
-                        if (enter < enterLow)
+                        var isHighFirst:Boolean = enter < enterLow;
+                        if (stands)
+                        {
+                            place = 2 * fromZ - pair.highZ - pair.lowZ;
+                            if (pair.axis == 0)
+                            {
+                                place = 2 * fromX - pair.highX - pair.lowX;
+                            }
+                            else if (pair.axis == 1)
+                            {
+                                place = 2 * fromY - pair.highY - pair.lowY;
+                            }
+                            isHighFirst = place >= 0;
+                        }
+                        if (isHighFirst)
                         {
                             pairs[top] = pair.low;
                             leaves[top] = pair.lowLeaf;

@@ -43,10 +43,11 @@ package starlogo.solid
         private var _motion:RelativeMotion;
         private var _test:ConvexTriangle = new ConvexTriangle();
 
-        // The extents of the structure and of its motion: least x, greatest x, least y, ...
+        // The extents of the structure's core and of its motion: least x, greatest x, least y, ... The core of a round structure is a point
+        // or a segment. To measure distances, they are those of the whole structure.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The structure's core, and the radius around it, with a margin for rounding.
+        // The structure's core, and the radius around it, with a margin for rounding: the kernels find a touch a little beyond it.
         private var _core:Zonotope = new Zonotope();
         private var _radius:Number = 0;
 
@@ -87,10 +88,14 @@ package starlogo.solid
             boxes.halfX = halfX;
             boxes.halfY = halfY;
             boxes.halfZ = halfZ;
-            // The extents of a round structure's core, and its radius. The kernels find a touch a little beyond it.
+            boxes.setMotion(0, 0, 0);
             var round:Number = _test.radius;
-            boxes.radius = round + Math.sqrt((halfX - round) * (halfX - round) + (halfY - round) * (halfY - round) + (halfZ - round) * (halfZ - round))
-                + Tolerances.EXTENTS * (halfX + halfY + halfZ);
+            _radius = round + Tolerances.EXTENTS * (halfX + halfY + halfZ);
+            for (var i:int = 0; i < 6; i += 2)
+            {
+                extents[i] += round;
+                extents[int(i + 1)] -= round;
+            }
             least = 0;
             if (motion !== RelativeMotion.NONE)
             {
@@ -130,14 +135,7 @@ package starlogo.solid
         /** Searches the model. Returns whether a triangle is touched. If the structure moves, <code>least</code> becomes the time. */
         public function find():Boolean
         {
-            if (_motion === RelativeMotion.NONE)
-            {
-                boxes.findStanding(_solid.tree, this);
-            }
-            else
-            {
-                boxes.find(_solid.tree, this);
-            }
+            boxes.find(_solid.tree, this);
             least = Math.max(0, least);
             return _isFound;
         }
@@ -169,7 +167,7 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                if (!isNear(i) || _motion !== RelativeMotion.NONE && isApart(i))
+                if (squaredGap(i) > _radius * _radius || _motion !== RelativeMotion.NONE && isApart(i))
                 {
                     continue;
                 }
@@ -244,45 +242,32 @@ package starlogo.solid
             return true;
         }
 
-        // The squared distance of a triangle's extents from the structure's extents.
+        // The squared distance of a triangle's extents from the extents of the structure.
         private function squaredGap(triangle:int):Number
         {
             var corners:Vector.<Number> = _solid.corners;
             var at:int = 9 * triangle;
             var squared:Number = 0;
-            for (var axis:int = 0; axis < 3; axis++)
+            for (var axis:int = 0; axis < 6; axis += 2)
             {
                 var p:Number = corners[at];
                 var q:Number = corners[int(at + 3)];
                 var r:Number = corners[int(at + 6)];
-                var low:Number = Math.min(p, Math.min(q, r)) - _extents[int(2 * axis + 1)];
-                var high:Number = _extents[2 * axis] - Math.max(p, Math.max(q, r));
-                var gap:Number = Math.max(0, Math.max(low, high));
+                var low:Number = _extents[axis];
+                var high:Number = _extents[int(axis + 1)];
+                var gap:Number = 0;
+                if (p > high && q > high && r > high)
+                {
+                    gap = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - high;
+                }
+                else if (p < low && q < low && r < low)
+                {
+                    gap = low - (p > q ? (p > r ? p : r) : (q > r ? q : r));
+                }
                 squared += gap * gap;
                 at++;
             }
             return squared;
-        }
-
-        // Whether the extents of a triangle overlap the extents of the structure and of its motion.
-        private function isNear(triangle:int):Boolean
-        {
-            var corners:Vector.<Number> = _solid.corners;
-            var at:int = 9 * triangle;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var p:Number = corners[at];
-                var q:Number = corners[int(at + 3)];
-                var r:Number = corners[int(at + 6)];
-                var low:Number = _extents[2 * axis];
-                var high:Number = _extents[int(2 * axis + 1)];
-                if (p < low && q < low && r < low || p > high && q > high && r > high)
-                {
-                    return false;
-                }
-                at++;
-            }
-            return true;
         }
 
         // Whether an axis separates a triangle from the moving structure until <code>least</code>: the normal of the triangle, or an axis

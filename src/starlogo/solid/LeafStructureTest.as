@@ -258,11 +258,15 @@ package starlogo.solid
                 var gap:Number = 0;
                 if (p > high && q > high && r > high)
                 {
-                    gap = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - high;
+                    gap = p < q ? p : q;
+                    gap = gap < r ? gap : r;
+                    gap -= high;
                 }
                 else if (p < low && q < low && r < low)
                 {
-                    gap = low - (p > q ? (p > r ? p : r) : (q > r ? q : r));
+                    gap = p > q ? p : q;
+                    gap = gap > r ? gap : r;
+                    gap = low - gap;
                 }
                 squared += gap * gap;
                 at++;

@@ -7,7 +7,6 @@ import assert from "node:assert/strict";
 import { files } from "./kinds/files.mjs";
 import { handlers, MEANT } from "./kinds/handlers.mjs";
 import { gapToGround, ground, heightsOf, isBesideGround } from "./kinds/ground.mjs";
-import { limits } from "./kinds/limits.mjs";
 import { models, solid } from "./kinds/models.mjs";
 import { points } from "./kinds/points.mjs";
 import { snapshots } from "./kinds/snapshots.mjs";
@@ -21,7 +20,7 @@ import { engine, HAIR } from "./tools.mjs";
 const { Agent, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, ObjModel, TightestFitCollider } = engine;
 
 /** Calls that have a file of their own. */
-const KINDS = { files, ground, handlers, limits, models, points, snapshots, walks, watch };
+const KINDS = { files, ground, handlers, models, points, snapshots, walks, watch };
 export const MORE = Object.assign({}, ...Object.values(KINDS));
 
 const SYSTEMS = [BinCollider, TightestFitCollider, HierarchicalCollider, CombinationCollider];

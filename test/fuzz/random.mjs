@@ -44,7 +44,7 @@ function randomCall(random, kinds) {
 		wrong: () => [integer(99)],
 	};
 	const often = ["add", "add", "add", "move", "move", "move", "trait", "trait", "trait", "frame", "frame", "check", "ask", "ask", "go", "walk", "walk", "file"];
-	const more = ["ground", "stand", "stand", "stand", "stroll", "rest", "inside", "watch", "watch", "watchFrame", "watchOnce", "watchOnce", "watchGround", "beyond", "edges", "beside"];
+	const more = ["ground", "stand", "stand", "stand", "stroll", "rest", "inside", "watch", "watch", "watchFrame", "watchOnce", "watchOnce", "watchGround", "edges", "beside"];
 	const part = random();
 	const name = kinds ? pick(kinds) : part < 0.4 ? pick(often) : part < 0.75 ? pick(more) : pick([...Object.keys(calls), ...Object.keys(MORE)]);
 	return [name, ...(name in MORE ? MORE[name].random(tools) : calls[name]())];

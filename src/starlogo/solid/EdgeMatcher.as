@@ -12,7 +12,6 @@ package starlogo.solid
      */
     internal final class EdgeMatcher extends StepSequence
     {
-        private static const TRIANGLES_PER_STEP:int = 1000;
         private static const EDGES_PER_STEP:int = 3000;
         private static const NON_MANIFOLD_PER_STEP:int = 100;
         private static const MOST_LOOKS:int = 8;
@@ -30,33 +29,33 @@ package starlogo.solid
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
 
-        // The edges in the order of their lower vertices, and for each vertex where the next of its edges belongs.
-        private var _order:Vector.<int>;
-        private var _places:Vector.<int>;
-
-        // For each edge, one more than the number of the edge before it between the same vertices, or 0. For each higher vertex, the lower
-        // vertex of its last edge, and that edge.
-        private var _before:Vector.<int>;
-        private var _lows:Vector.<int>;
+        // A hash table of pairs of vertices: one more than the number of the last edge between the two. For each edge, one more than the
+        // number of the edge before it between the same vertices, or 0.
         private var _lasts:Vector.<int>;
+        private var _before:Vector.<int>;
 
-        // If more than two edges are between the same two vertices, the last of these edges is in this list. The sets have the triangles that are
-        // connected.
-        private var _nonManifold:Vector.<int> = new Vector.<int>();
+        // If more than two edges are between the same two vertices, the last of these edges is in this list, in the order of the lower
+        // vertices: the lower vertex times the number of edges, plus the edge. The sets have the triangles that are connected.
+        private var _nonManifold:Array = [];
         private var _sets:DisjointSets;
 
         /**
          * @param triangles three vertex indices each
          * @param welding says which vertices are at the same place; read from the first step on
-         * @param vertexCount the number of vertices
          */
-        public function EdgeMatcher(triangles:Vector.<uint>, welding:Welding, vertexCount:int)
+        public function EdgeMatcher(triangles:Vector.<uint>, welding:Welding)
         {
             _triangles = triangles;
             _welding = welding;
             partners = new Vector.<int>(triangles.length, true);
-            _places = new Vector.<int>(vertexCount + 1, true);
-            slices(triangles.length / 3, TRIANGLES_PER_STEP, count).call(addUp);
+            _before = new Vector.<int>(triangles.length, true);
+            var size:int = 2;
+            while (size < 2 * triangles.length)
+            {
+                size *= 2;
+            }
+            _lasts = new Vector.<int>(size, true);
+            slices(triangles.length, EDGES_PER_STEP, link).slices(triangles.length, EDGES_PER_STEP, match).call(beginNonManifold);
         }
 
         /** Whether a triangle has three different corners. Other triangles have no edges. */
@@ -86,67 +85,42 @@ package starlogo.solid
             return begin < end ? begin : end;
         }
 
-        private function count(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                for (var edge:int = 3 * i; edge < 3 * i + 3 && hasEdges(i); edge++)
-                {
-                    _places[int(lowOf(edge) + 1)]++;
-                }
-            }
-        }
-
-        private function addUp():void
-        {
-            for (var i:int = 1; i < _places.length; i++)
-            {
-                _places[i] += _places[int(i - 1)];
-            }
-            var edges:int = _places[int(_places.length - 1)];
-            _order = new Vector.<int>(edges, true);
-            _before = new Vector.<int>(partners.length, true);
-            _lows = new Vector.<int>(_places.length, true);
-            _lasts = new Vector.<int>(_places.length, true);
-            slices(partners.length / 3, TRIANGLES_PER_STEP, place).slices(edges, EDGES_PER_STEP, link).slices(edges, EDGES_PER_STEP, match)
-                .call(beginNonManifold);
-        }
-
-        private function place(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                for (var edge:int = 3 * i; edge < 3 * i + 3 && hasEdges(i); edge++)
-                {
-                    _order[_places[lowOf(edge)]++] = edge;
-                }
-            }
-        }
-
         // Links the edges between the same vertices. Until they are matched, an edge that has one after it has itself as its partner.
         private function link(first:int, end:int):void
         {
-            for (var i:int = first; i < end; i++)
+            for (var edge:int = first; edge < end; edge++)
             {
-                var edge:int = _order[i];
-                var low:int = lowOf(edge);
-                var high:int = beginOf(edge) + endOf(edge) - low;
-                if (_lows[high] == low + 1)
+                if (!hasEdges(edge / 3))
                 {
-                    var before:int = _lasts[high];
-                    _before[edge] = before + 1;
-                    partners[before] = before + 1;
+                    continue;
                 }
-                _lows[high] = low + 1;
-                _lasts[high] = edge;
+                var low:int = lowOf(edge);
+                var sum:int = beginOf(edge) + endOf(edge);
+                var hash:int = low * 69069 ^ sum;
+                hash = (hash ^ hash >>> 15) * 69069;
+                var at:int = (hash ^ hash >>> 15) & _lasts.length - 1;
+                while (_lasts[at] != 0 && !areBetween(_lasts[at] - 1, low, sum))
+                {
+                    at = at + 1 & _lasts.length - 1;
+                }
+                var before:int = _lasts[at];
+                if (before > 0)
+                {
+                    _before[edge] = partners[int(before - 1)] = before;
+                }
+                _lasts[at] = edge + 1;
             }
+        }
+
+        private function areBetween(edge:int, low:int, sum:int):Boolean
+        {
+            return lowOf(edge) == low && beginOf(edge) + endOf(edge) == sum;
         }
 
         private function match(first:int, end:int):void
         {
-            for (var i:int = first; i < end; i++)
+            for (var edge:int = first; edge < end; edge++)
             {
-                var edge:int = _order[i];
                 var before:int = _before[edge] - 1;
                 if (partners[edge] != 0 || before < 0)
                 {
@@ -158,7 +132,7 @@ package starlogo.solid
                 }
                 else
                 {
-                    _nonManifold.push(edge);
+                    _nonManifold.push(lowOf(edge) * Number(partners.length) + edge);
                 }
             }
         }
@@ -171,7 +145,8 @@ package starlogo.solid
 
         private function beginNonManifold():void
         {
-            _order = _lows = _lasts = _places = null;
+            _lasts = null;
+            _nonManifold.sort(Array.NUMERIC);
             if (_nonManifold.length > 0)
             {
                 _sets = new DisjointSets(partners.length / 3);
@@ -194,7 +169,7 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                matchNonManifold(_nonManifold[i]);
+                matchNonManifold(_nonManifold[i] % partners.length);
             }
         }
 

@@ -33,7 +33,7 @@ package starlogo.solid
             _welding = new Welding(vertices);
             _sets = new DisjointSets(vertices.length / 3);
             _numbers = new Vector.<int>(vertices.length / 3, true);
-            var edges:EdgeMatcher = new EdgeMatcher(triangles, _welding, vertices.length / 3);
+            var edges:EdgeMatcher = new EdgeMatcher(triangles, _welding);
             _pieces = new PieceFinder(surface, edges);
             add(_welding).slices(count, TRIANGLES_PER_STEP, joinSome).slices(count, TRIANGLES_PER_STEP, numberSome).add(edges).add(_pieces);
         }

@@ -18,14 +18,6 @@ package starlogo.broadphase
         internal var width:Number;
         internal var cellsPerPatch:Number;
 
-        // Half the longer side of a member's ground rectangle is at most largestHalf and more than tooSmallHalf. Members too far out for a
-        // finer level may be smaller.
-        internal var largestHalf:Number;
-        internal var tooSmallHalf:Number;
-
-        // The square of the largest distance from the world's origin at which the level can be used.
-        internal var reachSquared:Number;
-
         // Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this everywhere in reach.
         internal var slack:Number;
 
@@ -49,10 +41,13 @@ package starlogo.broadphase
             this.number = number;
             this.width = width;
             cellsPerPatch = 1 / (width + 4 * width * SLACK);
-            largestHalf = width / 2;
-            tooSmallHalf = width / 4;
-            reachSquared = width * width * REACH * REACH;
             slack = width * SLACK;
+        }
+
+        /** The square of the largest distance from the world's origin at which the level can be used. */
+        public function get reachSquared():Number
+        {
+            return width * width * REACH * REACH;
         }
 
         /**

@@ -32,7 +32,7 @@ package starlogo.broadphase
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
             var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            if (level != null && half <= level.largestHalf && half > level.tooSmallHalf && distanceSquared < level.reachSquared)
+            if (level != null && 2 * half <= level.width && (4 * half > level.width || level.width == LEAST_WIDTH) && distanceSquared < level.reachSquared)
             {
                 return false;
             }
@@ -73,10 +73,6 @@ package starlogo.broadphase
             if (index == byWidth.length || byWidth[index].width != width)
             {
                 var level:BinLevel = new BinLevel(byNumber.length, width);
-                if (width == LEAST_WIDTH)
-                {
-                    level.tooSmallHalf = -1;
-                }
                 byWidth.splice(index, 0, level);
                 byNumber.push(level);
                 for (var i:int = 0; i < byWidth.length; i++)

@@ -350,6 +350,7 @@ package starlogo.broadphase
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
             var margin:Number = coarser.slack;
+            var wide:Number = level.width / 2 + coarser.width / 2 + margin;
             var cellsPerPatch:Number = coarser.cellsPerPatch;
             var mask:int = coarser.mask;
             var stride:int = coarser.stride;
@@ -362,7 +363,6 @@ package starlogo.broadphase
                 var middleX:Number = xs[slot];
                 var middleY:Number = ys[slot];
                 var ownReach:Number = radii[slot] + margin;
-                var wide:Number = level.largestHalf + coarser.largestHalf + margin;
                 var column:int = (middleX - wide) * cellsPerPatch + BIAS;
                 var columns:int = int((middleX + wide) * cellsPerPatch + BIAS) - column + 1;
                 var line:int = (middleY - wide) * cellsPerPatch + BIAS;

@@ -191,7 +191,7 @@ package starlogo.broadphase
             }
             var own:BinLevel = _levels.byNumber[_extents.level[row]];
             slack = own.width > level.width ? own.slack : level.slack;
-            var wide:Number = own.largestHalf + level.largestHalf + slack;
+            var wide:Number = own.width / 2 + level.width / 2 + slack;
             var across:Number = 2 * wide * level.cellsPerPatch + 2;
             if (across * across > level.mask)
             {

@@ -115,6 +115,21 @@ package starlogo.ground
             bounds = new Vector.<Number>(bounds.length, true);
         }
 
+        /** Becomes the same ground. The two share their lists. */
+        public function copyFrom(other:HeightGrid):void
+        {
+            columns = other.columns;
+            rows = other.rows;
+            cellWidth = other.cellWidth;
+            x = other.x;
+            y = other.y;
+            isBlocky = other.isBlocky;
+            heights = other.heights;
+            bounds = other.bounds;
+            begins = other.begins;
+            levels = other.levels;
+        }
+
         /** Call it before a change of some heights. */
         public function beginChange():void
         {

@@ -131,13 +131,14 @@ package starlogo.search
 
         /**
          * The body of an agent as it is now: that of its row, if the agent has not changed since, and else a body that is made. Its shape is null
-         * while the agent's model is loading.
+         * while the agent's model is loading. A row of the ground or of the edges may be held (HeldWorld), and is not of now then.
          */
         public function bodyOfNow(agent:Agent, made:Body):Body
         {
             forgetReplaced();
             var row:int = rowOf(agent);
-            if (row >= 0 && agent.revision == now.revisions[row] && agent.placement.extentsRevision == extentsRevisions[row])
+            var isOfNow:Boolean = row >= LISTED || row >= 0 && shapes[row].fixture === agent;
+            if (isOfNow && agent.revision == now.revisions[row] && agent.placement.extentsRevision == extentsRevisions[row])
             {
                 return bodyOf(row);
             }

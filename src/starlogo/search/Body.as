@@ -44,6 +44,11 @@ package starlogo.search
         /** The agent's own limit for the levels of its tree, or 0. */
         public var depth:int = 0;
 
+        /**
+         * Whether the leaves of its tree are tested instead of triangles. They find every touch that triangles find, in a tenth of the time.
+         */
+        internal var isOfLeaves:Boolean = false;
+
         /** Half of the length of the extents along x. */
         public var halfX:Number = 0;
         public var halfY:Number = 0;

@@ -23,9 +23,9 @@ package starlogo.search
         /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
-        // By number: the numbers that make a pair with it. Null for a breed that no pair names, and for ANY until a pair has ANY_BREED. ANY is a
-        // member like the others, so a breed with ANY_BREED costs no more than a breed with one other.
-        private var _partners:Vector.<NumberSet> = new Vector.<NumberSet>(Breeds.ANY + 1);
+        // By number: the numbers that make a pair with it, plus 1, because no id is 0. Null for a breed that no pair names, and for ANY until a
+        // pair has ANY_BREED. ANY is a member like the others, so a breed with ANY_BREED costs no more than a breed with one other.
+        private var _partners:Vector.<IdTable> = new Vector.<IdTable>(Breeds.ANY + 1);
 
         // How many breeds of agents the pairs name, and how many pairs are of two of these.
         private var _agentBreeds:int = 0;
@@ -57,18 +57,15 @@ package starlogo.search
             revision++;
             enter(number);
             enter(other);
-            if (!_partners[number].has(other))
+            if (!_partners[number].has(other + 1))
             {
-                _partners[number].add(other);
-                if (number != other)
-                {
-                    _partners[other].add(number);
-                }
+                _partners[number].set (other + 1, 0);
+                _partners[other].set (number + 1, 0);
                 _agentPairs += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
             }
             // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
-            var any:NumberSet = _partners[Breeds.ANY];
-            areAll = any == null ? 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1) : any.has(Breeds.ANY);
+            var any:IdTable = _partners[Breeds.ANY];
+            areAll = any == null ? 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1) : any.has(Breeds.ANY + 1);
         }
 
         /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
@@ -86,8 +83,8 @@ package starlogo.search
             }
             var isOfAgents:Boolean = !Breeds.isReserved(index);
             var isOtherOfAgents:Boolean = !Breeds.isReserved(otherIndex);
-            return _partners[index].has(otherIndex) || isOfAgents && isOtherOfAgents && areAll ||
-                isOtherOfAgents && _partners[index].has(Breeds.ANY) || isOfAgents && _partners[otherIndex].has(Breeds.ANY);
+            return _partners[index].has(otherIndex + 1) || isOfAgents && isOtherOfAgents && areAll ||
+                isOtherOfAgents && _partners[index].has(Breeds.ANY + 1) || isOfAgents && _partners[otherIndex].has(Breeds.ANY + 1);
         }
 
         /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */
@@ -121,7 +118,7 @@ package starlogo.search
         internal function read(table:AgentTable, numbers:Vector.<int>):int
         {
             var agents:Vector.<Agent> = table.agents;
-            var partners:Vector.<NumberSet> = _partners;
+            var partners:Vector.<IdTable> = _partners;
             var others:int = partners[Breeds.ANY] == null ? -1 : Breeds.ANY;
             if (numbers.length < agents.length)
             {
@@ -162,28 +159,20 @@ package starlogo.search
         internal function keepOfInterest(numbers:Vector.<int>, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             var own:int = numbers[row];
-            var any:NumberSet = _partners[Breeds.ANY];
-            if (any != null && any.has(own))
+            var any:IdTable = _partners[Breeds.ANY];
+            if (any != null && any.has(own + 1))
             {
                 return count;
             }
             // ANY_BREED does not stand for the ground or the edges
             any = Breeds.isReserved(own) ? null : any;
-            var partners:Vector.<int> = _partners[own].slots;
-            var last:int = partners.length - 1;
+            var partners:IdTable = _partners[own];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var number:int = numbers[rows[other]];
-                var slot:int = (number ^ number >> 10) & last;
-                var there:int = partners[slot];
-                while (there != number && there != NumberSet.FREE)
-                {
-                    slot = slot + 1 & last;
-                    there = partners[slot];
-                }
-                if (there == number || any != null && any.has(number))
+                var number:int = numbers[rows[other]] + 1;
+                if (partners.has(number) || any != null && any.has(number))
                 {
                     others[kept] = other;
                     kept++;
@@ -206,7 +195,7 @@ package starlogo.search
             }
             if (_partners[number] == null)
             {
-                _partners[number] = new NumberSet();
+                _partners[number] = new IdTable();
                 _agentBreeds += number > Breeds.ANY ? 1 : 0;
             }
         }

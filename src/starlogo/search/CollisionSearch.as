@@ -168,14 +168,7 @@ package starlogo.search
             bins.findPairs(extents, _memberRows, table.ranks, _memberCount, this);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                if (hasFixture(row))
-                {
-                    for (var i:int = 0; i < _memberCount; i++)
-                    {
-                        _atFixture[i] = _memberRows[i];
-                    }
-                    findAtFixture(interests, row, _atFixture, _memberCount);
-                }
+                findAtFixture(interests, row, _memberRows, _memberCount);
             }
             if (isSwept)
             {
@@ -203,12 +196,6 @@ package starlogo.search
             _rows = rows;
             _ranks = ranks;
             _circles = circles;
-        }
-
-        /** Whether the ground or the edges of the world take part in the search, by their row. */
-        internal function hasFixture(row:int):Boolean
-        {
-            return table.agents[row] != null && breeds[row] >= 0;
         }
 
         /** The speed at which the two agents of the last findContact came together, in patches a frame. */
@@ -250,10 +237,7 @@ package starlogo.search
             var rowB:int = table.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
-                _held.exchange();
-                var ofFrame:Number = motions.findContact(table, rowA, rowB, isSwept, out);
-                _held.exchange();
-                return ofFrame;
+                return motions.findContact(table, rowA, rowB, isSwept, out);
             }
             var bodyA:Body = table.bodyOfNow(a, _bodyA);
             var bodyB:Body = table.bodyOfNow(b, _bodyB);
@@ -268,13 +252,13 @@ package starlogo.search
         /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */
         public function holdWorld():void
         {
-            _held.hold(table.agents[RowList.GROUND], table.agents[RowList.EDGES]);
+            _held.hold(table, narrowPhase);
         }
 
         /** From now on the ground and the edges count as they are. */
         public function releaseWorld():void
         {
-            _held.release();
+            _held.release(table);
         }
 
         /** @inheritDoc */
@@ -305,15 +289,29 @@ package starlogo.search
         }
 
         /**
-         * Finds the pairs of rows with the ground, or with the edges of the world. It tests only rows whose breeds are of interest together with
-         * the fixture's breed.
+         * Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
+         * interest together with the fixture's breed.
          *
          * @param fixture the row of the ground or of the edges
-         * @param others the rows of members; overwritten
-         * @param count the number of rows
+         * @param candidates the rows
+         * @param length the number of rows
          */
-        internal function findAtFixture(interests:BreedInterests, fixture:int, others:Vector.<int>, count:int):void
+        internal function findAtFixture(interests:BreedInterests, fixture:int, candidates:Vector.<int>, length:int):void
         {
+            if (table.agents[fixture] == null || breeds[fixture] < 0)
+            {
+                return;
+            }
+            var others:Vector.<int> = _atFixture;
+            var count:int = 0;
+            for (var i:int = 0; i < length; i++)
+            {
+                if (isMember(candidates[i]))
+                {
+                    others[count] = candidates[i];
+                    count++;
+                }
+            }
             var rows:Vector.<int> = table.itself;
             count = interests.keepOfInterest(breeds, fixture, rows, others, count);
             if (isSwept)

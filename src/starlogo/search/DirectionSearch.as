@@ -36,17 +36,13 @@ package starlogo.search
         protected var _tests:PairTests;
         protected var _a:Body = new Body();
         protected var _b:Body;
-        protected var _x:Number = 0;
-        protected var _y:Number = 0;
-        protected var _z:Number = 0;
+        protected var _from:Vector3D = new Vector3D();
         protected var _extent:Number = 0;
         protected var _rounding:Number = 0;
         protected var _place:Vector3D = new Vector3D();
 
         // The direction that is tried; a distance along it at which the two touch, a distance at which they do not, and the next step towards it.
-        protected var _alongX:Number = 0;
-        protected var _alongY:Number = 0;
-        protected var _alongZ:Number = 0;
+        protected var _along:Vector3D = new Vector3D();
         protected var _touching:Number = 0;
         protected var _free:Number = 0;
         protected var _step:Number = 0;
@@ -122,12 +118,10 @@ package starlogo.search
             _distance = _touching;
             displace();
             var way:Number = _touching - _free;
-            _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
+            _back.endAfter(way * _along.x, way * _along.y, way * _along.z);
             _tests.findImpact(_a, _b, _back, _left);
             var time:Number = Math.min(_back.time, 1);
-            out.normalX = _alongX;
-            out.normalY = _alongY;
-            out.normalZ = _alongZ;
+            out.setNormal(_along.x, _along.y, _along.z);
             out.depth = _free + time * way;
         }
 
@@ -171,9 +165,7 @@ package starlogo.search
 
         protected function point(contact:ContactPoint):void
         {
-            _alongX = contact.normalX;
-            _alongY = contact.normalY;
-            _alongZ = contact.normalZ;
+            _along.setTo(contact.normalX, contact.normalY, contact.normalZ);
         }
 
         protected function touchesFree():Boolean
@@ -191,7 +183,7 @@ package starlogo.search
 
         protected function displace():void
         {
-            _place.setTo(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ);
+            _place.setTo(_from.x + _distance * _along.x, _from.y + _distance * _along.y, _from.z + _distance * _along.z);
             _a.moveTo(_place);
         }
     }

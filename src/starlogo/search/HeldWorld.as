@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.ground.HeightGrid;
 
@@ -12,73 +11,52 @@ package starlogo.search
      */
     internal final class HeldWorld
     {
-        // The ground's grid, or null; the values that exchange() swaps with the grid's; and whether another frame held it before.
-        private var _grid:HeightGrid = null;
-        private var _heights:Vector.<Number>;
-        private var _bounds:Vector.<Number>;
-        private var _isBlocky:Boolean;
+        // By row: what stands for the ground and for the edges while they are held.
+        private var _kept:Vector.<WorldAgent> = new <WorldAgent>[null, null];
+
+        // Whether another frame held the ground before.
         private var _wasHeld:Boolean;
 
-        // The agent of the edges, or null, and what is exchanged.
-        private var _agent:WorldAgent = null;
-        private var _edges:Vector.<Number>;
-
-        /** Keeps them as they are now. Each of the two agents may be null. */
-        public function hold(ground:Agent, edges:Agent):void
+        /** Keeps the ground and the edges of a table as they are now: its tests see them so. */
+        public function hold(table:AgentTable, narrowPhase:NarrowPhase):void
         {
-            release();
-            if (ground != null)
+            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                var fixture:WorldAgent = WorldAgent(ground);
-                var grid:HeightGrid = fixture.grid;
-                _grid = grid;
-                _heights = grid.heights;
-                _bounds = grid.bounds;
-                _isBlocky = grid.isBlocky;
-                _wasHeld = grid.isHeld;
-                grid.isHeld = true;
-            }
-            if (edges != null)
-            {
-                fixture = WorldAgent(edges);
-                _agent = fixture;
-                _edges = fixture.edges;
+                var fixture:WorldAgent = table.agents[row] as WorldAgent;
+                if (fixture == null)
+                {
+                    continue;
+                }
+                // its own agent brings the tests
+                narrowPhase.testsOf(table.bodyOf(row), table.bodyOf(row));
+                var kept:WorldAgent = _kept[row] ||= new WorldAgent(fixture.breed);
+                kept.edges = fixture.edges;
+                if (fixture.grid != null)
+                {
+                    kept.grid ||= new HeightGrid(2, 2, 1, 0, 0);
+                    kept.grid.copyFrom(fixture.grid);
+                    _wasHeld = fixture.grid.isHeld;
+                    fixture.grid.isHeld = true;
+                }
+                table.shapes[row].fixture = kept;
             }
         }
 
-        /** Lets go of them. */
-        public function release():void
+        /** Lets go of them. From now on the tests see them as they are. */
+        public function release(table:AgentTable):void
         {
-            if (_grid != null)
+            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                _grid.isHeld = _wasHeld;
-            }
-            _grid = null;
-            _agent = null;
-            _heights = _bounds = _edges = null;
-        }
-
-        /** Swaps the held values and the present ones. The second call swaps them back. */
-        public function exchange():void
-        {
-            var grid:HeightGrid = _grid;
-            if (grid != null)
-            {
-                var heights:Vector.<Number> = grid.heights;
-                var bounds:Vector.<Number> = grid.bounds;
-                var isBlocky:Boolean = grid.isBlocky;
-                grid.heights = _heights;
-                grid.bounds = _bounds;
-                grid.isBlocky = _isBlocky;
-                _heights = heights;
-                _bounds = bounds;
-                _isBlocky = isBlocky;
-            }
-            if (_agent != null)
-            {
-                var edges:Vector.<Number> = _agent.edges;
-                _agent.edges = _edges;
-                _edges = edges;
+                var fixture:WorldAgent = table.agents[row] as WorldAgent;
+                if (fixture == null || table.shapes[row].fixture === fixture)
+                {
+                    continue;
+                }
+                table.shapes[row].fixture = fixture;
+                if (fixture.grid != null)
+                {
+                    fixture.grid.isHeld = _wasHeld;
+                }
             }
         }
     }

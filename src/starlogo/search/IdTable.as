@@ -1,19 +1,25 @@
 package starlogo.search
 {
     /**
-     * A hash table that stores a number for each agent, by the agent's id. It uses open addressing: if an id's own slot is taken, the id is
+     * A hash table that stores a number for each id, such as an agent's. It uses open addressing: if an id's own slot is taken, the id is
      * stored in the next free slot. The table grows, and never shrinks.
      *
      * @private
      */
     public final class IdTable
     {
-        private static const FEWEST:int = 16;
+        private static const FEWEST:int = 4;
 
         // 0 marks a free slot, because no id is 0.
         private var _ids:Vector.<int> = new Vector.<int>(FEWEST);
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
+
+        /** Whether an id has a value. */
+        public function has(id:int):Boolean
+        {
+            return _ids[slotOf(id)] == id;
+        }
 
         /**
          * The value of an id, or -1 if it has none.

@@ -46,9 +46,6 @@ package starlogo.search
         private var _changedIn:Vector.<int> = new Vector.<int>();
         private var _changed:NumberList = new NumberList();
 
-        // The rows that are tested with the ground or the edges.
-        private var _members:Vector.<int> = new Vector.<int>();
-
         /** @param search makes the tests */
         public function KeptPairs(search:CollisionSearch)
         {
@@ -289,22 +286,8 @@ package starlogo.search
                 return;
             }
             _search.breeds[fixture] = _fixtures[fixture] == null ? -1 : _interests.indexOfNumber(_table.agents[fixture].breedNumber);
-            if (!_search.hasFixture(fixture))
-            {
-                return;
-            }
             var rows:Vector.<int> = hasChanged ? _table.rows : _changed.numbers;
-            var end:int = hasChanged ? _table.count : _changed.count;
-            var count:int = 0;
-            for (var i:int = 0; i < end; i++)
-            {
-                if (_cells.has(rows[i]))
-                {
-                    _members[count] = rows[i];
-                    count++;
-                }
-            }
-            _search.findAtFixture(_interests, fixture, _members, count);
+            _search.findAtFixture(_interests, fixture, rows, hasChanged ? _table.count : _changed.count);
         }
     }
 }

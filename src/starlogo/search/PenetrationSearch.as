@@ -104,11 +104,11 @@ package starlogo.search
         {
             var time:Number = motion.time;
             _b = b;
-            _x = a.placement.x + (motion.startX + time * motion.x);
-            _y = a.placement.y + (motion.startY + time * motion.y);
-            _z = a.placement.z + (motion.startZ + time * motion.z);
-            _place.setTo(_x, _y, _z);
-            _a.readShrunk(a, _place, 0);
+            _from.x = a.placement.x + (motion.startX + time * motion.x);
+            _from.y = a.placement.y + (motion.startY + time * motion.y);
+            _from.z = a.placement.z + (motion.startZ + time * motion.z);
+            _a.readShrunk(a, _from, 0);
+            _a.isOfLeaves = false;
             var share:Number = b.form == ModelShape.GROUND ? CELL_SHARE : 1;
             var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
             _rounding = a.margin + b.margin;
@@ -159,15 +159,11 @@ package starlogo.search
                 return;
             }
             var trees:TreePairTests = TreePairTests(_tests);
-            var isExact:Boolean = trees.exact && out.depth > SHALLOW * _extent;
-            if (isExact)
-            {
-                trees.byLeaves = true;
-            }
+            _a.isOfLeaves = trees.exact && out.depth > SHALLOW * _extent;
             tryOuter(out);
-            if (isExact)
+            if (_a.isOfLeaves)
             {
-                trees.byLeaves = false;
+                _a.isOfLeaves = false;
                 goOutAlong(out);
                 refine(out);
             }
@@ -264,9 +260,9 @@ package starlogo.search
 
         private function isFreeAfterPush():Boolean
         {
-            _alongX = _pushes.x / _pushes.length;
-            _alongY = _pushes.y / _pushes.length;
-            _alongZ = _pushes.z / _pushes.length;
+            _along.x = _pushes.push.x / _pushes.length;
+            _along.y = _pushes.push.y / _pushes.length;
+            _along.z = _pushes.push.z / _pushes.length;
             _distance = _pushes.length + ROOM * _extent;
             _free = _pushes.length + Tolerances.SEPARATION / 4 * _extent;
             return (_pushes.deciding == 1 || !touch()) && !touchesFree();
@@ -283,7 +279,7 @@ package starlogo.search
             }
             _isFirstLost = true;
             _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
-            var cosine:Number = _left.normalX * _alongX + _left.normalY * _alongY + _left.normalZ * _alongZ;
+            var cosine:Number = _left.normalX * _along.x + _left.normalY * _along.y + _left.normalZ * _along.z;
             var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_a.largestHalf, _b.largestHalf);
             var least:Number = isShort ? LEAST_ACUTE_COSINE : LEAST_COSINE;
             return isGround || cosine > least && cosine < MOST_COSINE;
@@ -292,7 +288,7 @@ package starlogo.search
         // Takes the push. If the two are free before its end, the depth is refined.
         private function takePush(out:ContactPoint):void
         {
-            out.setNormal(_alongX, _alongY, _alongZ);
+            out.setNormal(_along.x, _along.y, _along.z);
             out.depth = _pushes.length;
             _distance = _pushes.length - Tolerances.SEPARATION / 4 * _extent;
             if (_distance > 0 && !touch())

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.intersection.contact.ContactPoint;
 
     /**
@@ -27,9 +28,7 @@ package starlogo.search
         private static const ROUNDING:Number = 1e-12;
 
         /** The current push. */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var push:Vector3D = new Vector3D();
 
         /** Its length. */
         public var length:Number = 0;
@@ -49,13 +48,9 @@ package starlogo.search
         private var _zs:Vector.<Number> = new Vector.<Number>(4, true);
         private var _depths:Vector.<Number> = new Vector.<Number>(4, true);
 
-        // The push that is tried; the shortest one so far, and which of the contacts decide about it.
-        private var _tryX:Number = 0;
-        private var _tryY:Number = 0;
-        private var _tryZ:Number = 0;
-        private var _bestX:Number = 0;
-        private var _bestY:Number = 0;
-        private var _bestZ:Number = 0;
+        // The push that is tried; the shortest one so far, its length, and which of the contacts decide about it.
+        private var _tried:Vector3D = new Vector3D();
+        private var _shortest:Vector3D = new Vector3D();
         private var _best:Number = 0;
         private var _second:int = 0;
         private var _third:int = 0;
@@ -65,7 +60,8 @@ package starlogo.search
         {
             _count = deciding = 0;
             _current = -1;
-            x = y = z = length = 0;
+            length = 0;
+            push.setTo(0, 0, 0);
         }
 
         /** Goes on to the shortest push that is left. Returns false if there is none. */
@@ -85,9 +81,7 @@ package starlogo.search
             {
                 return false;
             }
-            x = _pushes[at];
-            y = _pushes[int(at + 1)];
-            z = _pushes[int(at + 2)];
+            push.setTo(_pushes[at], _pushes[int(at + 1)], _pushes[int(at + 2)]);
             _pushes[int(at + LENGTH)] = Infinity;
             deciding = _deciding[_current];
             return true;
@@ -112,7 +106,7 @@ package starlogo.search
                 _depths[i] = _pushes[int(at + 3)];
                 slack *= 2;
             }
-            _depths[0] = contact.depth + slack + contact.normalX * x + contact.normalY * y + contact.normalZ * z;
+            _depths[0] = contact.depth + slack + contact.normalX * push.x + contact.normalY * push.y + contact.normalZ * push.z;
             findShortest();
             if (_best < Infinity && _count < MOST && isNew(slack))
             {
@@ -124,9 +118,7 @@ package starlogo.search
         private function findShortest():void
         {
             _best = Infinity;
-            _tryX = _depths[0] * _xs[0];
-            _tryY = _depths[0] * _ys[0];
-            _tryZ = _depths[0] * _zs[0];
+            _tried.setTo(_depths[0] * _xs[0], _depths[0] * _ys[0], _depths[0] * _zs[0]);
             keepShorter(0, 0);
             for (var i:int = 1; i <= deciding; i++)
             {
@@ -144,7 +136,7 @@ package starlogo.search
             for (var i:int = 0; i < _count; i++)
             {
                 var at:int = STRIDE * i;
-                var off:Number = Math.abs(_pushes[at] - _bestX) + Math.abs(_pushes[int(at + 1)] - _bestY) + Math.abs(_pushes[int(at + 2)] - _bestZ);
+                var off:Number = Math.abs(_pushes[at] - _shortest.x) + Math.abs(_pushes[int(at + 1)] - _shortest.y) + Math.abs(_pushes[int(at + 2)] - _shortest.z);
                 if (off <= slack && i != _current)
                 {
                     return false;
@@ -162,9 +154,9 @@ package starlogo.search
                 _pushes.length = STRIDE * _deciding.length;
             }
             var at:int = STRIDE * _count;
-            _pushes[at] = _bestX;
-            _pushes[int(at + 1)] = _bestY;
-            _pushes[int(at + 2)] = _bestZ;
+            _pushes[at] = _shortest.x;
+            _pushes[int(at + 1)] = _shortest.y;
+            _pushes[int(at + 2)] = _shortest.z;
             _pushes[int(at + LENGTH)] = _best;
             _deciding[_count] = _third > 0 ? 3 : _second > 0 ? 2 : 1;
             keepContact(at + FIRST, 0);
@@ -190,9 +182,7 @@ package starlogo.search
             {
                 var first:Number = (_depths[i] - cosine * _depths[j]) / squaredSine;
                 var second:Number = (_depths[j] - cosine * _depths[i]) / squaredSine;
-                _tryX = first * _xs[i] + second * _xs[j];
-                _tryY = first * _ys[i] + second * _ys[j];
-                _tryZ = first * _zs[i] + second * _zs[j];
+                _tried.setTo(first * _xs[i] + second * _xs[j], first * _ys[i] + second * _ys[j], first * _zs[i] + second * _zs[j]);
                 keepShorter(j, 0);
             }
         }
@@ -204,7 +194,7 @@ package starlogo.search
                 + _zs[i] * (_xs[j] * _ys[k] - _ys[j] * _xs[k]);
             if (volume * volume > PARALLEL)
             {
-                _tryX = _tryY = _tryZ = 0;
+                _tried.setTo(0, 0, 0);
                 addCross(_depths[i] / volume, j, k);
                 addCross(_depths[j] / volume, k, i);
                 addCross(_depths[k] / volume, i, j);
@@ -215,25 +205,23 @@ package starlogo.search
         // Adds a multiple of the cross product of two normals.
         private function addCross(factor:Number, i:int, j:int):void
         {
-            _tryX += factor * (_ys[i] * _zs[j] - _zs[i] * _ys[j]);
-            _tryY += factor * (_zs[i] * _xs[j] - _xs[i] * _zs[j]);
-            _tryZ += factor * (_xs[i] * _ys[j] - _ys[i] * _xs[j]);
+            _tried.x += factor * (_ys[i] * _zs[j] - _zs[i] * _ys[j]);
+            _tried.y += factor * (_zs[i] * _xs[j] - _xs[i] * _zs[j]);
+            _tried.z += factor * (_xs[i] * _ys[j] - _ys[i] * _xs[j]);
         }
 
         // Keeps the push that is tried if it is shorter and leads out of all contacts.
         private function keepShorter(second:int, third:int):void
         {
-            var tried:Number = Math.sqrt(_tryX * _tryX + _tryY * _tryY + _tryZ * _tryZ);
+            var tried:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
             var isOut:Boolean = tried < _best;
             for (var i:int = 0; i <= deciding && isOut; i++)
             {
-                isOut = _tryX * _xs[i] + _tryY * _ys[i] + _tryZ * _zs[i] >= _depths[i] - ROUNDING * tried;
+                isOut = _tried.x * _xs[i] + _tried.y * _ys[i] + _tried.z * _zs[i] >= _depths[i] - ROUNDING * tried;
             }
             if (isOut)
             {
-                _bestX = _tryX;
-                _bestY = _tryY;
-                _bestZ = _tryZ;
+                _shortest.copyFrom(_tried);
                 _best = tried;
                 _second = second;
                 _third = third;

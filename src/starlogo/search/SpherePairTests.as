@@ -24,14 +24,10 @@ package starlogo.search
         /** The number of tests. */
         public var tests:int = 0;
 
-        // The way from the second middle to the first, and the largest distance of the two at which the spheres touch.
-        private var _x:Number = 0;
-        private var _y:Number = 0;
-        private var _z:Number = 0;
-        private var _reach:Number = 0;
-
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
+
+        // Has the way from the second middle to the first, and the largest distance of the two at which the spheres touch.
         private var _points:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
@@ -62,6 +58,7 @@ package starlogo.search
             var atZ:Number = zs[at];
             var radius:Number = radii[at];
             var slack:Number = bins.slack;
+            var spheres:SpherePairTests = this;
             var indices:Vector.<int> = out.indices;
             var rank:int = ranks[at];
             var to:int = 2 * out.count;
@@ -69,24 +66,7 @@ package starlogo.search
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var x:Number = xs[other] - atX;
-                var y:Number = ys[other] - atY;
-                var z:Number = zs[other] - atZ;
-                var reach:Number = radius + radii[other];
-                var squared:Number = x * x + y * y + z * z;
-                if (squared > reach * reach)
-                {
-                    // if the gap is not larger than rounding errors, the exact test decides
-                    reach += slack;
-                    if (squared > reach * reach)
-                    {
-                        continue;
-                    }
-                    if (!areTouching(table.bodyOf(rows[at]), table.bodyOf(rows[other])))
-                    {
-                        continue;
-                    }
-                }
+                include "sphereTest.inc";
                 var ahead:int = ranks[other] - rank;
                 include "writePair.inc";
             }
@@ -125,10 +105,10 @@ package starlogo.search
 
         private function setTo(a:Body, b:Body):void
         {
-            _x = a.x - b.x;
-            _y = a.y - b.y;
-            _z = a.z - b.z;
-            _reach = (a.halfX + b.halfX) * Tolerances.TOUCHING + (a.margin + b.margin);
+            _points.x = a.x - b.x;
+            _points.y = a.y - b.y;
+            _points.z = a.z - b.z;
+            _points.reach = (a.halfX + b.halfX) * Tolerances.TOUCHING + (a.margin + b.margin);
         }
 
         private function setToRows(table:AgentTable, a:int, b:int):void
@@ -137,28 +117,29 @@ package starlogo.search
             var places:RowPlaces = table.now;
             var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
             var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
-            _x = extents.x[a] - extents.x[b];
-            _y = extents.y[a] - extents.y[b];
-            _z = extents.z[a] - extents.z[b];
-            _reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
+            _points.x = extents.x[a] - extents.x[b];
+            _points.y = extents.y[a] - extents.y[b];
+            _points.z = extents.z[a] - extents.z[b];
+            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
         private function areOverlapping():Boolean
         {
-            return _x * _x + _y * _y + _z * _z <= _reach * _reach;
+            return _points.x * _points.x + _points.y * _points.y + _points.z * _points.z <= _points.reach * _points.reach;
         }
 
         private function sweep(motion:RelativeMotion):void
         {
+            var areTouchingAtEnd:Boolean = areOverlapping();
             tests++;
-            _points.x = _x + motion.startX;
-            _points.y = _y + motion.startY;
-            _points.z = _z + motion.startZ;
+            _points.x += motion.startX;
+            _points.y += motion.startY;
+            _points.z += motion.startZ;
             // the motion's own rounding errors are added too
-            _points.reach = _reach + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _points.reach += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _points.findEntry(motion);
             // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && areOverlapping())
+            if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)
             {
                 motion.time = 1;
             }

@@ -50,6 +50,7 @@ package starlogo.search
             var xs:Vector.<Number> = circles.x;
             var ys:Vector.<Number> = circles.y;
             var zs:Vector.<Number> = circles.z;
+            var radii:Vector.<Number> = circles.radius;
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
@@ -57,7 +58,9 @@ package starlogo.search
             var atX:Number = xs[at];
             var atY:Number = ys[at];
             var atZ:Number = zs[at];
-            var reachZ:Number = halfZs[row] + bins.slack;
+            var radius:Number = radii[at];
+            var slack:Number = bins.slack;
+            var reachZ:Number = halfZs[row] + slack;
             var box:Box = boxes[row];
             var body:Body = null;
             var boxTests:int = 0;
@@ -97,19 +100,7 @@ package starlogo.search
                 else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
                 {
                     spheres.tests++;
-                    var x:Number = xs[other] - atX;
-                    var y:Number = ys[other] - atY;
-                    var squared:Number = x * x + y * y + distance * distance;
-                    reach = halfZs[row] + halfZs[otherRow];
-                    if (squared > reach * reach)
-                    {
-                        // as in SpherePairTests.writeTouching
-                        reach += bins.slack;
-                        if (squared > reach * reach || !spheres.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
-                        {
-                            continue;
-                        }
-                    }
+                    include "sphereTest.inc";
                 }
                 else if (!NarrowPhase.areNear(table.extents, bins, row, otherRow) || !_narrowPhase.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
                 {

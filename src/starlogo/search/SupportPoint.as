@@ -29,15 +29,12 @@ package starlogo.search
         /** The farthest point, or the middle of several such points, in the world. */
         public var point:Vector3D = new Vector3D();
 
-        private var _shape:ModelShape;
-        private var _placement:Placement;
+        private var _body:Body;
         private var _depth:int;
         private var _isExact:Boolean;
 
         // The direction in the model's space, the farthest support so far, and the least support of points that count as the farthest.
-        private var _x:Number;
-        private var _y:Number;
-        private var _z:Number;
+        private var _direction:Vector3D = new Vector3D();
         private var _best:Number;
         private var _least:Number;
 
@@ -54,9 +51,8 @@ package starlogo.search
          */
         public function setTo(body:Body, trees:TreePairTests):void
         {
-            _shape = body.shape;
-            _placement = body.placement;
-            var tree:SolidHierarchy = _shape.hierarchy;
+            var tree:SolidHierarchy = body.shape.hierarchy;
+            _body = body;
             _isExact = tree != null && trees.exact && tree.hasTriangles;
             _depth = _isExact ? int.MAX_VALUE : tree == null ? 0 : trees.depthOf(body);
         }
@@ -64,18 +60,18 @@ package starlogo.search
         /** Finds how far the body reaches in a direction, which is a unit vector in the world. */
         public function find(direction:Vector3D):void
         {
-            var at:Placement = _placement;
-            _x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
-            _y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
-            _z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
+            var at:Placement = _body.placement;
+            _direction.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
+            _direction.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
+            _direction.z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
             _best = -Infinity;
-            if (_shape.hierarchy == null)
+            if (_body.shape.hierarchy == null)
             {
-                _best = supportOf(_shape.structure);
+                _best = supportOf(_body.shape.structure);
             }
             else
             {
-                visit(_shape.hierarchy.root, Infinity);
+                visit(_body.shape.hierarchy.root, Infinity);
             }
             support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * _best;
         }
@@ -88,18 +84,18 @@ package starlogo.search
         public function findPoint(direction:Vector3D, half:Number):void
         {
             find(direction);
-            _least = _best - Tolerances.SEPARATION * half / _placement.size;
+            _least = _best - Tolerances.SEPARATION * half / _body.placement.size;
             _low.setTo(Infinity, Infinity, Infinity);
             _high.setTo(-Infinity, -Infinity, -Infinity);
-            if (_shape.hierarchy == null)
+            if (_body.shape.hierarchy == null)
             {
-                addStructure(_shape.structure);
+                addStructure(_body.shape.structure);
             }
             else
             {
-                collect(_shape.hierarchy.root);
+                collect(_body.shape.hierarchy.root);
             }
-            var at:Placement = _placement;
+            var at:Placement = _body.placement;
             var x:Number = at.size * (_low.x + _high.x) / 2;
             var y:Number = at.size * (_low.y + _high.y) / 2;
             var z:Number = at.size * (_low.z + _high.z) / 2;
@@ -117,16 +113,16 @@ package starlogo.search
             }
             if (node.goesBelow(_depth))
             {
-                var along:Number = node.splitAxis == 0 ? _x : node.splitAxis == 1 ? _y : _z;
+                var along:Number = node.splitAxis == 0 ? _direction.x : node.splitAxis == 1 ? _direction.y : _direction.z;
                 visit(along > 0 ? node.high : node.low, limit);
                 visit(along > 0 ? node.low : node.high, limit);
             }
             else if (_isExact)
             {
-                var corners:Vector.<Number> = _shape.hierarchy.corners;
+                var corners:Vector.<Number> = _body.shape.hierarchy.corners;
                 for (var i:int = 9 * node.first; i < 9 * node.end; i += 3)
                 {
-                    _best = Math.max(_best, corners[i] * _x + corners[int(i + 1)] * _y + corners[int(i + 2)] * _z);
+                    _best = Math.max(_best, corners[i] * _direction.x + corners[int(i + 1)] * _direction.y + corners[int(i + 2)] * _direction.z);
                 }
             }
             else
@@ -150,11 +146,11 @@ package starlogo.search
             }
             else if (_isExact)
             {
-                var corners:Vector.<Number> = _shape.hierarchy.corners;
+                var corners:Vector.<Number> = _body.shape.hierarchy.corners;
                 for (var i:int = 9 * node.first; i < 9 * node.end; i += 3)
                 {
                     _added.setTo(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
-                    if (_added.x * _x + _added.y * _y + _added.z * _z >= _least)
+                    if (along(_added) >= _least)
                     {
                         addPoint();
                     }
@@ -212,9 +208,9 @@ package starlogo.search
                         capsule.start.z + share * (capsule.end.z - capsule.start.z));
                 radius = capsule.radius;
             }
-            _added.x += radius * _x;
-            _added.y += radius * _y;
-            _added.z += radius * _z;
+            _added.x += radius * _direction.x;
+            _added.y += radius * _direction.y;
+            _added.z += radius * _direction.z;
             addPoint();
         }
 
@@ -240,7 +236,7 @@ package starlogo.search
 
         private function along(vector:Vector3D):Number
         {
-            return vector.x * _x + vector.y * _y + vector.z * _z;
+            return vector.x * _direction.x + vector.y * _direction.y + vector.z * _direction.z;
         }
     }
 }

@@ -28,6 +28,7 @@ package starlogo.search
             _table.set (7, 0);
             _table.set (7, -2);
             assertEquals(-2, _table.valueOf(7));
+            assertTrue(_table.has(7));
         }
 
         [Test]

@@ -141,7 +141,7 @@ package starlogo.geometry
             }
             // Flat sides along the coordinate axes stay flat on a grid along these axes.
             var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
-            var grid:Vector.<Number> = new Vector.<Number>();
+            var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
             return HullGrid.rounding(_vertices, gridAxes, dimension == 2, grid).begin(function():Steps
                 {
                     var corners:Vector.<int> = _simplex.corners.concat();

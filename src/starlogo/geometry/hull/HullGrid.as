@@ -18,11 +18,10 @@ package starlogo.geometry.hull
          * @param vertices x, y, z of each; they must differ along each of the axes
          * @param axes perpendicular unit vectors, three numbers each
          * @param isPlane whether the vertices are in the plane of the first two axes
-         * @param points takes the vertices on the grid, three whole numbers each, from 0 to QuickHull.GRID; empty
+         * @param points takes the vertices on the grid, three whole numbers each, from 0 to QuickHull.GRID; as long as the vertices
          */
         public static function rounding(vertices:Vector.<Number>, axes:Vector.<Number>, isPlane:Boolean, points:Vector.<Number>):StepSequence
         {
-            points.length = vertices.length;
             if (isPlane)
             {
                 points.push(QuickHull.GRID / 2, QuickHull.GRID / 2, QuickHull.GRID);

@@ -31,13 +31,6 @@ package support
             return doMeet(endsOf(a, depthA), endsOf(b, depthB));
         }
 
-        /** Whether an agent's hierarchy meets the tightest fit of another. */
-        public function meetsTightestFit(a:Agent, depthA:int, b:Agent):Boolean
-        {
-            var structure:BoundingStructure = _greatLand.boundingStructures.tightestFit(b.shape);
-            return doMeet(endsOf(a, depthA), new <BoundingStructure>[structure.place(b.worldPlacement())]);
-        }
-
         private static function doMeet(a:Vector.<BoundingStructure>, b:Vector.<BoundingStructure>):Boolean
         {
             for (var i:int = 0; i < a.length; i++)

@@ -9,6 +9,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
@@ -98,6 +99,10 @@ package starlogo.queries
             assertThrows(ArgumentError, /agent is needed/, _queries.nearestOf, null, 2);
             assertThrows(ArgumentError, /agent is needed/, _queries.touchesAny, null);
             assertThrows(RangeError, /degrees must not be negative: -3/, _queries.inCone, _agents[0], 1, -3);
+            assertThrows(ArgumentError, /not /, _queries.overlapping, new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1));
+            var sphere:Sphere = new Sphere(new Vector3D(), 1);
+            sphere.radius = NaN;
+            assertThrows(RangeError, /finite/, _queries.overlapping, sphere);
             var filter:AgentFilter = new AgentFilter();
             filter.accepts = function(agent:Agent):Boolean
             {

@@ -47,7 +47,8 @@ package starlogo.ground
             _faces.way.y = ray.directionY;
             _faces.way.z = ray.directionZ;
             _faces.limit = Math.min(ray.to, FARTHEST);
-            _faces.begin(grid);
+            _faces.grid = grid;
+            _faces.begin();
             var isHit:Boolean = false;
             _triangles.begin(ray, _faces.corners, grid.cellWidth);
             while (_faces.next())

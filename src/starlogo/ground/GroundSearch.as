@@ -22,7 +22,6 @@ package starlogo.ground
      */
     internal class GroundSearch
     {
-        protected var _grid:HeightGrid;
         protected var _tree:SolidHierarchy;
         protected var _structure:BoundingStructure;
         private var _depth:int;
@@ -66,7 +65,7 @@ package starlogo.ground
          */
         public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            _grid = grid;
+            _faces.grid = grid;
             _tree = tree;
             _structure = structure;
             _placed.copyFrom(placement);
@@ -143,10 +142,10 @@ package starlogo.ground
 
         private function isPointUnder():Boolean
         {
-            _grid.atX = _point.x + _faces.origin.x;
-            _grid.atY = _point.y + _faces.origin.y;
-            _grid.findHeight();
-            return _grid.height - _under >= _point.z + _faces.origin.z;
+            _faces.grid.atX = _point.x + _faces.origin.x;
+            _faces.grid.atY = _point.y + _faces.origin.y;
+            _faces.grid.findHeight();
+            return _faces.grid.height - _under >= _point.z + _faces.origin.z;
         }
 
         // Ends the search.
@@ -206,7 +205,7 @@ package starlogo.ground
             _point = point;
             placeBox(structure);
             _faces.structure = piece;
-            _faces.begin(_grid);
+            _faces.begin();
         }
 
         // Puts the box around a structure of the model.

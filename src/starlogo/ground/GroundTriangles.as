@@ -34,6 +34,9 @@ package starlogo.ground
         private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
         private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
 
+        /** The ground. It must be set before <code>begin()</code>. */
+        public var grid:HeightGrid;
+
         /** The middle of the box, where its way begins. The box must be set before <code>begin()</code>. */
         public var middle:Vector3D = new Vector3D();
 
@@ -67,7 +70,6 @@ package starlogo.ground
         /** The height down to which walls reach at the terrain's borders; -Infinity: below the box. */
         public var floor:Number = -Infinity;
 
-        private var _grid:HeightGrid;
         private var _lastColumn:int;
         private var _lastRow:int;
 
@@ -104,12 +106,11 @@ package starlogo.ground
         private var _last:int = 0;
 
         /** Begins with the box. The box becomes a little wider, because of rounding. */
-        public function begin(grid:HeightGrid):void
+        public function begin():void
         {
             var width:Number = grid.cellWidth;
             var border:Number = grid.isBlocky ? width / 2 : 0;
             var fewer:int = grid.isBlocky ? 1 : 2;
-            _grid = grid;
             _lastColumn = grid.columns - fewer;
             _lastRow = grid.rows - fewer;
             _corner.setTo(grid.x - origin.x - border, grid.y - origin.y - border, -origin.z);
@@ -161,7 +162,7 @@ package starlogo.ground
         private function addSquares(level:int, first:int, firstRow:int, most:int):void
         {
             var shift:int = level * HeightGrid.SHIFT;
-            _width = _grid.cellWidth * (1 << shift);
+            _width = grid.cellWidth * (1 << shift);
             findRange(middle.x - _corner.x, half.x + reach, way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
             first = _first;
             var last:int = _last;
@@ -186,7 +187,7 @@ package starlogo.ground
             var shift:int = level * HeightGrid.SHIFT;
             _column = _squares[int(_top + 1)];
             _row = _squares[int(_top + 2)];
-            _width = _grid.cellWidth * (1 << shift);
+            _width = grid.cellWidth * (1 << shift);
             if (!isOver())
             {
                 return;
@@ -194,12 +195,12 @@ package starlogo.ground
             var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
             if (level == 0)
             {
-                visitCell(hasWalls || _grid.isBlocky);
+                visitCell(hasWalls || grid.isBlocky);
                 return;
             }
-            var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
-            var least:Number = _grid.bounds[bounds] + _corner.z;
-            var greatest:Number = _grid.bounds[int(bounds + 1)] + _corner.z;
+            var bounds:int = grid.begins[level] + 3 * (_row * HeightGrid.countSquares(grid.columns, level) + _column);
+            var least:Number = grid.bounds[bounds] + _corner.z;
+            var greatest:Number = grid.bounds[int(bounds + 1)] + _corner.z;
             if (hasWalls)
             {
                 least = Math.min(least, _low);
@@ -221,11 +222,11 @@ package starlogo.ground
         // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
         private function visitCell(hasWalls:Boolean):void
         {
-            var heights:Vector.<Number> = _grid.heights;
-            var at:int = _row * _grid.columns + _column;
+            var heights:Vector.<Number> = grid.heights;
+            var at:int = _row * grid.columns + _column;
             // all corners of a column have one height
-            var next:int = _grid.isBlocky ? 0 : 1;
-            var far:int = next * _grid.columns;
+            var next:int = grid.isBlocky ? 0 : 1;
+            var far:int = next * grid.columns;
             _tops[0] = heights[at] + _corner.z;
             _tops[1] = heights[int(at + next)] + _corner.z;
             _tops[2] = heights[int(at + next + far)] + _corner.z;
@@ -305,7 +306,7 @@ package starlogo.ground
             var low:Number = floor;
             if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
             {
-                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _corner.z : Infinity;
+                low = grid.isBlocky ? grid.heights[int(row * grid.columns + column)] + _corner.z : Infinity;
             }
             if (low >= top && low >= endTop || low > _high)
             {

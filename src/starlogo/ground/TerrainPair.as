@@ -38,12 +38,11 @@ package starlogo.ground
         /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
         public var leastDepth:Number = 0;
 
-        // The contact with the last triangle; the triangle of the ground that the last contact was with, if there was one; the number of ways out;
+        // The contact with the last triangle; the triangle of the ground that the last contact was with, if there was one;
         // and the distance of the nearest triangle so far.
         private var _tried:ContactPoint = new ContactPoint();
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
-        private var _exitCount:int = 0;
         private var _nearest:Number = 0;
 
         /** Whether the two overlap or touch where the model stands. */
@@ -176,21 +175,21 @@ package starlogo.ground
          */
         public function findExits(reach:Number, ways:Vector.<ContactPoint>):int
         {
-            _exitCount = 0;
+            var count:int = 0;
             begin(null, RelativeMotion.NONE, reach);
             while (next())
             {
                 _piece.findBehind(_tried);
                 if (_tried.depth >= -_piece.gap && (!_hasPart || isPartBehind()))
                 {
-                    addExit(ways);
+                    count = addExit(ways, count);
                 }
             }
-            for (var i:int = 0; i < _exitCount; i++)
+            for (var i:int = 0; i < count; i++)
             {
                 moveToWorld(ways[i]);
             }
-            return _exitCount;
+            return count;
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
@@ -200,9 +199,9 @@ package starlogo.ground
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
             var low:Number = middle.z - half.z;
-            _grid.findAround(middle.x + _faces.origin.x, middle.y + _faces.origin.y, half.x, half.y);
+            _faces.grid.findAround(middle.x + _faces.origin.x, middle.y + _faces.origin.y, half.x, half.y);
             out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _grid.greatest - _faces.origin.z - low);
+            out.depth = Math.max(0, _faces.grid.greatest - _faces.origin.z - low);
             out.x = middle.x;
             out.y = middle.y;
             out.z = low + out.depth / 2;
@@ -220,7 +219,7 @@ package starlogo.ground
             if (_tree == null)
             {
                 _piece.begin(_structure, _placed, RelativeMotion.NONE);
-                _faces.begin(_grid);
+                _faces.begin();
                 measure(out);
             }
             begin(_tree, RelativeMotion.NONE, _nearest);
@@ -228,7 +227,7 @@ package starlogo.ground
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _grid.heightAt(out.aX + _faces.origin.x, out.aY + _faces.origin.y) - _faces.origin.z >= out.aZ;
+                var isUnder:Boolean = _faces.grid.heightAt(out.aX + _faces.origin.x, out.aY + _faces.origin.y) - _faces.origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
@@ -245,12 +244,12 @@ package starlogo.ground
             placeBox(_structure);
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
-            var width:Number = _grid.cellWidth;
-            var column:int = Math.max(0, Math.min(_grid.columns - 1, Math.round((middle.x + _faces.origin.x - _grid.x) / width)));
-            var row:int = Math.max(0, Math.min(_grid.rows - 1, Math.round((middle.y + _faces.origin.y - _grid.y) / width)));
-            var atX:Number = _grid.x + column * width - _faces.origin.x;
-            var atY:Number = _grid.y + row * width - _faces.origin.y;
-            var atZ:Number = _grid.heights[int(row * _grid.columns + column)] - _faces.origin.z;
+            var width:Number = _faces.grid.cellWidth;
+            var column:int = Math.max(0, Math.min(_faces.grid.columns - 1, Math.round((middle.x + _faces.origin.x - _faces.grid.x) / width)));
+            var row:int = Math.max(0, Math.min(_faces.grid.rows - 1, Math.round((middle.y + _faces.origin.y - _faces.grid.y) / width)));
+            var atX:Number = _faces.grid.x + column * width - _faces.origin.x;
+            var atY:Number = _faces.grid.y + row * width - _faces.origin.y;
+            var atZ:Number = _faces.grid.heights[int(row * _faces.grid.columns + column)] - _faces.origin.z;
             var x:Number = Math.abs(atX - middle.x) + half.x;
             var y:Number = Math.abs(atY - middle.y) + half.y;
             var z:Number = Math.abs(atZ - middle.z) + half.z;
@@ -325,10 +324,10 @@ package starlogo.ground
             _hasPart = true;
         }
 
-        // Adds a way out. Of ways with nearly the same direction, the shortest is kept.
-        private function addExit(ways:Vector.<ContactPoint>):void
+        // Adds a way out to a number of ways. Of ways with nearly the same direction, the shortest is kept. Returns the new number.
+        private function addExit(ways:Vector.<ContactPoint>, count:int):int
         {
-            for (var i:int = 0; i < _exitCount; i++)
+            for (var i:int = 0; i < count; i++)
             {
                 var way:ContactPoint = ways[i];
                 if (_tried.normalX * way.normalX + _tried.normalY * way.normalY + _tried.normalZ * way.normalZ > SAME_EXIT)
@@ -337,18 +336,19 @@ package starlogo.ground
                     {
                         way.copyFrom(_tried);
                     }
-                    return;
+                    return count;
                 }
             }
-            if (_exitCount < MOST_EXITS)
+            if (count == MOST_EXITS)
             {
-                if (_exitCount == ways.length)
-                {
-                    ways[_exitCount] = new ContactPoint();
-                }
-                ways[_exitCount].copyFrom(_tried);
-                _exitCount++;
+                return count;
             }
+            if (count == ways.length)
+            {
+                ways[count] = new ContactPoint();
+            }
+            ways[count].copyFrom(_tried);
+            return count + 1;
         }
 
         private function isPartBehind():Boolean
@@ -362,7 +362,7 @@ package starlogo.ground
         // Whether any way out of the ground is at least about as long as the last contact is deep, because the piece's deepest point has to get out.
         private function isNeeded():Boolean
         {
-            var grid:HeightGrid = _grid;
+            var grid:HeightGrid = _faces.grid;
             var depth:Number = _tried.depth;
             if (!(depth >= 0))
             {

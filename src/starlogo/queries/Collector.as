@@ -56,9 +56,6 @@ package starlogo.queries
         /** Whether breeds or agents are excluded. */
         public var filters:Boolean = false;
 
-        /** The cone that rows near a place must be in too; null for none. */
-        public var cone:Cone = null;
-
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
 
@@ -309,7 +306,6 @@ package starlogo.queries
         private function mark(filter:AgentFilter):void
         {
             _question++;
-            cone = null;
             filters = false;
             if (filter == null)
             {

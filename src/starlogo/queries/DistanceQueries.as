@@ -71,7 +71,7 @@ package starlogo.queries
         }
 
         /**
-         * Finds the distance between two bodies, and writes it to <code>closest</code>.
+         * Finds the distance between two bodies, and writes it to <code>closest</code>. Not both are of the world's agents.
          *
          * @param narrowPhase tests whether bodies touch
          * @param withPoints whether the closest points are needed too
@@ -80,17 +80,10 @@ package starlogo.queries
         {
             if (NarrowPhase.isSecondFirst(a, b))
             {
-                measureInOrder(narrowPhase, b, a, withPoints);
+                measure(narrowPhase, b, a, withPoints);
                 closest.swapShapes();
+                return;
             }
-            else
-            {
-                measureInOrder(narrowPhase, a, b, withPoints);
-            }
-        }
-
-        private function measureInOrder(narrowPhase:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
-        {
             if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
             {
                 findClosest(a.structure(), b.structure(), closest);

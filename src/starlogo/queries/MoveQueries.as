@@ -184,7 +184,7 @@ package starlogo.queries
             {
                 mover.begin(body, rows, i, i + 1);
                 mover.go(_way, ending);
-                if (mover.hasContact && _set.found.add(rows[i], mover.fraction))
+                if (mover.contactRow >= 0 && _set.found.add(rows[i], mover.fraction))
                 {
                     _hits.put(rows[i]).copyFrom(mover.contact);
                     _end.copyFrom(mover.at);

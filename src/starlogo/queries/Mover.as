@@ -58,10 +58,7 @@ package starlogo.queries
         /** Whether the last motion began deep in another row. */
         public var isDeep:Boolean = false;
 
-        /** Whether another row stopped the last motion. After a slide it is false. */
-        public var hasContact:Boolean = false;
-
-        /** The other row. */
+        /** The row that stopped the last motion; -1 for none, and after a slide. */
         public var contactRow:int = -1;
 
         /** The contact with that row. The next motion overwrites it. */
@@ -144,7 +141,8 @@ package starlogo.queries
         public function go(motion:Vector3D, ending:int, steepest:Number = -2, widest:Number = Infinity, steepness:Number = -1):void
         {
             _rest.begin(motion, widest, steepness);
-            hasContact = metWall = isDeep = false;
+            contactRow = -1;
+            metWall = isDeep = false;
             contact.setNormal(0, 0, 0);
             fraction = 1;
             _sweep.beginMotion(at, motion);
@@ -251,7 +249,6 @@ package starlogo.queries
             {
                 contact.copyFrom(_rest.planes[crossed]);
                 contactRow = _rest.rows[crossed];
-                hasContact = true;
                 fraction = 0;
             }
             else if (findFirst())
@@ -266,10 +263,9 @@ package starlogo.queries
                 {
                     fraction = 0;
                 }
-                hasContact = true;
                 contact.depth = 0;
             }
-            if (!hasContact || fraction == 0)
+            if (contactRow < 0 || fraction == 0)
             {
                 at.copyFrom(_before);
                 _rest.advance(at, fraction);
@@ -346,6 +342,7 @@ package starlogo.queries
                 _rest.add(contact, contactRow);
                 dropNeedless();
             }
+            contactRow = -1;
             fraction = gone < whole ? gone / whole : 1;
         }
 

@@ -33,8 +33,9 @@ package starlogo.queries
          * @param y the place
          * @param z the place
          * @param found says which rows are wanted, and collects them unsorted
+         * @param cone the rows must be in it too; null for none. It does not go with a number of rows alone
          */
-        public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):void
+        public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector, cone:Cone = null):void
         {
             _tree = tree;
             _found = found;
@@ -69,7 +70,7 @@ package starlogo.queries
                 }
                 else
                 {
-                    visit(tree.starts[int(node - firstLeaf)], tree.starts[int(node + 1 - firstLeaf)], found);
+                    visit(tree.starts[int(node - firstLeaf)], tree.starts[int(node + 1 - firstLeaf)], found, cone);
                 }
             }
         }
@@ -221,7 +222,7 @@ package starlogo.queries
 
         // Tests the rows of a leaf. Rows that are only kept or counted are handled here, because a call for each row would take as long as the
         // test.
-        private function visit(start:int, end:int, found:Collector):void
+        private function visit(start:int, end:int, found:Collector, cone:Cone):void
         {
             var places:Points = _tree.middles;
             var xs:Vector.<Number> = places.x;
@@ -232,7 +233,6 @@ package starlogo.queries
             var atZ:Number = _z;
             var rows:Vector.<int> = _tree.rows;
             var filters:Boolean = found.filters;
-            var cone:Cone = found.cone;
             var countsOnly:Boolean = found.countsOnly;
             var countsAll:Boolean = _countsNodes;
             var askerRow:int = found.askerRow;

@@ -78,11 +78,8 @@ package starlogo.queries
         {
             requirePositive("radius", radius);
             found.begin(wanted, radius * radius, asker, filter);
-            if (degrees < 360)
-            {
-                found.cone = _cone.setTo(asker.worldPlacement(), degrees / 2);
-            }
-            _near.find(seen.findPlaces(), x, y, z, found);
+            var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
+            _near.find(seen.findPlaces(), x, y, z, found, cone);
             return found;
         }
 
@@ -98,14 +95,16 @@ package starlogo.queries
         public function touching(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
         {
             var table:AgentTable = seen.table;
-            found.begin(wanted, Infinity, asker, filter);
+            var answer:Collector = found;
+            var search:SweptBoxSearch = way;
+            answer.begin(wanted, Infinity, asker, filter);
             if (body.shape == null)
             {
-                return found;
+                return answer;
             }
-            seen.beginWay(way, body);
+            seen.beginWay(search, body);
             // if one row is wanted, it may be any that touches
-            for (var other:int = found.nextOf(way); other >= 0 && !(found.keepsFirst && found.count > 0); other = found.nextOf(way))
+            for (var other:int = answer.nextOf(search); other >= 0 && !(answer.keepsFirst && answer.count > 0); other = answer.nextOf(search))
             {
                 if (seen.narrowPhase.areTouching(body, table.bodyOf(other)))
                 {
@@ -113,10 +112,10 @@ package starlogo.queries
                     var toY:Number = table.now.y[other] - body.placement.y;
                     var toZ:Number = table.now.z[other] - body.placement.z;
                     // the ground has no place, so it comes last
-                    found.add(other, other == RowList.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
+                    answer.add(other, other == RowList.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }
             }
-            return found;
+            return answer;
         }
 
         /**

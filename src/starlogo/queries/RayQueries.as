@@ -74,16 +74,18 @@ package starlogo.queries
             var rowA:int = _set.seen.rowOf(a);
             var rowB:int = _set.seen.rowOf(b);
             var found:Collector = begin(1, from, towards, distance, filter);
-            for (var row:int = found.nextOf(_set.way); row >= 0; row = found.nextOf(_set.way))
+            var way:SweptBoxSearch = _set.way;
+            var rays:RowRays = _set.rowRays;
+            for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
             {
-                if (row != rowA && row != rowB && _set.rowRays.meets(row))
+                if (row != rowA && row != rowB && rays.meets(row))
                 {
                     if (found.accepts == null)
                     {
                         // any row will do
                         return false;
                     }
-                    found.add(row, _set.rowRays.ray.from);
+                    found.add(row, rays.ray.from);
                 }
             }
             return found.end() == 0;
@@ -130,18 +132,20 @@ package starlogo.queries
         private function collect():void
         {
             var found:Collector = _set.found;
-            var ray:Ray = _set.rowRays.ray;
-            for (var row:int = found.nextOf(_set.way); row >= 0; row = found.nextOf(_set.way))
+            var way:SweptBoxSearch = _set.way;
+            var rays:RowRays = _set.rowRays;
+            var ray:Ray = rays.ray;
+            for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
             {
-                if (_set.rowRays.meets(row) && found.add(row, ray.from))
+                if (rays.meets(row) && found.add(row, ray.from))
                 {
                     var contact:ContactPoint = _hits.put(row);
                     contact.x = ray.x + ray.from * ray.directionX;
                     contact.y = ray.y + ray.from * ray.directionY;
                     contact.z = ray.z + ray.from * ray.directionZ;
                     contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
-                    contact.depth = _set.rowRays.triangle;
-                    _set.way.limit = ray.to = found.limit;
+                    contact.depth = rays.triangle;
+                    way.limit = ray.to = found.limit;
                 }
             }
         }

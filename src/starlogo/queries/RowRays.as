@@ -38,7 +38,6 @@ package starlogo.queries
         public var ray:Ray = new Ray();
 
         private var _seen:QueryWorld;
-        private var _line:Ray = new Ray();
         private var _inModel:Ray = new Ray();
         private var _solid:ModelRayQuery = new ModelRayQuery();
 
@@ -59,7 +58,7 @@ package starlogo.queries
                 return _seen.narrowPhase.testsOf(body, body).isMet(body, ray);
             }
             var placement:Placement = body.placement;
-            var line:Ray = _line;
+            var line:Ray = _inModel;
             var toX:Number = placement.x - ray.x;
             var toY:Number = placement.y - ray.y;
             var toZ:Number = placement.z - ray.z;
@@ -70,29 +69,28 @@ package starlogo.queries
             line.x = ahead * line.directionX - toX;
             line.y = ahead * line.directionY - toY;
             line.z = ahead * line.directionZ - toZ;
-            var found:Ray = _inModel;
             var size:Number = placement.size;
-            found.bringInto(placement, line);
+            line.bringInto(placement, line);
             var start:Number = -ahead / size;
-            found.from = start;
+            line.from = start;
             // because of rounding this end is a little too far; hits beyond the exact end are refused below
-            found.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
-            found.faceBack();
-            if (!found.isFinite || !meetsShape(body, found))
+            line.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
+            line.faceBack();
+            if (!line.isFinite || !meetsShape(body, line))
             {
                 return false;
             }
-            if (found.from > start)
+            if (line.from > start)
             {
-                ray.from = Math.max(0, found.from * size + ahead);
+                ray.from = Math.max(0, line.from * size + ahead);
             }
             if (ray.from > ray.to)
             {
                 return false;
             }
-            ray.normalX = placement.r00 * found.normalX + placement.r01 * found.normalY + placement.r02 * found.normalZ;
-            ray.normalY = placement.r10 * found.normalX + placement.r11 * found.normalY + placement.r12 * found.normalZ;
-            ray.normalZ = placement.r20 * found.normalX + placement.r21 * found.normalY + placement.r22 * found.normalZ;
+            ray.normalX = placement.r00 * line.normalX + placement.r01 * line.normalY + placement.r02 * line.normalZ;
+            ray.normalY = placement.r10 * line.normalX + placement.r11 * line.normalY + placement.r12 * line.normalZ;
+            ray.normalZ = placement.r20 * line.normalX + placement.r21 * line.normalY + placement.r22 * line.normalZ;
             return true;
         }
 

@@ -306,7 +306,7 @@ package starlogo.queries
         {
             _above.copyFrom(_mover.at);
             goDown(depth);
-            if (_mover.hasContact && (isWalkable(_mover.contact, _mover.contactRow) || isOnAnother()))
+            if (_mover.contactRow >= 0 && (isWalkable(_mover.contact, _mover.contactRow) || isOnAnother()))
             {
                 return true;
             }
@@ -335,8 +335,8 @@ package starlogo.queries
         {
             var left:Number = _options.fall;
             _above.copyFrom(_mover.at);
-            _mover.hasContact = false;
-            for (var piece:Number = 1; left > 0 && !_mover.hasContact; piece *= 2)
+            _mover.contactRow = -1;
+            for (var piece:Number = 1; left > 0 && _mover.contactRow < 0; piece *= 2)
             {
                 if (piece > Agent.LARGEST_COORDINATE)
                 {
@@ -346,7 +346,7 @@ package starlogo.queries
                 goDown(Math.min(left, piece));
                 left -= _mover.fraction * Math.min(left, piece);
             }
-            if (_mover.hasContact)
+            if (_mover.contactRow >= 0)
             {
                 if (isWalkable(_mover.contact, _mover.contactRow))
                 {

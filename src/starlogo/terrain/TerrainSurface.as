@@ -25,7 +25,6 @@ package starlogo.terrain
         /** Three vertex indices for each triangle, counter-clockwise seen from outside of the ground. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
-        private var _grid:HeightGrid;
         private var _revision:int = -1;
         private var _faces:GroundTriangles = new GroundTriangles();
 
@@ -51,17 +50,17 @@ package starlogo.terrain
             {
                 throw new RangeError("the borders of a rectangle must be numbers, not " + [minX, minY, maxX, maxY]);
             }
-            _grid = terrain.grid;
-            var first:int = within(Math.ceil((minX - _grid.x) / _grid.cellWidth), 0, _grid.columns);
-            var firstRow:int = within(Math.ceil((minY - _grid.y) / _grid.cellWidth), 0, _grid.rows);
-            var last:int = within(Math.floor((maxX - _grid.x) / _grid.cellWidth), -1, _grid.columns - 1);
-            var lastRow:int = within(Math.floor((maxY - _grid.y) / _grid.cellWidth), -1, _grid.rows - 1);
+            var grid:HeightGrid = _faces.grid = terrain.grid;
+            var first:int = within(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
+            var firstRow:int = within(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
+            var last:int = within(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
+            var lastRow:int = within(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the columns of these
             // heights and over the cells between them, and over no other.
-            _faces.middle.x = _grid.x + (first + last) / 2 * _grid.cellWidth;
-            _faces.middle.y = _grid.y + (firstRow + lastRow) / 2 * _grid.cellWidth;
-            _half.x = ((last - first) / 2 - 0.25) * _grid.cellWidth;
-            _half.y = ((lastRow - firstRow) / 2 - 0.25) * _grid.cellWidth;
+            _faces.middle.x = grid.x + (first + last) / 2 * grid.cellWidth;
+            _faces.middle.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
+            _half.x = ((last - first) / 2 - 0.25) * grid.cellWidth;
+            _half.y = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
         }
 
         /**
@@ -71,16 +70,17 @@ package starlogo.terrain
          */
         public function update():Boolean
         {
-            if (_grid.revision == _revision)
+            var grid:HeightGrid = _faces.grid;
+            if (grid.revision == _revision)
             {
                 return false;
             }
-            _revision = _grid.revision;
+            _revision = grid.revision;
             vertices.length = normals.length = triangles.length = 0;
             _faces.half.copyFrom(_half);
             // the last level is one square
-            _faces.floor = _grid.bounds[_grid.begins[_grid.levels]];
-            _faces.begin(_grid);
+            _faces.floor = grid.bounds[grid.begins[grid.levels]];
+            _faces.begin();
             while (_faces.next())
             {
                 addTriangle(_faces.corners);
@@ -110,7 +110,7 @@ package starlogo.terrain
                 }
                 else
                 {
-                    addNormal((corners[i] - _grid.x) / _grid.cellWidth, (corners[i + 1] - _grid.y) / _grid.cellWidth);
+                    addNormal((corners[i] - _faces.grid.x) / _faces.grid.cellWidth, (corners[i + 1] - _faces.grid.y) / _faces.grid.cellWidth);
                 }
             }
         }
@@ -120,9 +120,9 @@ package starlogo.terrain
         {
             var column:int = Math.round(x);
             var row:int = Math.round(y);
-            var at:int = row * _grid.columns + column;
-            var slopeX:Number = _grid.isBlocky ? 0 : slopeAt(at, 1, column, _grid.columns - 1);
-            var slopeY:Number = _grid.isBlocky ? 0 : slopeAt(at, _grid.columns, row, _grid.rows - 1);
+            var at:int = row * _faces.grid.columns + column;
+            var slopeX:Number = _faces.grid.isBlocky ? 0 : slopeAt(at, 1, column, _faces.grid.columns - 1);
+            var slopeY:Number = _faces.grid.isBlocky ? 0 : slopeAt(at, _faces.grid.columns, row, _faces.grid.rows - 1);
             var length:Number = Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1);
             normals.push(-slopeX / length, -slopeY / length, 1 / length);
         }
@@ -132,7 +132,7 @@ package starlogo.terrain
         {
             var before:int = place > 0 ? 1 : 0;
             var after:int = place < last ? 1 : 0;
-            return (_grid.heights[at + after * step] - _grid.heights[at - before * step]) / (before + after) / _grid.cellWidth;
+            return (_faces.grid.heights[at + after * step] - _faces.grid.heights[at - before * step]) / (before + after) / _faces.grid.cellWidth;
         }
     }
 }

@@ -48,7 +48,7 @@ package starlogo.intersection.ray
         /** Where the line leaves the shape. Input of narrow. */
         public var far:Number = 0;
 
-        /** Sets the line to another ray's line, transformed into a model's space. The part has to be set after that. */
+        /** Sets the line to another ray's line, or its own, transformed into a model's space. The part has to be set after that. */
         public function bringInto(placement:Placement, line:Ray):void
         {
             var toX:Number = line.x / placement.size;

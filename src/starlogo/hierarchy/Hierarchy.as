@@ -74,13 +74,9 @@ package starlogo.hierarchy
         /** @private The number of vertices of some items. Each vertex is counted once. */
         engine function countVertices(first:int, end:int):int
         {
-            if (!hasTriangles)
-            {
-                return end - first;
-            }
             var isCounted:Object = {};
-            var count:int = 0;
-            for (var i:int = first; i < end; i++)
+            var count:int = hasTriangles ? 0 : end - first;
+            for (var i:int = first; hasTriangles && i < end; i++)
             {
                 var corner:int = 3 * order[i];
                 for (var last:int = corner + 3; corner < last; corner++)

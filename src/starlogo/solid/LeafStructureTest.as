@@ -88,7 +88,7 @@ package starlogo.solid
             boxes.halfX = halfX;
             boxes.halfY = halfY;
             boxes.halfZ = halfZ;
-            boxes.setMotion(0, 0, 0);
+            boxes.setMotion(motion.x, motion.y, motion.z);
             var round:Number = _test.radius;
             _radius = round + Tolerances.EXTENTS * (halfX + halfY + halfZ);
             for (var i:int = 0; i < 6; i += 2)
@@ -111,10 +111,7 @@ package starlogo.solid
             _planes = _solid.planes;
             _core.setTo(_test.structure, RelativeMotion.NONE);
             var extents:Vector.<Number> = _extents;
-            var halfX:Number = boxes.halfX;
-            var halfY:Number = boxes.halfY;
-            var halfZ:Number = boxes.halfZ;
-            var margin:Number = Tolerances.EXTENTS * (halfX + halfY + halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
+            var margin:Number = Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _radius = _test.radius + margin;
             extents[0] += Math.min(motion.x, 0);
@@ -125,11 +122,12 @@ package starlogo.solid
             extents[5] += Math.max(motion.z, 0);
             // A structure that stands is a question of its contact: the order of the pairs of boxes chooses among the triangles that it touches.
             isCompact &&= motion.x != 0 || motion.y != 0 || motion.z != 0;
-            boxes.setPlace(_core.x, _core.y, _core.z, 0);
-            boxes.halfX = halfX + margin;
-            boxes.halfY = halfY + margin;
-            boxes.halfZ = halfZ + margin;
-            boxes.setMotion(motion.x, motion.y, motion.z);
+            boxes.x = _core.x;
+            boxes.y = _core.y;
+            boxes.z = _core.z;
+            boxes.halfX += margin;
+            boxes.halfY += margin;
+            boxes.halfZ += margin;
         }
 
         /** Searches the model. Returns whether a triangle is touched. If the structure moves, <code>least</code> becomes the time. */

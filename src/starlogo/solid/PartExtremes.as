@@ -65,16 +65,8 @@ package starlogo.solid
             {
                 var low:int = at + 6 * axis;
                 var coordinate:Number = corners[int(corner + axis)];
-                var to:int = -1;
-                if (coordinate < points[int(low + axis)])
-                {
-                    to = low;
-                }
-                else if (coordinate > points[int(low + 3 + axis)])
-                {
-                    to = low + 3;
-                }
-                if (to >= 0)
+                var to:int = coordinate < points[int(low + axis)] ? low : low + 3;
+                if (to == low || coordinate > points[int(to + axis)])
                 {
                     points[to] = corners[corner];
                     points[to + 1] = corners[corner + 1];

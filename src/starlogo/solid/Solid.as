@@ -146,29 +146,22 @@ package starlogo.solid
         public function placePlanes(first:int, end:int):void
         {
             _planes ||= new Vector.<Number>(4 * corners.length / 9, true);
+            var into:Vector.<Number> = _planes;
             for (var i:int = first; i < end; i++)
             {
-                placePlane(i);
-            }
-        }
-
-        private function placePlane(triangle:int):void
-        {
-            var into:Vector.<Number> = _planes;
-            var at:int = 9 * triangle;
-            var to:int = 4 * triangle;
-            _face.setTriangleNormal(corners, at);
-            if (!(_face.length > 0))
-            {
-                into[to] = into[to + 1] = into[to + 2] = 0;
+                var at:int = 9 * i;
+                var to:int = 4 * i;
                 into[to + 3] = NaN;
-                return;
+                _face.setTriangleNormal(corners, at);
+                if (_face.length > 0)
+                {
+                    into[to] = _face.normalX;
+                    into[to + 1] = _face.normalY;
+                    into[to + 2] = _face.normalZ;
+                    _face.measure(corners, at, at + 9);
+                    into[to + 3] = _face.greatest - _face.least <= flatness ? _face.least : NaN;
+                }
             }
-            into[to] = _face.normalX;
-            into[to + 1] = _face.normalY;
-            into[to + 2] = _face.normalZ;
-            _face.measure(corners, at, at + 9);
-            into[to + 3] = _face.greatest - _face.least <= flatness ? _face.least : NaN;
         }
 
         /**
@@ -281,8 +274,7 @@ package starlogo.solid
                 var winding:int = windings[piece];
                 if (winding == 0)
                 {
-                    wound[woundCount] = piece;
-                    woundCount++;
+                    wound[woundCount++] = piece;
                 }
                 windings[piece] = side > 0 ? winding + crossing : winding - crossing;
             }

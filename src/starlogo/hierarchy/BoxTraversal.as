@@ -113,6 +113,13 @@ package starlogo.hierarchy
                                             along = m02 * x + m12 * y + m22 * z;
                                             reach = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
                                             overlap = along <= reach && along >= -reach;
+                                            if (overlap && leaves == null && a.stopDepth >= depthA && b.stopDepth >= depthB)
+                                            {
+                                                bX *= scale;
+                                                bY *= scale;
+                                                bZ *= scale;
+                                                include "../intersection/boxEdges.inc";
+                                            }
                                         }
                                     }
                                 }
@@ -120,44 +127,7 @@ package starlogo.hierarchy
                         }
                     }
                 }
-                if (overlap)
-                {
-                    var aEnds:Boolean = a.stopDepth >= depthA;
-                    var bEnds:Boolean = b.stopDepth >= depthB;
-                    if (aEnds && bEnds)
-                    {
-                        if (leaves != null)
-                        {
-                            overlap = leaves.touch(a, b);
-                        }
-                        else if (!isDeep)
-                        {
-                            bX *= scale;
-                            bY *= scale;
-                            bZ *= scale;
-                            include "../intersection/boxEdges.inc";
-                        }
-                        if (overlap)
-                        {
-                            nodeVisits += visits;
-                            return true;
-                        }
-                    }
-                    else
-                    {
-                        include "divideNodes.inc";
-                        continue;
-                    }
-                }
-                if (top == 0)
-                {
-                    nodeVisits += visits;
-                    rootsOverlapped = visits > 1;
-                    return false;
-                }
-                top -= 2;
-                a = stack[top];
-                b = stack[top + 1];
+                include "goOn.inc";
             }
             return false;
         }

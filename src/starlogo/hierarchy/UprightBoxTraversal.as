@@ -103,33 +103,7 @@ package starlogo.hierarchy
                         }
                     }
                 }
-                if (overlap)
-                {
-                    var aEnds:Boolean = a.stopDepth >= depthA;
-                    var bEnds:Boolean = b.stopDepth >= depthB;
-                    if (aEnds && bEnds)
-                    {
-                        if (leaves == null || leaves.touch(a, b))
-                        {
-                            nodeVisits += visits;
-                            return true;
-                        }
-                    }
-                    else
-                    {
-                        include "divideNodes.inc";
-                        continue;
-                    }
-                }
-                if (top == 0)
-                {
-                    nodeVisits += visits;
-                    rootsOverlapped = visits > 1;
-                    return false;
-                }
-                top -= 2;
-                a = stack[top];
-                b = stack[top + 1];
+                include "goOn.inc";
             }
             return false;
         }

@@ -18,6 +18,10 @@ package starlogo.broadphase
         internal var width:Number;
         internal var cellsPerPatch:Number;
 
+        // The square of the largest distance from the world's origin at which the level can be used. It is a field because V8 makes an object for
+        // each Number that is returned.
+        internal var reachSquared:Number;
+
         // Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this everywhere in reach.
         internal var slack:Number;
 
@@ -41,13 +45,8 @@ package starlogo.broadphase
             this.number = number;
             this.width = width;
             cellsPerPatch = 1 / (width + 4 * width * SLACK);
+            reachSquared = width * width * REACH * REACH;
             slack = width * SLACK;
-        }
-
-        /** The square of the largest distance from the world's origin at which the level can be used. */
-        public function get reachSquared():Number
-        {
-            return width * width * REACH * REACH;
         }
 
         /**

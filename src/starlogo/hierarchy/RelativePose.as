@@ -56,21 +56,6 @@ package starlogo.hierarchy
             var relative:Placement = placement;
             relative.size = scale;
             gap = Tolerances.PLACES * (Math.abs(a.x) + Math.abs(a.y) + Math.abs(a.z) + (Math.abs(b.x) + Math.abs(b.y) + Math.abs(b.z))) / a.size;
-            isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
-            if (isUpright)
-            {
-                // The other entries are exactly 0.
-                relative.x = a00 * x + a10 * y;
-                relative.y = a01 * x + a11 * y;
-                relative.z = z;
-                relative.r00 = a00 * b00 + a10 * b10;
-                relative.r01 = a00 * b01 + a10 * b11;
-                relative.r10 = a01 * b00 + a11 * b10;
-                relative.r11 = a01 * b01 + a11 * b11;
-                relative.r02 = relative.r12 = relative.r20 = relative.r21 = 0;
-                relative.r22 = 1;
-                return;
-            }
             var a02:Number = a.r02;
             var a12:Number = a.r12;
             var a20:Number = a.r20;
@@ -81,6 +66,7 @@ package starlogo.hierarchy
             var b20:Number = b.r20;
             var b21:Number = b.r21;
             var b22:Number = b.r22;
+            isUpright = a20 == 0 && a21 == 0 && a22 == 1 && b20 == 0 && b21 == 0 && b22 == 1;
             relative.x = a00 * x + a10 * y + a20 * z;
             relative.y = a01 * x + a11 * y + a21 * z;
             relative.z = a02 * x + a12 * y + a22 * z;

@@ -167,12 +167,14 @@ package starlogo.search
             // ANY_BREED does not stand for the ground or the edges
             any = Breeds.isReserved(own) ? null : any;
             var partners:IdTable = _partners[own];
+            var ids:Vector.<int> = partners.slots;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
                 var number:int = numbers[rows[other]] + 1;
-                if (partners.has(number) || any != null && any.has(number))
+                // as has(), with one call less for each candidate
+                if (ids[partners.slotOf(number)] == number || any != null && any.has(number))
                 {
                     others[kept] = other;
                     kept++;

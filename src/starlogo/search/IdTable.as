@@ -10,15 +10,15 @@ package starlogo.search
     {
         private static const FEWEST:int = 4;
 
-        // 0 marks a free slot, because no id is 0.
-        private var _ids:Vector.<int> = new Vector.<int>(FEWEST);
+        /** By slot: the id. 0 marks a free slot, because no id is 0. */
+        internal var slots:Vector.<int> = new Vector.<int>(FEWEST);
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
 
         /** Whether an id has a value. */
         public function has(id:int):Boolean
         {
-            return _ids[slotOf(id)] == id;
+            return slots[slotOf(id)] == id;
         }
 
         /**
@@ -29,7 +29,7 @@ package starlogo.search
         public function valueOf(id:int):int
         {
             var slot:int = slotOf(id);
-            return _ids[slot] == 0 ? -1 : _values[slot];
+            return slots[slot] == 0 ? -1 : _values[slot];
         }
 
         /**
@@ -40,14 +40,14 @@ package starlogo.search
          */
         public function set (id:int, value:int):void
         {
-            if (2 * _count >= _ids.length)
+            if (2 * _count >= slots.length)
             {
                 grow();
             }
             var slot:int = slotOf(id);
-            if (_ids[slot] == 0)
+            if (slots[slot] == 0)
             {
-                _ids[slot] = id;
+                slots[slot] = id;
                 _count++;
             }
             _values[slot] = value;
@@ -56,7 +56,7 @@ package starlogo.search
         /** Removes an id, if it is in the table. */
         public function remove(id:int):void
         {
-            var ids:Vector.<int> = _ids;
+            var ids:Vector.<int> = slots;
             var mask:int = ids.length - 1;
             var gap:int = slotOf(id);
             if (ids[gap] == 0)
@@ -82,7 +82,7 @@ package starlogo.search
         /** Removes all ids. The time grows with the largest number of ids that the table has ever held. */
         public function clear():void
         {
-            var ids:Vector.<int> = _ids;
+            var ids:Vector.<int> = slots;
             var length:int = _count > 0 ? ids.length : 0;
             for (var i:int = 0; i < length; i++)
             {
@@ -91,11 +91,12 @@ package starlogo.search
             _count = 0;
         }
 
-        // The slot of an id, or the free slot where it belongs. The hash gives consecutive ids different slots, as long as the table is large
-        // enough.
-        private function slotOf(id:int):int
+        /**
+         * The slot of an id, or the free slot where it belongs. The hash gives consecutive ids different slots, as long as the table is large enough.
+         */
+        internal function slotOf(id:int):int
         {
-            var ids:Vector.<int> = _ids;
+            var ids:Vector.<int> = slots;
             var mask:int = ids.length - 1;
             var slot:int = (id ^ id >> 5 ^ id >> 11 ^ id >> 17) & mask;
             var there:int = ids[slot];
@@ -113,9 +114,9 @@ package starlogo.search
 
         private function grow():void
         {
-            var ids:Vector.<int> = _ids;
+            var ids:Vector.<int> = slots;
             var values:Vector.<int> = _values;
-            _ids = new Vector.<int>(2 * ids.length);
+            slots = new Vector.<int>(2 * ids.length);
             _values = new Vector.<int>(2 * ids.length);
             _count = 0;
             for (var i:int = 0; i < ids.length; i++)

@@ -6,6 +6,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.BoxAxes;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
 
@@ -33,26 +34,7 @@ package starlogo.hierarchy
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
-        // The rotation times the scale, its absolute values, and the scale.
-        private var _m00:Number;
-        private var _m01:Number;
-        private var _m02:Number;
-        private var _m10:Number;
-        private var _m11:Number;
-        private var _m12:Number;
-        private var _m20:Number;
-        private var _m21:Number;
-        private var _m22:Number;
-        private var _abs00:Number;
-        private var _abs01:Number;
-        private var _abs02:Number;
-        private var _abs10:Number;
-        private var _abs11:Number;
-        private var _abs12:Number;
-        private var _abs20:Number;
-        private var _abs21:Number;
-        private var _abs22:Number;
-        private var _scale:Number;
+        private var _axes:BoxAxes = new BoxAxes();
 
         // How far both models together extend from their middles. The rounding error is relative to it.
         private var _reach:Number;
@@ -71,28 +53,8 @@ package starlogo.hierarchy
         override protected function begin(a:HierarchyNode, b:HierarchyNode):void
         {
             _directionX = _directionY = _directionZ = 0;
-            var relative:Placement = pose.placement;
-            var scale:Number = relative.size;
-            _scale = scale;
-            _reach = a.radius + b.radius * scale;
-            _m00 = relative.r00 * scale;
-            _m01 = relative.r01 * scale;
-            _m02 = relative.r02 * scale;
-            _m10 = relative.r10 * scale;
-            _m11 = relative.r11 * scale;
-            _m12 = relative.r12 * scale;
-            _m20 = relative.r20 * scale;
-            _m21 = relative.r21 * scale;
-            _m22 = relative.r22 * scale;
-            _abs00 = Math.abs(_m00);
-            _abs01 = Math.abs(_m01);
-            _abs02 = Math.abs(_m02);
-            _abs10 = Math.abs(_m10);
-            _abs11 = Math.abs(_m11);
-            _abs12 = Math.abs(_m12);
-            _abs20 = Math.abs(_m20);
-            _abs21 = Math.abs(_m21);
-            _abs22 = Math.abs(_m22);
+            _reach = a.radius + b.radius * pose.placement.size;
+            _axes.readAxes(pose.placement);
         }
 
         /**
@@ -103,34 +65,37 @@ package starlogo.hierarchy
          */
         override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
         {
-            var bX:Number = b.x;
-            var bY:Number = b.y;
-            var bZ:Number = b.z;
-            var x:Number = _m00 * bX + _m01 * bY + _m02 * bZ + pose.placement.x - a.x;
-            var y:Number = _m10 * bX + _m11 * bY + _m12 * bZ + pose.placement.y - a.y;
-            var z:Number = _m20 * bX + _m21 * bY + _m22 * bZ + pose.placement.z - a.z;
+            var axes:BoxAxes = _axes;
+            var relative:Placement = pose.placement;
+            var scale:Number = relative.size;
+            var bX:Number = scale * b.x;
+            var bY:Number = scale * b.y;
+            var bZ:Number = scale * b.z;
+            var x:Number = axes.xx * bX + axes.xy * bY + axes.xz * bZ + relative.x - a.x;
+            var y:Number = axes.yx * bX + axes.yy * bY + axes.yz * bZ + relative.y - a.y;
+            var z:Number = axes.zx * bX + axes.zy * bY + axes.zz * bZ + relative.z - a.z;
 
-            bX = b.halfX;
-            bY = b.halfY;
-            bZ = b.halfZ;
+            bX = scale * b.halfX;
+            bY = scale * b.halfY;
+            bZ = scale * b.halfZ;
             var halfX:Number = a.halfX;
             var halfY:Number = a.halfY;
             var halfZ:Number = a.halfZ;
             var squared:Number = 0;
             var gap:Number = x < 0 ? -x : x;
-            gap -= halfX + _abs00 * bX + _abs01 * bY + _abs02 * bZ;
+            gap -= halfX + axes.absXx * bX + axes.absXy * bY + axes.absXz * bZ;
             if (gap > 0)
             {
                 squared = gap * gap;
             }
             gap = y < 0 ? -y : y;
-            gap -= halfY + _abs10 * bX + _abs11 * bY + _abs12 * bZ;
+            gap -= halfY + axes.absYx * bX + axes.absYy * bY + axes.absYz * bZ;
             if (gap > 0)
             {
                 squared += gap * gap;
             }
             gap = z < 0 ? -z : z;
-            gap -= halfZ + _abs20 * bX + _abs21 * bY + _abs22 * bZ;
+            gap -= halfZ + axes.absZx * bX + axes.absZy * bY + axes.absZz * bZ;
             if (gap > 0)
             {
                 squared += gap * gap;
@@ -144,26 +109,24 @@ package starlogo.hierarchy
                 return;
             }
 
-            // These products contain the scale.
-            var scale:Number = _scale;
             var squaredInB:Number = 0;
-            gap = _m00 * x + _m10 * y + _m20 * z;
+            gap = axes.xx * x + axes.yx * y + axes.zx * z;
             gap = gap < 0 ? -gap : gap;
-            gap = (gap - _abs00 * halfX - _abs10 * halfY - _abs20 * halfZ) / scale - scale * bX;
+            gap -= bX + axes.absXx * halfX + axes.absYx * halfY + axes.absZx * halfZ;
             if (gap > 0)
             {
                 squaredInB = gap * gap;
             }
-            gap = _m01 * x + _m11 * y + _m21 * z;
+            gap = axes.xy * x + axes.yy * y + axes.zy * z;
             gap = gap < 0 ? -gap : gap;
-            gap = (gap - _abs01 * halfX - _abs11 * halfY - _abs21 * halfZ) / scale - scale * bY;
+            gap -= bY + axes.absXy * halfX + axes.absYy * halfY + axes.absZy * halfZ;
             if (gap > 0)
             {
                 squaredInB += gap * gap;
             }
-            gap = _m02 * x + _m12 * y + _m22 * z;
+            gap = axes.xz * x + axes.yz * y + axes.zz * z;
             gap = gap < 0 ? -gap : gap;
-            gap = (gap - _abs02 * halfX - _abs12 * halfY - _abs22 * halfZ) / scale - scale * bZ;
+            gap -= bZ + axes.absXz * halfX + axes.absYz * halfY + axes.absZz * halfZ;
             if (gap > 0)
             {
                 squaredInB += gap * gap;
@@ -177,9 +140,9 @@ package starlogo.hierarchy
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             if (length > 0)
             {
-                var reachX:Number = toX * _m00 + toY * _m10 + toZ * _m20;
-                var reachY:Number = toX * _m01 + toY * _m11 + toZ * _m21;
-                var reachZ:Number = toX * _m02 + toY * _m12 + toZ * _m22;
+                var reachX:Number = toX * axes.xx + toY * axes.yx + toZ * axes.zx;
+                var reachY:Number = toX * axes.xy + toY * axes.yy + toZ * axes.zy;
+                var reachZ:Number = toX * axes.xz + toY * axes.yz + toZ * axes.zz;
                 reachX = reachX < 0 ? -reachX : reachX;
                 reachY = reachY < 0 ? -reachY : reachY;
                 reachZ = reachZ < 0 ? -reachZ : reachZ;
@@ -234,11 +197,7 @@ package starlogo.hierarchy
             }
             findClosest(a.writeBox(_boxA), second, _measured);
             var distance:Number = _measured.distance;
-            bound = distance - Tolerances.NESTING * (levelsBelow(a) + levelsBelow(b)) * (distance + _reach);
-            if (!(bound > 0))
-            {
-                bound = 0;
-            }
+            bound = Math.max(0, distance - Tolerances.NESTING * (levelsBelow(a) + levelsBelow(b)) * (distance + _reach));
         }
 
         // The number of levels that a tree may have below a node, plus one. A single structure counts as the last level.

@@ -23,19 +23,10 @@ package starlogo.hierarchy
         {
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = pose.motion;
-            _sweep.xx = relative.r00;
-            _sweep.xy = relative.r01;
-            _sweep.xz = relative.r02;
-            _sweep.yx = relative.r10;
-            _sweep.yy = relative.r11;
-            _sweep.yz = relative.r12;
-            _sweep.zx = relative.r20;
-            _sweep.zy = relative.r21;
-            _sweep.zz = relative.r22;
+            _sweep.readAxes(relative);
             _sweep.motionX = motion.x;
             _sweep.motionY = motion.y;
             _sweep.motionZ = motion.z;
-            _sweep.prepare();
             _sweep.gap = pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }

@@ -1,35 +1,22 @@
 package starlogo.intersection.sweep
 {
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.BoxAxes;
 
     /**
      * Finds when two moving boxes first touch, by separating axes over time. Boxes touch while no axis separates them. Each axis gives an
      * interval of time during which it does not separate them. The boxes first touch when the last interval begins, if that is before the
      * first one ends.
      *
-     * <p>All numbers are in the axes of box a. Many pairs of boxes may have the same rotation and motion. Then <code>prepare()</code>
+     * <p>All numbers are in the axes of box a. Many pairs of boxes may have the same rotation and motion. Then <code>measureAxes()</code>
      * computes once what the pairs have in common.</p>
      *
      * @private
      */
-    public final class BoxSweep
+    public final class BoxSweep extends BoxAxes
     {
         /** For tests that end before the next one begins. */
         internal static const SCRATCH:BoxSweep = new BoxSweep();
-
-        /**
-         * The axes of b in the axes of a. The first letter is a's axis, the second is b's: xy is the component of b's axisY along a's
-         * axisX.
-         */
-        public var xx:Number = 1;
-        public var xy:Number = 0;
-        public var xz:Number = 0;
-        public var yx:Number = 0;
-        public var yy:Number = 1;
-        public var yz:Number = 0;
-        public var zx:Number = 0;
-        public var zy:Number = 0;
-        public var zz:Number = 1;
 
         /** The motion of b from time 0 to 1 as seen from a, in a's axes. */
         public var motionX:Number = 0;
@@ -60,17 +47,6 @@ package starlogo.intersection.sweep
         /** The result: the time from which the axes tried do not separate the boxes, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
 
-        // The absolute values of the rotation's entries.
-        private var _absXx:Number = 1;
-        private var _absXy:Number = 0;
-        private var _absXz:Number = 0;
-        private var _absYx:Number = 0;
-        private var _absYy:Number = 1;
-        private var _absYz:Number = 0;
-        private var _absZx:Number = 0;
-        private var _absZy:Number = 0;
-        private var _absZz:Number = 1;
-
         // An edge of b, and half of each of its other two edges.
         private var _pX:Number = 0;
         private var _pY:Number = 0;
@@ -83,20 +59,6 @@ package starlogo.intersection.sweep
         private var _rZ:Number = 0;
 
         private var _times:ContactInterval = new ContactInterval();
-
-        /** Prepares what many pairs have in common. The axes of b must be set. */
-        public function prepare():void
-        {
-            _absXx = xx < 0 ? -xx : xx;
-            _absXy = xy < 0 ? -xy : xy;
-            _absXz = xz < 0 ? -xz : xz;
-            _absYx = yx < 0 ? -yx : yx;
-            _absYy = yy < 0 ? -yy : yy;
-            _absYz = yz < 0 ? -yz : yz;
-            _absZx = zx < 0 ? -zx : zx;
-            _absZy = zy < 0 ? -zy : zy;
-            _absZz = zz < 0 ? -zz : zz;
-        }
 
         /**
          * Finds the time from which no face separates two boxes. The boxes touch at that time or later. It is NEVER if it is after the
@@ -117,42 +79,42 @@ package starlogo.intersection.sweep
             var halfZ:Number = bZ;
             times.at = fromX;
             times.speed = motionX;
-            times.reach = aX + halfX * _absXx + halfY * _absXy + halfZ * _absXz;
+            times.reach = aX + halfX * absXx + halfY * absXy + halfZ * absXz;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromY;
             times.speed = motionY;
-            times.reach = aY + halfX * _absYx + halfY * _absYy + halfZ * _absYz;
+            times.reach = aY + halfX * absYx + halfY * absYy + halfZ * absYz;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromZ;
             times.speed = motionZ;
-            times.reach = aZ + halfX * _absZx + halfY * _absZy + halfZ * _absZz;
+            times.reach = aZ + halfX * absZx + halfY * absZy + halfZ * absZz;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromX * xx + fromY * yx + fromZ * zx;
             times.speed = xx * motionX + yx * motionY + zx * motionZ;
-            times.reach = halfX + aX * _absXx + aY * _absYx + aZ * _absZx;
+            times.reach = halfX + aX * absXx + aY * absYx + aZ * absZx;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromX * xy + fromY * yy + fromZ * zy;
             times.speed = xy * motionX + yy * motionY + zy * motionZ;
-            times.reach = halfY + aX * _absXy + aY * _absYy + aZ * _absZy;
+            times.reach = halfY + aX * absXy + aY * absYy + aZ * absZy;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromX * xz + fromY * yz + fromZ * zz;
             times.speed = xz * motionX + yz * motionY + zz * motionZ;
-            times.reach = halfZ + aX * _absXz + aY * _absYz + aZ * _absZz;
+            times.reach = halfZ + aX * absXz + aY * absYz + aZ * absZz;
             if (!times.areSeparated())
             {
                 time = times.touch < times.last ? times.touch : times.last;

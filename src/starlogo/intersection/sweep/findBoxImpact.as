@@ -41,7 +41,7 @@ package starlogo.intersection.sweep
         sweep.zz = axis.x * z.x + axis.y * z.y + axis.z * z.z;
         sweep.motionZ = -(axis.x * motionX + axis.y * motionY + axis.z * motionZ);
         sweep.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-        sweep.prepare();
+        sweep.measureAxes();
         sweep.aX = a.halfX;
         sweep.aY = a.halfY;
         sweep.aZ = a.halfZ;

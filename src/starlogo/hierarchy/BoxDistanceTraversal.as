@@ -34,6 +34,7 @@ package starlogo.hierarchy
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
+        // The second model's axes, times its scale.
         private var _axes:BoxAxes = new BoxAxes();
 
         // How far both models together extend from their middles. The rounding error is relative to it.
@@ -54,7 +55,7 @@ package starlogo.hierarchy
         {
             _directionX = _directionY = _directionZ = 0;
             _reach = a.radius + b.radius * pose.placement.size;
-            _axes.readAxes(pose.placement);
+            _axes.readAxes(pose.placement, pose.placement.size);
         }
 
         /**
@@ -68,16 +69,16 @@ package starlogo.hierarchy
             var axes:BoxAxes = _axes;
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
-            var bX:Number = scale * b.x;
-            var bY:Number = scale * b.y;
-            var bZ:Number = scale * b.z;
+            var bX:Number = b.x;
+            var bY:Number = b.y;
+            var bZ:Number = b.z;
             var x:Number = axes.xx * bX + axes.xy * bY + axes.xz * bZ + relative.x - a.x;
             var y:Number = axes.yx * bX + axes.yy * bY + axes.yz * bZ + relative.y - a.y;
             var z:Number = axes.zx * bX + axes.zy * bY + axes.zz * bZ + relative.z - a.z;
 
-            bX = scale * b.halfX;
-            bY = scale * b.halfY;
-            bZ = scale * b.halfZ;
+            bX = b.halfX;
+            bY = b.halfY;
+            bZ = b.halfZ;
             var halfX:Number = a.halfX;
             var halfY:Number = a.halfY;
             var halfZ:Number = a.halfZ;
@@ -109,24 +110,25 @@ package starlogo.hierarchy
                 return;
             }
 
+            // These products contain the scale.
             var squaredInB:Number = 0;
             gap = axes.xx * x + axes.yx * y + axes.zx * z;
             gap = gap < 0 ? -gap : gap;
-            gap -= bX + axes.absXx * halfX + axes.absYx * halfY + axes.absZx * halfZ;
+            gap = (gap - axes.absXx * halfX - axes.absYx * halfY - axes.absZx * halfZ) / scale - scale * bX;
             if (gap > 0)
             {
                 squaredInB = gap * gap;
             }
             gap = axes.xy * x + axes.yy * y + axes.zy * z;
             gap = gap < 0 ? -gap : gap;
-            gap -= bY + axes.absXy * halfX + axes.absYy * halfY + axes.absZy * halfZ;
+            gap = (gap - axes.absXy * halfX - axes.absYy * halfY - axes.absZy * halfZ) / scale - scale * bY;
             if (gap > 0)
             {
                 squaredInB += gap * gap;
             }
             gap = axes.xz * x + axes.yz * y + axes.zz * z;
             gap = gap < 0 ? -gap : gap;
-            gap -= bZ + axes.absXz * halfX + axes.absYz * halfY + axes.absZz * halfZ;
+            gap = (gap - axes.absXz * halfX - axes.absYz * halfY - axes.absZz * halfZ) / scale - scale * bZ;
             if (gap > 0)
             {
                 squaredInB += gap * gap;

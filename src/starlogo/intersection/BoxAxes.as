@@ -33,18 +33,18 @@ package starlogo.intersection
         public var absZy:Number = 0;
         public var absZz:Number = 1;
 
-        /** Reads the axes of b from its rotation in the space of a, whose axes are those of the space. */
-        public function readAxes(rotation:Placement):void
+        /** Reads the axes of b from its rotation in the space of a, whose axes are those of the space, and multiplies them by a length. */
+        public function readAxes(rotation:Placement, length:Number):void
         {
-            xx = rotation.r00;
-            xy = rotation.r01;
-            xz = rotation.r02;
-            yx = rotation.r10;
-            yy = rotation.r11;
-            yz = rotation.r12;
-            zx = rotation.r20;
-            zy = rotation.r21;
-            zz = rotation.r22;
+            xx = rotation.r00 * length;
+            xy = rotation.r01 * length;
+            xz = rotation.r02 * length;
+            yx = rotation.r10 * length;
+            yy = rotation.r11 * length;
+            yz = rotation.r12 * length;
+            zx = rotation.r20 * length;
+            zy = rotation.r21 * length;
+            zz = rotation.r22 * length;
             measureAxes();
         }
 

@@ -61,7 +61,7 @@ package starlogo.models.gltf
         {
             if (text == null)
             {
-                text = isBinary(bytes) ? openChunks(name, bytes) : ModelFile.text(name, bytes, "glTF");
+                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelFile.text(name, bytes, "glTF");
             }
             text = TextTokens.unmarked(text);
             budget = new ModelBudget(name, text.length);

@@ -123,6 +123,7 @@ export async function goNowhere(page) {
 	const empty = new URL('empty', page.url()).href;
 	await page.route(empty, (route) => route.fulfill({ contentType: 'text/html', body: '<link rel="icon" href="data:,">' }));
 	await page.goto(empty);
+	await page.unroute(empty); // a page with routes keeps no files
 }
 
 /** Makes a page as good as new. A new one takes twice as long as one that is used again. */

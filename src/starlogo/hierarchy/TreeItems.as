@@ -47,10 +47,14 @@ package starlogo.hierarchy
         public function TreeItems(hierarchy:Hierarchy)
         {
             _hierarchy = hierarchy;
-            order = hierarchy.order || new Vector.<int>(hierarchy.itemCount, true);
-            for (var i:int = 0; hierarchy.order == null && i < order.length; i++)
+            order = hierarchy.order;
+            if (order == null)
             {
-                order[i] = i;
+                order = new Vector.<int>(hierarchy.itemCount, true);
+                for (var i:int = 0; i < order.length; i++)
+                {
+                    order[i] = i;
+                }
             }
         }
 

@@ -109,13 +109,14 @@ package starlogo.queries
         /** Adds a row that may be in the way. */
         public function addOther(other:int):void
         {
-            if (_seen.table.forms[other] == ModelShape.GROUND)
+            var body:Body = _seen.table.bodyOf(other);
+            if (body.form == ModelShape.GROUND)
             {
-                _cell = _seen.table.bodyOf(other).largestHalf;
+                _cell = body.largestHalf;
             }
             else
             {
-                _largest = Math.max(_largest, 2 * _seen.table.bodyOf(other).largestHalf);
+                _largest = Math.max(_largest, 2 * body.largestHalf);
             }
         }
 
@@ -211,9 +212,9 @@ package starlogo.queries
          */
         public function findContact(other:int, at:Vector3D, out:ContactPoint, isSure:Boolean = false):Boolean
         {
-            var shallow:Number = SHALLOW * extentWith(other);
-            put(at, 0);
             var body:Body = _seen.table.bodyOf(other);
+            var shallow:Number = SHALLOW * extentWith(body);
+            put(at, 0);
             var tests:PairTests = _seen.narrowPhase.testsOf(_moving, body);
             tests.findContact(_moving, body, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
@@ -241,18 +242,19 @@ package starlogo.queries
          */
         public function find(other:int, from:Vector3D):Boolean
         {
-            if (isWholeClear(other))
+            var body:Body = _seen.table.bodyOf(other);
+            if (isWholeClear(body))
             {
                 clearRow = other;
                 return false;
             }
             put(_end, _shrink);
-            if (!isNear(_seen.table.bodyOf(other), _motion, slop))
+            if (!isNear(body, _motion, slop))
             {
                 return false;
             }
-            var met:Number = impactOf(other, _tried);
-            if (met == RelativeMotion.NEVER && _seen.table.forms[other] == ModelShape.GROUND)
+            var met:Number = impactOf(body, _tried);
+            if (met == RelativeMotion.NEVER && body.form == ModelShape.GROUND)
             {
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
                 met = coreTouchesAt(other, from) ? 0 : met;
@@ -269,23 +271,22 @@ package starlogo.queries
 
         // Whether it is known that the row in its whole size does not meet another. For a tree that is much larger this is found first, because then
         // the end of the motion needs no test of its own. Such a tree can be a whole building, in which everything happens.
-        private function isWholeClear(other:int):Boolean
+        private function isWholeClear(other:Body):Boolean
         {
             _whole = NaN;
-            if (_seen.table.forms[other] != ModelShape.TREE || _seen.table.bodyOf(other).largestHalf < LARGE * _body.largestHalf)
+            if (other.form != ModelShape.TREE || other.largestHalf < LARGE * _body.largestHalf)
             {
                 return false;
             }
             put(_end, 0);
-            _whole = isNear(_seen.table.bodyOf(other), _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
+            _whole = isNear(other, _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
             return _whole == RelativeMotion.NEVER;
         }
 
         // When the row, which stands at its end, first meets another on the motion.
-        private function impactOf(other:int, out:ContactPoint):Number
+        private function impactOf(other:Body, out:ContactPoint):Number
         {
-            var body:Body = _seen.table.bodyOf(other);
-            _seen.narrowPhase.testsOf(_moving, body).findImpact(_moving, body, _motion, out);
+            _seen.narrowPhase.testsOf(_moving, other).findImpact(_moving, other, _motion, out);
             return _motion.time;
         }
 
@@ -304,20 +305,20 @@ package starlogo.queries
                     + touch.normalY * (_moving.y - (1 - time) * _motion.y - touch.y)
                     + touch.normalZ * (_moving.z - (1 - time) * _motion.z - touch.z));
             var early:Number = Math.max(0, Math.min(1, time + skin / along));
-            wholeTime = isNaN(wholeTime) ? impactOf(other, null) : wholeTime;
+            wholeTime = isNaN(wholeTime) ? impactOf(_seen.table.bodyOf(other), null) : wholeTime;
             wholeTime = Math.abs(wholeTime - early) <= Math.abs(time - early) ? wholeTime : early;
         }
 
         /** Half of the gap across which the row and another still touch, at a place. It does not apply to spheres and points. */
         public function halfToleranceAt(other:int, at:Vector3D):Number
         {
-            return Tolerances.SURFACES / 4 * extentWith(other) + Tolerances.PLACES / 2 * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
+            return Tolerances.SURFACES / 4 * extentWith(_seen.table.bodyOf(other)) + Tolerances.PLACES / 2 * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
         }
 
         // The larger extent of the row and another. The ground's extents are those of a cell, and do not count.
-        private function extentWith(other:int):Number
+        private function extentWith(other:Body):Number
         {
-            var largest:Number = _seen.table.forms[other] == ModelShape.GROUND ? 0 : _seen.table.bodyOf(other).largestHalf;
+            var largest:Number = other.form == ModelShape.GROUND ? 0 : other.largestHalf;
             return 2 * Math.max(largest, _body.largestHalf);
         }
 

@@ -9,6 +9,9 @@ package starlogo.broadphase
 
         private static const SLACK:Number = 1 / (1 << 18);
 
+        // In place of a mask.
+        internal static const NO_CELLS:int = 0;
+
         // Extents that fit the level store this number. Its index from the coarsest level to the finest.
         internal var number:int;
         internal var index:int = 0;
@@ -29,12 +32,10 @@ package starlogo.broadphase
         internal var count:int;
         internal var base:int;
 
-        // The number of a cell is row times stride plus column. Only the bits in the mask count.
-        internal var mask:int;
+        // The number of a cell is row times stride plus column. Only the bits in the mask count. It is NO_CELLS if the lists of cells have no cells
+        // of the level.
+        internal var mask:int = NO_CELLS;
         internal var stride:int;
-
-        // Whether the lists of cells have cells of the level.
-        internal var isLaidOut:Boolean = false;
 
         /**
          * @param number the level's own number

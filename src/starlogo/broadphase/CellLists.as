@@ -34,15 +34,11 @@ package starlogo.broadphase
         private var _levels:BinLevels;
         private var _extents:Extents;
 
-        // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's number; its neighbours in the list.
+        // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's number; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
         private var _cells:Vector.<int> = new Vector.<int>();
         private var _levelNumbers:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
-        private var _previous:Vector.<int> = new Vector.<int>();
-
-        // Whether a row has come to a level without cells.
-        private var _needsCells:Boolean = false;
 
         /** @param levels the levels of the bins */
         public function CellLists(levels:BinLevels)
@@ -61,17 +57,17 @@ package starlogo.broadphase
         public function begin(extents:Extents, rows:Vector.<int>, count:int, length:int):void
         {
             _extents = extents;
-            _needsCells = false;
             this.count = count;
             var end:int = 0;
             for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
                 var level:BinLevel = _levels.byWidth[i];
-                level.isLaidOut = level.count > 0;
-                if (level.isLaidOut)
+                if (level.count == 0)
                 {
-                    end = level.base + level.mask + 1;
+                    level.mask = BinLevel.NO_CELLS;
+                    continue;
                 }
+                end = level.base + level.mask + 1;
             }
             if (end > _heads.length)
             {
@@ -105,7 +101,7 @@ package starlogo.broadphase
             }
             if (length > _next.length)
             {
-                _next.length = _previous.length = _levelNumbers.length = length;
+                _next.length = _levelNumbers.length = length;
             }
         }
 
@@ -119,9 +115,10 @@ package starlogo.broadphase
         public function put(row:int):void
         {
             var level:BinLevel = _levels.byNumber[_extents.level[row]];
-            if (!level.isLaidOut)
+            if (level.mask == BinLevel.NO_CELLS)
             {
-                _needsCells = true;
+                // now its cells are not valid
+                level.count++;
                 return;
             }
             var cell:int = level.base + level.cellOf(_extents.x[row], _extents.y[row]);
@@ -142,19 +139,18 @@ package starlogo.broadphase
             {
                 return;
             }
-            var before:int = _previous[row];
-            var after:int = _next[row];
-            if (before == NONE)
+            var before:int = _heads[cell];
+            if (before == row)
             {
-                _heads[cell] = after;
+                _heads[cell] = _next[row];
             }
             else
             {
-                _next[before] = after;
-            }
-            if (after != NONE)
-            {
-                _previous[after] = before;
+                while (_next[before] != row)
+                {
+                    before = _next[before];
+                }
+                _next[before] = _next[row];
             }
             _cells[row] = NONE;
             _levels.byNumber[_levelNumbers[row]].count--;
@@ -167,12 +163,12 @@ package starlogo.broadphase
             for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
                 var level:BinLevel = _levels.byWidth[i];
-                if (level.isLaidOut && level.count > 0 && level.maskFor(level.count) != level.mask)
+                if (level.count > 0 && level.maskFor(level.count) != level.mask)
                 {
                     return false;
                 }
             }
-            return !_needsCells && _levels.byWidth.length < LEVELS && _next.length < ROWS;
+            return _levels.byWidth.length < LEVELS && _next.length < ROWS;
         }
 
         /**
@@ -185,7 +181,7 @@ package starlogo.broadphase
         public function findNear(row:int, index:int, marks:Vector.<int>, mark:int):int
         {
             var level:BinLevel = _levels.byWidth[index];
-            if (!level.isLaidOut || level.count == 0)
+            if (level.count == 0)
             {
                 return 0;
             }
@@ -271,13 +267,7 @@ package starlogo.broadphase
 
         private function enter(row:int, level:BinLevel, cell:int):void
         {
-            var after:int = _heads[cell];
-            _next[row] = after;
-            _previous[row] = NONE;
-            if (after != NONE)
-            {
-                _previous[after] = row;
-            }
+            _next[row] = _heads[cell];
             _heads[cell] = row;
             _cells[row] = cell;
             _levelNumbers[row] = level.number;

@@ -3,7 +3,6 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -310,18 +309,6 @@ package starlogo.search
         public function get leastHalf():Number
         {
             return Math.min(halfX, Math.min(halfY, halfZ));
-        }
-
-        /** Sets an axis-aligned box to the extents, with a margin larger than rounding errors. */
-        internal function writeExtents(box:Box):void
-        {
-            var by:Number = Tolerances.EXTENTS_GAPS * margin;
-            box.center.x = x;
-            box.center.y = y;
-            box.center.z = z;
-            box.halfX = halfX * Tolerances.OUTER + by;
-            box.halfY = halfY * Tolerances.OUTER + by;
-            box.halfZ = halfZ * Tolerances.OUTER + by;
         }
 
         /** Throws an ArgumentError if a structure is null, or not a sphere, box or capsule. */

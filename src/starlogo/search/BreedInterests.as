@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
 
@@ -103,46 +102,22 @@ package starlogo.search
             return _partners[Breeds.ANY] == null || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
         }
 
-        /** Whether the breeds of a table's agents matter. If not, all pairs of all breeds are of interest, and there is neither ground nor edges. */
-        internal function areBreedsNeeded(table:AgentTable):Boolean
+        /** The number of listed agents whose breed is in no pair. */
+        internal function countOutsiders(table:AgentTable):int
         {
-            return _partners[Breeds.ANY] == null || !areAll || table.agents[RowList.GROUND] != null || table.agents[RowList.EDGES] != null;
-        }
-
-        /**
-         * Reads the breed of each agent in a table.
-         *
-         * @param numbers receives, by row, the number of its breed, or -1
-         * @return the number of agents whose breed is in no pair
-         */
-        internal function read(table:AgentTable, numbers:Vector.<int>):int
-        {
-            var agents:Vector.<Agent> = table.agents;
             var partners:Vector.<IdTable> = _partners;
-            var others:int = partners[Breeds.ANY] == null ? -1 : Breeds.ANY;
-            if (numbers.length < agents.length)
-            {
-                numbers.length = agents.length;
-            }
-            for (var fixture:int = RowList.GROUND; fixture <= RowList.EDGES; fixture++)
-            {
-                numbers[fixture] = agents[fixture] == null ? -1 : indexOfNumber(agents[fixture].breedNumber);
-            }
+            var breeds:Vector.<int> = table.breeds;
             var rows:Vector.<int> = table.rows;
             var known:int = partners.length;
-            var end:int = table.count;
-            var outside:int = others < 0 ? 1 : 0;
+            var end:int = partners[Breeds.ANY] == null ? table.count : 0;
             var outsiders:int = 0;
             for (var i:int = 0; i < end; i++)
             {
-                var row:int = rows[i];
-                var number:int = agents[row].breedNumber;
+                var number:int = breeds[rows[i]];
                 if (number >= known || partners[number] == null)
                 {
-                    number = others;
-                    outsiders += outside;
+                    outsiders++;
                 }
-                numbers[row] = number;
             }
             return outsiders;
         }
@@ -150,7 +125,7 @@ package starlogo.search
         /**
          * Keeps a row's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
-         * @param numbers by row: the number of its breed
+         * @param numbers by row: the number of its breed. A breed that is in no pair has no partners but those of ANY_BREED
          * @param rows the candidates are indices in this list of rows
          * @param others the candidates
          * @param count the number of candidates
@@ -158,7 +133,7 @@ package starlogo.search
          */
         internal function keepOfInterest(numbers:Vector.<int>, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
-            var own:int = numbers[row];
+            var own:int = indexOfNumber(numbers[row]);
             var any:IdTable = _partners[Breeds.ANY];
             if (any != null && any.has(own + 1))
             {
@@ -183,7 +158,7 @@ package starlogo.search
             return kept;
         }
 
-        private function isEntered(number:int):Boolean
+        internal function isEntered(number:int):Boolean
         {
             return number >= 0 && number < _partners.length && _partners[number] != null;
         }

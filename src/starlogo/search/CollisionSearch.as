@@ -38,12 +38,6 @@ package starlogo.search
         /** Whether all shapes that the collider has made are spheres. */
         internal var areSpheres:Boolean = false;
 
-        /** Whether the breeds of agents matter: not all pairs of breeds are of interest, or there is a ground, or there are edges. */
-        internal var areBreedsRead:Boolean = false;
-
-        /** By row: the number of its breed in the interests, or -1. It has a meaning only if breeds matter. */
-        internal var breeds:Vector.<int> = new Vector.<int>();
-
         /** By index in the list: whether the agent takes part; null for all. */
         internal var takePart:Vector.<Boolean> = null;
 
@@ -65,7 +59,7 @@ package starlogo.search
         // Finds the pairs of a search in which little has changed.
         private var _kept:KeptPairs;
 
-        // The search under way. _interests is null if all pairs of agents count. The candidates of onCandidates are indices in _rows, _ranks and
+        // The search under way. _interests is null if all pairs count. The candidates of onCandidates are indices in _rows, _ranks and
         // _circles. Found pairs go to _out as indices, or to _outAgents as agents of _list if it is not null, because a second pass over the pairs
         // takes a fifth of a dense search in Adobe's VM.
         private var _interests:BreedInterests;
@@ -123,10 +117,9 @@ package starlogo.search
             }
             areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
             isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
-            areBreedsRead = interests != null && interests.areBreedsNeeded(table);
             this.takePart = takePart;
             _list = agents;
-            _interests = interests == null || interests.areAll ? null : interests;
+            _interests = interests;
             _skippedPairs = 0;
             // tests since the last search, as those of questions, do not count
             narrowPhase.takeCounts(counts);
@@ -141,7 +134,7 @@ package starlogo.search
             }
             else
             {
-                findAll(interests, out, outAgents);
+                findAll(out, outAgents);
                 if (outAgents != null && isSwept)
                 {
                     out.write(agents, outAgents);
@@ -156,19 +149,19 @@ package starlogo.search
             report(agents.length, out.count, counts);
         }
 
-        private function findAll(interests:BreedInterests, out:FoundPairs, outAgents:Vector.<Agent>):void
+        private function findAll(out:FoundPairs, outAgents:Vector.<Agent>):void
         {
             if (isSwept)
             {
                 motions.find(table, bins, table.rows, table.count);
             }
-            chooseMembers(interests);
+            chooseMembers();
             writeTo(out, bins.rowAt, bins.rankAt, bins.members);
             _outAgents = isSwept ? null : outAgents;
             bins.findPairs(extents, _memberRows, table.ranks, _memberCount, this);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
-                findAtFixture(interests, row, _memberRows, _memberCount);
+                findAtFixture(row, _memberRows, _memberCount);
             }
             if (isSwept)
             {
@@ -266,9 +259,9 @@ package starlogo.search
         {
             var rows:Vector.<int> = _rows;
             var row:int = rows[slot];
-            if (_interests != null)
+            if (_interests != null && !_interests.areAll)
             {
-                var kept:int = _interests.keepOfInterest(breeds, row, rows, others, count);
+                var kept:int = _interests.keepOfInterest(table.breeds, row, rows, others, count);
                 _skippedPairs += count - kept;
                 count = kept;
             }
@@ -296,9 +289,9 @@ package starlogo.search
          * @param candidates the rows
          * @param length the number of rows
          */
-        internal function findAtFixture(interests:BreedInterests, fixture:int, candidates:Vector.<int>, length:int):void
+        internal function findAtFixture(fixture:int, candidates:Vector.<int>, length:int):void
         {
-            if (table.agents[fixture] == null || breeds[fixture] < 0)
+            if (table.agents[fixture] == null || !_interests.isEntered(fixture))
             {
                 return;
             }
@@ -313,7 +306,7 @@ package starlogo.search
                 }
             }
             var rows:Vector.<int> = table.itself;
-            count = interests.keepOfInterest(breeds, fixture, rows, others, count);
+            count = _interests.keepOfInterest(table.breeds, fixture, rows, others, count);
             if (isSwept)
             {
                 count = keepTouchingMotions(fixture, rows, others, count);
@@ -343,11 +336,11 @@ package starlogo.search
         }
 
         // In most searches all agents take part, and the table's own list of rows is used.
-        private function chooseMembers(interests:BreedInterests):void
+        private function chooseMembers():void
         {
             _memberRows = table.rows;
             _memberCount = table.count;
-            var outsiders:int = areBreedsRead ? interests.read(table, breeds) : 0;
+            var outsiders:int = _interests == null ? 0 : _interests.countOutsiders(table);
             if (table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
@@ -367,7 +360,7 @@ package starlogo.search
         /** Whether the agent of a row takes part in the search. */
         internal function isMember(row:int):Boolean
         {
-            return table.shapes[row] != null && (!areBreedsRead || breeds[row] >= 0) && (takePart == null || takePart[table.ranks[row]]);
+            return table.shapes[row] != null && (_interests == null || _interests.indexOfNumber(table.breeds[row]) >= 0) && (takePart == null || takePart[table.ranks[row]]);
         }
 
         // Like keepTouching, and writes the times.

@@ -31,7 +31,6 @@ package starlogo.search
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
         private var _places:Vector.<Number> = new Vector.<Number>(6, true);
         private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _approach:Vector.<Number> = new Vector.<Number>(6, true);
         private var _nearest:int = 0;
 
         // Half of the body's largest extent, and the largest gap between the body and an edge that still counts as a touch.
@@ -69,7 +68,7 @@ package starlogo.search
             for (var edge:int = 0; edge < 6; edge++)
             {
                 var end:Number = _penetration[edge] + _margin;
-                var start:Number = end - _approach[edge];
+                var start:Number = end - along(edge, motion.x, motion.y, motion.z);
                 if (start >= 0)
                 {
                     motion.time = 0;
@@ -93,7 +92,7 @@ package starlogo.search
             _nearest = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                _penetration[edge] -= left * _approach[edge];
+                _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
                 _nearest = _penetration[edge] > _penetration[_nearest] ? edge : _nearest;
             }
             _farthest.setTo(a, _narrowPhase.trees);
@@ -150,8 +149,7 @@ package starlogo.search
                 var reach:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = reach + (along(edge, body.x, body.y, body.z) - _places[edge]);
                 _penetration[edge] = beyond;
-                _approach[edge] = along(edge, motion.x, motion.y, motion.z);
-                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - _approach[edge] >= -_margin))
+                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - along(edge, motion.x, motion.y, motion.z) >= -_margin))
                 {
                     _farthest.setTo(body, _narrowPhase.trees);
                     _farthest.find(_outwards[edge]);

@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.agents.Agent;
     import starlogo.broadphase.CellLists;
     import starlogo.engine;
 
@@ -39,7 +38,6 @@ package starlogo.search
         private var _fixtures:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _edges:Vector.<Number> = null;
         private var _groundRevision:int = 0;
-        private var _wasFiltered:Boolean = false;
 
         // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
         private var _number:int = 0;
@@ -79,8 +77,8 @@ package starlogo.search
             var trees:TreePairTests = _search.narrowPhase.trees;
             isSame = isStill(0, interests.revision) && isSame;
             isSame = isStill(1, trees == null || trees.exact ? 0 : trees.maxDepth) && isSame;
-            isSame = isStill(2, _search.areBreedsRead ? 1 : 0) && isSame;
-            isSame = isStill(3, _search.isSwept ? 1 : 0) && isSame;
+            isSame = isStill(2, _search.isSwept ? 1 : 0) && isSame;
+            isSame = isStill(3, _search.takePart == null ? 0 : 1) && isSame;
             var among:int = _search.areSpheres || !interests.areAll ? OF_FAST : OF_ALL;
             var changes:int = _table.moved.count + _table.departed.count;
             if (_search.isSwept)
@@ -99,7 +97,7 @@ package starlogo.search
             _pairs.read(out, times);
             hasFixtureChanged(RowList.GROUND);
             hasFixtureChanged(RowList.EDGES);
-            settle();
+            _isValid = true;
         }
 
         /**
@@ -139,14 +137,8 @@ package starlogo.search
             findAtFixture(RowList.GROUND);
             findAtFixture(RowList.EDGES);
             _pairs.renew(_changedIn, _number, times, out);
-            settle();
-            return true;
-        }
-
-        private function settle():void
-        {
-            _wasFiltered = _search.takePart != null;
             _isValid = true;
+            return true;
         }
 
         private function get times():Vector.<Number>
@@ -195,7 +187,7 @@ package starlogo.search
             {
                 mark(_table.movedBefore);
             }
-            if (_search.takePart != null || _wasFiltered)
+            if (_search.takePart != null)
             {
                 markFiltered();
             }
@@ -234,21 +226,10 @@ package starlogo.search
         // Puts the changed rows to their cells.
         private function placeChanged():void
         {
-            var breeds:Vector.<int> = _search.breeds;
-            var areBreedsRead:Boolean = _search.areBreedsRead;
-            if (areBreedsRead && breeds.length < _table.agents.length)
-            {
-                breeds.length = _table.agents.length;
-            }
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                var agent:Agent = _table.agents[row];
-                if (areBreedsRead && agent != null)
-                {
-                    breeds[row] = _interests.indexOfNumber(agent.breedNumber);
-                }
-                if (agent != null && _search.isMember(row))
+                if (_table.agents[row] != null && _search.isMember(row))
                 {
                     _cells.put(row);
                 }
@@ -281,13 +262,8 @@ package starlogo.search
             {
                 _changedIn[fixture] = _number;
             }
-            if (!_search.areBreedsRead)
-            {
-                return;
-            }
-            _search.breeds[fixture] = _fixtures[fixture] == null ? -1 : _interests.indexOfNumber(_table.agents[fixture].breedNumber);
             var rows:Vector.<int> = hasChanged ? _table.rows : _changed.numbers;
-            _search.findAtFixture(_interests, fixture, rows, hasChanged ? _table.count : _changed.count);
+            _search.findAtFixture(fixture, rows, hasChanged ? _table.count : _changed.count);
         }
     }
 }

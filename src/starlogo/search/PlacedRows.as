@@ -25,6 +25,9 @@ package starlogo.search
         /** By row: the agent's <code>extentsRevision</code> at which its extents were computed, or STALE. */
         protected var extentsRevisions:Vector.<int> = new Vector.<int>();
 
+        /** By row: the number of the agent's breed. The breeds of the ground and of the edges have the numbers of their rows. */
+        internal var breeds:Vector.<int> = new <int>[GROUND, EDGES];
+
         /** The rows that the last search has read again, because their agents had changed since the search before. */
         internal var moved:NumberList = new NumberList();
 
@@ -86,6 +89,7 @@ package starlogo.search
                     readX[row] = placement.x;
                     readY[row] = placement.y;
                     readZ[row] = placement.z;
+                    breeds[row] = agent.breedNumber;
                 }
             }
             _reading.count = found;
@@ -125,7 +129,7 @@ package starlogo.search
         {
             super.grow(length);
             var row:int = extentsRevisions.length;
-            extentsRevisions.length = length;
+            extentsRevisions.length = breeds.length = length;
             now.grow(length);
             last.grow(length);
             for (; row < length; row++)

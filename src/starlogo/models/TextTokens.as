@@ -24,22 +24,6 @@ package starlogo.models
             return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
         }
 
-        /** The text without the white space at its ends. */
-        public static function trimmed(text:String):String
-        {
-            var start:int = 0;
-            var end:int = text.length;
-            while (start < end && text.charCodeAt(start) <= 0x20)
-            {
-                start++;
-            }
-            while (end > start && text.charCodeAt(end - 1) <= 0x20)
-            {
-                end--;
-            }
-            return text.substring(start, end);
-        }
-
         /** The text with one space wherever there are more in a row. */
         public static function singleSpaced(text:String):String
         {

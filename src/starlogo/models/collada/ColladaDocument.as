@@ -106,7 +106,7 @@ package starlogo.models.collada
         public function integer(element:ColladaElement, attribute:String, missing:Number):Number
         {
             var text:String = element.attribute(attribute);
-            var number:Number = text == "" ? missing : Decimal.of(TextTokens.trimmed(text));
+            var number:Number = text == "" ? missing : Decimal.of(TextTokens.of(text).join(" "));
             refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), budget.name, "expected " +
                     attribute + " to be a whole number, not negative, but found \"" + TextTokens.shorten(text) + "\"", element);
             return number;

@@ -105,11 +105,11 @@ package starlogo.models.collada
                 case "polygons":
                     _lists = _lists.concat(_element.childrenNamed("ph"));
                     _document.checkCount(_element, _lists.length, "polygons");
-                    repeat(_document.triangulator.cuttingBetween(readPolygons));
+                    repeat(_document.triangulator.cuttingBetween(readLists));
                     break;
                 default:
                     _document.checkCount(_element, _lists.length, "lists of corners <p>");
-                    repeat(readStrips);
+                    repeat(_document.triangulator.cuttingBetween(readLists));
                     break;
             }
         }
@@ -172,42 +172,46 @@ package starlogo.models.collada
             return _size < _sizes.length;
         }
 
-        private function readPolygons():Boolean
+        private function readLists():Boolean
         {
             var read:int = 0;
             while (read < CORNERS_PER_STEP && _list < _lists.length && !_document.triangulator.isCutting)
             {
                 var element:ColladaElement = _lists[_list++];
-                var hasHoles:Boolean = element.name == "ph";
-                var outline:Vector.<uint> = loopOf(hasHoles ? _document.requiredChild(element, "p") : element);
-                var holes:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
-                var holeElements:Vector.<ColladaElement> = hasHoles ? element.childrenNamed("h") : new Vector.<ColladaElement>();
-                for each (var hole:ColladaElement in holeElements)
+                var loop:Vector.<uint> = loopOf(element.name == "ph" ? _document.requiredChild(element, "p") : element);
+                if (_element.name == "polygons")
                 {
-                    holes.push(loopOf(hole));
+                    _document.triangulator.addPolygon(loop, holesOf(element));
                 }
-                read += 10 + outline.length;
-                _document.triangulator.addPolygon(outline, holes);
+                else
+                {
+                    addStrip(loop);
+                }
+                read += 10 + loop.length;
             }
             return _list < _lists.length;
         }
 
-        private function readStrips():Boolean
+        // The holes of a polygon with holes (ph).
+        private function holesOf(element:ColladaElement):Vector.<Vector.<uint>>
+        {
+            var holes:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+            for each (var hole:ColladaElement in element.name == "ph" ? element.childrenNamed("h") : null)
+            {
+                holes.push(loopOf(hole));
+            }
+            return holes;
+        }
+
+        private function addStrip(strip:Vector.<uint>):void
         {
             var isFan:Boolean = _element.name == "trifans";
-            var read:int = 0;
-            while (read < CORNERS_PER_STEP && _list < _lists.length)
+            for (var i:int = 2; i < strip.length; i++)
             {
-                var strip:Vector.<uint> = loopOf(_lists[_list++]);
-                for (var i:int = 2; i < strip.length; i++)
-                {
-                    var first:int = isFan ? 0 : i - 2 + (i & 1);
-                    var second:int = isFan ? i - 1 : i - 1 - (i & 1);
-                    _document.triangulator.addTriangle(strip[first], strip[second], strip[i]);
-                }
-                read += 10 + strip.length;
+                var first:int = isFan ? 0 : i - 2 + (i & 1);
+                var second:int = isFan ? i - 1 : i - 1 - (i & 1);
+                _document.triangulator.addTriangle(strip[first], strip[second], strip[i]);
             }
-            return _list < _lists.length;
         }
 
         private function loopOf(element:ColladaElement):Vector.<uint>

@@ -123,7 +123,7 @@ package starlogo.models.collada
         private static function unitOf(asset:ColladaElement):Number
         {
             var element:ColladaElement = asset == null ? null : asset.child("unit");
-            var metres:Number = element == null ? 1 : Decimal.of(TextTokens.trimmed(element.attribute("meter")));
+            var metres:Number = element == null ? 1 : Decimal.of(TextTokens.of(element.attribute("meter")).join(" "));
             return metres > 0 && metres < Infinity ? metres : 1;
         }
 

@@ -85,25 +85,17 @@ package starlogo.models.cooked
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
             vertices.length = 3 * vertexCount;
             triangles.length = 3 * triangleCount;
-            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, readerOf(form)).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
-        }
-
-        // The function that reads vertices.
-        private function readerOf(form:int):Function
-        {
-            var divisor:Number = CookedShape.divisorOf(form);
-            var multiples:Vector.<int> = new Vector.<int>(3, true);
-            return function(first:int, end:int):void
-            {
-                if (form < CookedShape.SINGLE)
+            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    readMultiples(first, end, multiples, divisor);
-                }
-                else
-                {
-                    readNumbers(first, end, form == CookedShape.DOUBLE);
-                }
-            };
+                    if (form < CookedShape.SINGLE)
+                    {
+                        readMultiples(first, end, CookedShape.divisorOf(form));
+                    }
+                    else
+                    {
+                        readNumbers(first, end, form == CookedShape.DOUBLE);
+                    }
+                }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
         }
 
         private function readCount(most:int):int
@@ -131,16 +123,17 @@ package starlogo.models.cooked
             return new Vector3D(_bytes.readDouble(), _bytes.readDouble(), _bytes.readDouble());
         }
 
-        // Each number is stored as the difference from the one before. The last point's multiples go from call to call.
-        private function readMultiples(first:int, end:int, multiples:Vector.<int>, divisor:Number):void
+        // Each number is stored as the difference from the one before it, in multiples of 1 / divisor.
+        private function readMultiples(first:int, end:int, divisor:Number):void
         {
             var bytes:ByteArray = _bytes;
             var all:Vector.<Number> = vertices;
-            var x:int = multiples[0];
-            var y:int = multiples[1];
-            var z:int = multiples[2];
             var last:int = 3 * end;
-            for (var i:int = 3 * first; i < last; i += 3)
+            var i:int = 3 * first;
+            var x:int = first == 0 ? 0 : Math.round(all[int(i - 3)] * divisor);
+            var y:int = first == 0 ? 0 : Math.round(all[int(i - 2)] * divisor);
+            var z:int = first == 0 ? 0 : Math.round(all[int(i - 1)] * divisor);
+            for (; i < last; i += 3)
             {
                 x += VarInt.read(bytes);
                 y += VarInt.read(bytes);
@@ -149,9 +142,6 @@ package starlogo.models.cooked
                 all[int(i + 1)] = y / divisor;
                 all[int(i + 2)] = z / divisor;
             }
-            multiples[0] = x;
-            multiples[1] = y;
-            multiples[2] = z;
         }
 
         private function readNumbers(first:int, end:int, areDoubles:Boolean):void

@@ -158,6 +158,7 @@ package starlogo.search
             return kept;
         }
 
+        /** Whether pairs of a breed were added. */
         internal function isEntered(number:int):Boolean
         {
             return number >= 0 && number < _partners.length && _partners[number] != null;

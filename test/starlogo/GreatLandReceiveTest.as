@@ -3,7 +3,6 @@ package starlogo
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.AxisAlignedBoxFitter;
     import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.CylinderFitter;
@@ -12,6 +11,8 @@ package starlogo
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.steps.Steps;
+    import support.CountingFitter;
+    import support.FailingFitter;
     import support.LibraryContents;
     import support.PointSets;
     import support.assertThrows;
@@ -68,7 +69,7 @@ package starlogo
         {
             for (var place:int = 0; place < 4; place++)
             {
-                for each (var fitter:Fitter in [new CylinderFitter(new AxisAlignedBoxFitter()), new CapsuleFitter(new MinimalSphereFitter()), new RefusingFitter()])
+                for each (var fitter:Fitter in [new CylinderFitter(new AxisAlignedBoxFitter()), new CapsuleFitter(new MinimalSphereFitter()), new FailingFitter(new ArgumentError("no"))])
                 {
                     var greatLand:GreatLand = withFlags(7);
                     greatLand.boundingStructures.fitters.splice(place, 0, fitter);
@@ -89,9 +90,9 @@ package starlogo
             greatLand.boundingStructures.fitters = new <Fitter>[counting, new CapsuleFitter(counting)];
             greatLand.loadHierarchies = false;
             var intake:Steps = greatLand.receive(turnedBox());
-            assertEquals(0, counting.calls);
+            assertEquals(0, counting.count);
             finish(intake);
-            assertEquals(1, counting.calls);
+            assertEquals(1, counting.count);
             assertTrue(greatLand.boundingStructures.has("turned"));
         }
 
@@ -145,41 +146,5 @@ package starlogo
             }
             return new Model("turned", points);
         }
-    }
-}
-
-import flash.geom.Vector3D;
-import starlogo.bounding.BoundingStructure;
-import starlogo.bounding.Box;
-import starlogo.fitting.Fit;
-import starlogo.fitting.FitSession;
-import starlogo.fitting.Fitter;
-
-class CountingFitter extends Fitter
-{
-    public var calls:int = 0;
-
-    override public function begin(session:FitSession):Fit
-    {
-        return new Fit(session, find);
-    }
-
-    private function find(session:FitSession):BoundingStructure
-    {
-        calls++;
-        return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 3, 2, 2);
-    }
-}
-
-class RefusingFitter extends Fitter
-{
-    override public function begin(session:FitSession):Fit
-    {
-        return new Fit(session, find);
-    }
-
-    private function find(session:FitSession):BoundingStructure
-    {
-        throw new ArgumentError("no");
     }
 }

@@ -1,13 +1,12 @@
 package support
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Sphere;
+    import starlogo.fitting.AxisAlignedBoxFitter;
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
 
-    /** Finds a sphere that is large enough for every model, and counts how often. */
+    /** Finds the axis-aligned box, and counts how often. */
     public class CountingFitter extends Fitter
     {
         /** How often it was asked. */
@@ -25,7 +24,7 @@ package support
             return new Fit(session, function(session:FitSession):BoundingStructure
                 {
                     count++;
-                    return new Sphere(new Vector3D(), 100);
+                    return new AxisAlignedBoxFitter().fitOnce(session);
                 });
         }
     }

@@ -14,6 +14,7 @@ package starlogo.fitting
     import starlogo.bounding.Sphere;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.finish;
+    import support.CountingFitter;
     import support.Effort;
     import support.FitChecks;
     import support.PointSets;
@@ -283,13 +284,7 @@ package starlogo.fitting
 
         private static function assertEncloses(name:String, fitter:Fitter, session:FitSession):void
         {
-            assertHoldsAll(name, fitter, fitter.fitOnce(session), session.vertices);
-        }
-
-        private static function assertHoldsAll(name:String, fitter:Fitter, structure:BoundingStructure,
-                vertices:Vector.<Number>):void
-        {
-            assertEquals(name + ", " + getQualifiedClassName(fitter), "", FitChecks.outside(structure, vertices));
+            assertEquals(name + ", " + getQualifiedClassName(fitter), "", FitChecks.outside(fitter.fitOnce(session), session.vertices));
         }
     }
 }
@@ -297,10 +292,7 @@ package starlogo.fitting
 import flash.geom.Vector3D;
 import starlogo.bounding.BoundingStructure;
 import starlogo.bounding.Box;
-import starlogo.fitting.AxisAlignedBoxFitter;
-import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
-import starlogo.fitting.Fitter;
 import starlogo.steps.Steps;
 
 class CountedSteps implements Steps
@@ -322,21 +314,5 @@ class CountedSteps implements Steps
     public function boxOfThem(session:FitSession):BoundingStructure
     {
         return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, done, done, done);
-    }
-}
-
-class CountingFitter extends Fitter
-{
-    public var count:int = 0;
-
-    override public function begin(session:FitSession):Fit
-    {
-        return new Fit(session, find);
-    }
-
-    private function find(session:FitSession):BoundingStructure
-    {
-        count++;
-        return new AxisAlignedBoxFitter().fitOnce(session);
     }
 }

@@ -15,6 +15,7 @@ package starlogo.libraries
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
     import starlogo.models.BuiltInModel;
+    import support.FailingFitter;
     import support.PointSets;
     import support.assertThrows;
     import support.assign;
@@ -169,7 +170,6 @@ package starlogo.libraries
 }
 
 import starlogo.bounding.BoundingStructure;
-import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
 
@@ -185,25 +185,5 @@ class FixedFitter extends Fitter
     override protected function findStructure(session:FitSession):BoundingStructure
     {
         return _structure;
-    }
-}
-
-class FailingFitter extends Fitter
-{
-    private var _error:Error;
-
-    public function FailingFitter(error:Error)
-    {
-        _error = error;
-    }
-
-    override public function begin(session:FitSession):Fit
-    {
-        return new Fit(session, find);
-    }
-
-    private function find(session:FitSession):BoundingStructure
-    {
-        throw _error;
     }
 }

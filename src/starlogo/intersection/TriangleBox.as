@@ -24,9 +24,8 @@ package starlogo.intersection
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
 
-        private var _axisX:Number = 0;
-        private var _axisY:Number = 0;
-        private var _axisZ:Number = 0;
+        // The axis that is tried, in the box's space.
+        private var _axis:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * Whether a triangle touches the box, or the gap between them is at most the tolerance.
@@ -74,39 +73,27 @@ package starlogo.intersection
         private function isSeparatedByNormal():Boolean
         {
             var e:Vector.<Number> = _edges;
-            _axisX = e[1] * e[5] - e[2] * e[4];
-            _axisY = e[2] * e[3] - e[0] * e[5];
-            _axisZ = e[0] * e[4] - e[1] * e[3];
+            _axis[0] = e[1] * e[5] - e[2] * e[4];
+            _axis[1] = e[2] * e[3] - e[0] * e[5];
+            _axis[2] = e[0] * e[4] - e[1] * e[3];
             return isSeparatedOnAxis();
         }
 
         private function isSeparatedAcrossEdges():Boolean
         {
-            for (var i:int = 0; i < 9; i += 3)
+            for (var edge:int = 0; edge < 9; edge += 3)
             {
-                var x:Number = _edges[i];
-                var y:Number = _edges[int(i + 1)];
-                var z:Number = _edges[int(i + 2)];
-                _axisX = 0;
-                _axisY = z;
-                _axisZ = -y;
-                if (isSeparatedOnAxis())
+                for (var along:int = 0; along < 3; along++)
                 {
-                    return true;
-                }
-                _axisX = -z;
-                _axisY = 0;
-                _axisZ = x;
-                if (isSeparatedOnAxis())
-                {
-                    return true;
-                }
-                _axisX = y;
-                _axisY = -x;
-                _axisZ = 0;
-                if (isSeparatedOnAxis())
-                {
-                    return true;
+                    var next:int = along == 2 ? 0 : along + 1;
+                    var last:int = 3 - along - next;
+                    _axis[along] = 0;
+                    _axis[next] = _edges[int(edge + last)];
+                    _axis[last] = -_edges[int(edge + next)];
+                    if (isSeparatedOnAxis())
+                    {
+                        return true;
+                    }
                 }
             }
             return false;
@@ -115,9 +102,9 @@ package starlogo.intersection
         // Whether the axis separates the triangle from the box. The axis may have any length.
         private function isSeparatedOnAxis():Boolean
         {
-            var x:Number = _axisX;
-            var y:Number = _axisY;
-            var z:Number = _axisZ;
+            var x:Number = _axis[0];
+            var y:Number = _axis[1];
+            var z:Number = _axis[2];
             var p:Vector.<Number> = _corners;
             var first:Number = x * p[0] + y * p[1] + z * p[2];
             var second:Number = x * p[3] + y * p[4] + z * p[5];

@@ -21,24 +21,13 @@ package starlogo.intersection
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
         var center:Vector3D = sphere.center;
-        var startX:Number = start.x;
-        var startY:Number = start.y;
-        var startZ:Number = start.z;
-        var axisX:Number = end.x - startX;
-        var axisY:Number = end.y - startY;
-        var axisZ:Number = end.z - startZ;
-        var x:Number = center.x - startX;
-        var y:Number = center.y - startY;
-        var z:Number = center.z - startZ;
-        var along:Number = x * axisX + y * axisY + z * axisZ;
-        if (along > 0)
-        {
-            var lengthSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
-            var t:Number = along < lengthSquared ? along / lengthSquared : 1;
-            x -= t * axisX;
-            y -= t * axisY;
-            z -= t * axisZ;
-        }
+        var axisX:Number = end.x - start.x;
+        var axisY:Number = end.y - start.y;
+        var axisZ:Number = end.z - start.z;
+        var x:Number = center.x - start.x;
+        var y:Number = center.y - start.y;
+        var z:Number = center.z - start.z;
+        include "pointToSegment.inc";
         var reach:Number = (sphere.radius + capsule.radius) * Tolerances.TOUCHING;
         return x * x + y * y + z * z <= reach * reach;
     }

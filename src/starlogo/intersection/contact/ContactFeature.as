@@ -23,12 +23,6 @@ package starlogo.intersection.contact
         private var _stepY:Number = 0;
         private var _stepZ:Number = 0;
 
-        // The plane of the next clip.
-        private var _inX:Number = 0;
-        private var _inY:Number = 0;
-        private var _inZ:Number = 0;
-        private var _from:Number = 0;
-
         private var _points:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
         private var _end:int = 0;
         private var _clipped:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
@@ -209,37 +203,14 @@ package starlogo.intersection.contact
         // polygon clipping", 1974).
         private function setMiddleWithin(inner:ContactFeature, outer:ContactFeature, contact:ContactPoint):void
         {
-            var normalX:Number = contact.normalX;
-            var normalY:Number = contact.normalY;
-            var normalZ:Number = contact.normalZ;
             var points:Vector.<Number> = inner._points;
             var kept:Vector.<Number> = inner._clipped;
             var end:int = inner._end;
-            var edges:Vector.<Number> = outer._points;
-            outer.setMiddle(edges, outer._end);
-            var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer.x) + Math.abs(edges[1] - outer.y)
-                    + Math.abs(edges[2] - outer.z) + Math.abs(edges[3] - outer.x) + Math.abs(edges[4] - outer.y)
-                    + Math.abs(edges[5] - outer.z));
+            outer.setMiddle(outer._points, outer._end);
             var last:int = outer._end - 3;
             for (var at:int = 0; at < outer._end && end > 0; at += 3)
             {
-                var edgeX:Number = edges[at] - edges[last];
-                var edgeY:Number = edges[int(at + 1)] - edges[int(last + 1)];
-                var edgeZ:Number = edges[int(at + 2)] - edges[int(last + 2)];
-                // The vector points inwards, in the plane.
-                _inX = edgeY * normalZ - edgeZ * normalY;
-                _inY = edgeZ * normalX - edgeX * normalZ;
-                _inZ = edgeX * normalY - edgeY * normalX;
-                _from = _inX * edges[at] + _inY * edges[int(at + 1)] + _inZ * edges[int(at + 2)];
-                if (_inX * outer.x + _inY * outer.y + _inZ * outer.z < _from)
-                {
-                    _inX = -_inX;
-                    _inY = -_inY;
-                    _inZ = -_inZ;
-                    _from = -_from;
-                }
-                _from -= slack * Math.sqrt(_inX * _inX + _inY * _inY + _inZ * _inZ);
-                end = cut(points, end, kept);
+                end = cut(points, end, outer, last, at, contact, kept);
                 var swapped:Vector.<Number> = points;
                 points = kept;
                 kept = swapped;
@@ -250,19 +221,36 @@ package starlogo.intersection.contact
             if (end == 0)
             {
                 // The polygons do not overlap.
-                setMiddle(edges, outer._end);
+                setMiddle(outer._points, outer._end);
                 return;
             }
             setMiddle(points, end);
         }
 
-        // Keeps the part beyond the plane. Returns the index after its last number.
-        private function cut(points:Vector.<Number>, end:int, kept:Vector.<Number>):int
+        // Keeps the part on the inner side of an edge of the outer polygon, whose middle has been set. Returns the index after its last number.
+        private static function cut(points:Vector.<Number>, end:int, outer:ContactFeature, edgeFrom:int, edgeTo:int, contact:ContactPoint,
+                kept:Vector.<Number>):int
         {
-            var inX:Number = _inX;
-            var inY:Number = _inY;
-            var inZ:Number = _inZ;
-            var from:Number = _from;
+            var edges:Vector.<Number> = outer._points;
+            var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer.x) + Math.abs(edges[1] - outer.y)
+                    + Math.abs(edges[2] - outer.z) + Math.abs(edges[3] - outer.x) + Math.abs(edges[4] - outer.y)
+                    + Math.abs(edges[5] - outer.z));
+            var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
+            var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
+            var edgeZ:Number = edges[int(edgeTo + 2)] - edges[int(edgeFrom + 2)];
+            // The vector points inwards, in the plane.
+            var inX:Number = edgeY * contact.normalZ - edgeZ * contact.normalY;
+            var inY:Number = edgeZ * contact.normalX - edgeX * contact.normalZ;
+            var inZ:Number = edgeX * contact.normalY - edgeY * contact.normalX;
+            var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
+            if (inX * outer.x + inY * outer.y + inZ * outer.z < from)
+            {
+                inX = -inX;
+                inY = -inY;
+                inZ = -inZ;
+                from = -from;
+            }
+            from -= slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var count:int = 0;
             var last:int = end - 3;
             var lastBeyond:Number = inX * points[last] + inY * points[int(last + 1)] + inZ * points[int(last + 2)] - from;

@@ -28,6 +28,12 @@ package starlogo.intersection.sweep
         /** The first triangle's first corner. */
         protected var origin:Vector3D = new Vector3D();
 
+        /** The largest gap that still counts as touching. */
+        public var tolerance:Number = 0;
+
+        /** The motion of the second triangle. */
+        protected var motion:RelativeMotion;
+
         /** The axis to try, of any length. Fields, because V8 would allocate objects for Numbers that are passed. */
         protected var axisX:Number = 0;
         protected var axisY:Number = 0;

@@ -12,21 +12,14 @@ package starlogo.intersection.sweep
      */
     public final class TriangleContactFinder extends TriangleAxes
     {
-        /** The largest gap that still counts as touching. */
-        public var tolerance:Number = 0;
-
-        private var _motion:RelativeMotion;
         private var _featureA:ContactFeature = new ContactFeature();
         private var _featureB:ContactFeature = new ContactFeature();
 
         // The first triangle's corners, relative to its first corner.
         private var _cornersA:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // The shortest separating displacement so far.
-        private var _depth:Number;
-        private var _x:Number;
-        private var _y:Number;
-        private var _z:Number;
+        // Its depth and normal are the shortest separating displacement so far.
+        private var _contact:ContactPoint;
 
         /**
          * Finds the contact of the two triangles that were set by <code>relate()</code>.
@@ -36,10 +29,10 @@ package starlogo.intersection.sweep
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            _motion = motion;
-            _depth = Infinity;
-            _x = _y = 0;
-            _z = 1;
+            this.motion = motion;
+            _contact = out;
+            out.depth = Infinity;
+            out.setNormal(0, 0, 1);
             for (var i:int = 0; i < 9; i += 3)
             {
                 cornersB[i] += motion.time * motion.x;
@@ -52,7 +45,6 @@ package starlogo.intersection.sweep
             var heightA:Number = height;
             measure(edgesB);
             areSeparatedInPlane(heightA < height ? edgesB : edgesA);
-            out.setNormal(_x, _y, _z);
             for (i = 3; i < 9; i++)
             {
                 _cornersA[i] = edgesA[int(i - 3)];
@@ -60,7 +52,8 @@ package starlogo.intersection.sweep
             _featureA.setFarthest(_cornersA, 0, out, -1);
             _featureB.setFarthest(cornersB, 0, out, 1);
             _featureA.findCommonPoint(_featureB, out);
-            out.depth = _depth > 0 && _depth < Infinity ? _depth : 0;
+            var depth:Number = out.depth;
+            out.depth = depth > 0 && depth < Infinity ? depth : 0;
             out.x = _featureA.x + origin.x;
             out.y = _featureA.y + origin.y;
             out.z = _featureA.z + origin.z;
@@ -72,19 +65,17 @@ package starlogo.intersection.sweep
             var length:Number = Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
             var depth:Number = (reach - Math.abs(at)) / length;
             // The comparison is false for NaN too.
-            if (depth < _depth - Tolerances.ROUNDING * reach / length)
+            if (depth < _contact.depth - Tolerances.ROUNDING * reach / length)
             {
                 var side:Number = at > 0 ? -1 : 1;
-                var speed:Number = axisX * _motion.x + axisY * _motion.y + axisZ * _motion.z;
-                if (speed != 0 && _motion.time > 0 && Math.abs(at) < tolerance * length)
+                var speed:Number = axisX * motion.x + axisY * motion.y + axisZ * motion.z;
+                if (speed != 0 && motion.time > 0 && Math.abs(at) < tolerance * length)
                 {
                     // For a triangle in the other's plane, rounding decides the side. So the side that it comes from is taken.
                     side = speed > 0 ? 1 : -1;
                 }
-                _depth = depth;
-                _x = side * axisX / length;
-                _y = side * axisY / length;
-                _z = side * axisZ / length;
+                _contact.depth = depth;
+                _contact.setNormal(side * axisX / length, side * axisY / length, side * axisZ / length);
             }
             return false;
         }

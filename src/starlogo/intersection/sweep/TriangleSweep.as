@@ -11,11 +11,7 @@ package starlogo.intersection.sweep
      */
     public final class TriangleSweep extends TriangleAxes
     {
-        /** The largest gap that still counts as touching. */
-        public var tolerance:Number = 0;
-
         private var _times:ContactInterval = new ContactInterval();
-        private var _motion:RelativeMotion;
 
         // The longest edges of two triangles without area. The first has the tolerance as its radius.
         private var _edgeA:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
@@ -31,7 +27,7 @@ package starlogo.intersection.sweep
         public function findTime(motion:RelativeMotion):void
         {
             var times:ContactInterval = _times;
-            _motion = motion;
+            this.motion = motion;
             times.last = motion.time;
             times.reset();
             motion.time = RelativeMotion.NEVER;
@@ -61,7 +57,7 @@ package starlogo.intersection.sweep
             var times:ContactInterval = _times;
             times.at = at;
             times.reach = reach;
-            times.speed = x * _motion.x + y * _motion.y + z * _motion.z;
+            times.speed = x * motion.x + y * motion.y + z * motion.z;
             times.gap = tolerance * Math.sqrt(x * x + y * y + z * z);
             return times.areSeparated();
         }
@@ -72,10 +68,10 @@ package starlogo.intersection.sweep
             setLongest(_edgeA, edgesA, 0, 0, 0);
             setLongest(_edgeB, edgesB, cornersB[0], cornersB[1], cornersB[2]);
             _edgeA.radius = tolerance;
-            findTimeOfImpact(_edgeB, _edgeA, _motion);
-            if (!(_motion.time <= _times.last))
+            findTimeOfImpact(_edgeB, _edgeA, motion);
+            if (!(motion.time <= _times.last))
             {
-                _motion.time = RelativeMotion.NEVER;
+                motion.time = RelativeMotion.NEVER;
             }
         }
 

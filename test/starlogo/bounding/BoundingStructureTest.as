@@ -179,6 +179,11 @@ package starlogo.bounding
             var sphere:Sphere = new Sphere(point, 1);
             var capsule:Capsule = new Capsule(point, other, 1);
             var cylinder:Cylinder = new Cylinder(point, other, 1);
+            var axis:Vector3D = X.clone();
+            var box:Box = new Box(point, axis, Y, Z, 1, 2, 3);
+            point.x = axis.x = 9;
+            assertEquals(1, box.center.x);
+            assertEquals(1, box.axisX.x);
             point.x = other.x = 9;
             assertEquals(1, sphere.center.x);
             assertEquals(1, capsule.start.x);

@@ -13,36 +13,20 @@ package starlogo.geometry
     public class ConvexHullTest
     {
         [Test]
-        public function everyVertexIsInside():void
+        public function enclosesHardSetsAndIsClosed():void
         {
             for (var seed:int = 1; seed <= 5; seed++)
             {
-                var sets:Array = PointSets.hard(new SeededRandom(seed));
+                var random:SeededRandom = new SeededRandom(seed);
+                var sets:Array = PointSets.hard(random);
                 for (var i:int = 0; i < sets.length; i += 2)
                 {
-                    checkEnclosure(sets[i] + ", seed " + seed, new ConvexHull(sets[i + 1]));
+                    var name:String = sets[i] + ", seed " + seed;
+                    var hull:ConvexHull = new ConvexHull(sets[i + 1]);
+                    checkEnclosure(name, hull);
+                    checkMesh(name, hull);
+                    checkSupports(name, hull, random);
                 }
-            }
-        }
-
-        [Test]
-        public function everyHullIsClosed():void
-        {
-            var sets:Array = PointSets.hard(new SeededRandom(17));
-            for (var i:int = 0; i < sets.length; i += 2)
-            {
-                checkMesh(sets[i], new ConvexHull(sets[i + 1]));
-            }
-        }
-
-        [Test]
-        public function climbsToEverySupport():void
-        {
-            var random:SeededRandom = new SeededRandom(23);
-            var sets:Array = PointSets.hard(random);
-            for (var i:int = 0; i < sets.length; i += 2)
-            {
-                checkSupports(sets[i], new ConvexHull(sets[i + 1]), random);
             }
         }
 

@@ -222,6 +222,7 @@ package starlogo.queries
             assertEquals(message + ": nearest", near.length > 0 ? near[0] : null, _queries.nearest(asker, radius, filter));
             var count:int = _random.pick([0, 1, 2, 5, 30, 1000]);
             assertSame(message + ": nearestOf " + count, near.slice(0, count), _queries.nearestOf(asker, count, radius, filter));
+            assertAskedInOrder(message, asker, count, radius);
             var degrees:Number = _random.pick([0, 30, 90, 180, 200, 359, 360, 500]);
             assertSame(message + ": inCone " + degrees, _reference.inCone(asker, near, degrees), _queries.inCone(asker, radius, degrees, filter));
             var point:Vector3D = new Vector3D(asker.x, other.y, asker.z);
@@ -229,6 +230,20 @@ package starlogo.queries
             assertSame(message + ": nearPoint", near, _queries.nearPoint(point, radius, filter));
             assertEquals(message + ": countNearPoint", near.length, _queries.countNearPoint(point, radius, filter));
             assertEquals(message + ": nearestToPoint", near.length > 0 ? near[0] : null, _queries.nearestToPoint(point, radius, filter));
+        }
+
+        // The function of a filter is called for the nearest agents first, until enough are accepted.
+        private function assertAskedInOrder(message:String, asker:Agent, count:int, radius:Number):void
+        {
+            var asked:Vector.<Agent> = new Vector.<Agent>();
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                asked.push(agent);
+                return asked.length % 3 == 0;
+            };
+            _queries.nearestOf(asker, count, radius, filter);
+            assertSame(message + ": asked", _reference.near(asker.x, asker.y, asker.z, asker, radius, null).slice(0, 3 * count), asked);
         }
 
         private function randomFilter():AgentFilter

@@ -1,68 +1,18 @@
 package starlogo.queries
 {
-    import evaluation.pairs.SeededRandom;
-    import flash.geom.Vector3D;
-    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.bounding.Sphere;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.EachCollider;
     import support.agentAt;
     import support.landOf;
 
-    /** Answers at borders: the first of several overlaps, the ground's largest cells. */
+    /** Answers at borders: the ground's largest cells. */
     public class BordersTest
     {
         private var _greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-
-        // What the motion enters at its beginning is met at time 0. If there are several, the first in the list is named.
-        [Test]
-        public function castsNameTheFirstOfSeveralOverlaps():void
-        {
-            var random:SeededRandom = new SeededRandom(733);
-            var several:int = 0;
-            for each (var name:String in ["bins", "tightest fits"])
-            {
-                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _greatLand));
-                for (var i:int = 0; i < 1000; i++)
-                {
-                    var agents:Vector.<Agent> = new Vector.<Agent>();
-                    for (var k:int = 0; k < 4; k++)
-                    {
-                        agents.push(agentAt("sphere", random.between(-1, 1), random.between(-1, 1), random.between(-1.5, 0.5)));
-                    }
-                    queries.update(agents);
-                    var way:Vector3D = new Vector3D(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-                    // a sphere goes into another if their middles come nearer
-                    var first:Agent = null;
-                    var met:int = 0;
-                    for each (var agent:Agent in agents)
-                    {
-                        var to:Vector3D = new Vector3D(agent.x, agent.y, agent.z + 0.5);
-                        if (to.length < 0.9 && to.dotProduct(way) > 1e-3)
-                        {
-                            first ||= agent;
-                            met++;
-                        }
-                        else if (to.length < 1.01)
-                        {
-                            met = -99;
-                        }
-                    }
-                    if (met > 0)
-                    {
-                        several += met > 1 ? 1 : 0;
-                        var hit:ShapeHit = queries.castShape(new Sphere(new Vector3D(), 0.5), way.x, way.y, way.z);
-                        assertTrue(name + " " + i, hit != null && hit.time == 0);
-                        assertEquals(name + " " + i, agents.indexOf(first), agents.indexOf(hit.agent));
-                    }
-                }
-            }
-            assertTrue(String(several), several > 20);
-        }
 
         // How deep is shallow depends on the agent, not on the width of the ground's cells.
         [Test]

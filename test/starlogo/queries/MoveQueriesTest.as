@@ -5,7 +5,6 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.collision.Collider;
     import starlogo.collision.Contact;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
@@ -73,8 +72,7 @@ package starlogo.queries
             var free:int = 0;
             for each (var name:String in EachCollider.NAMES)
             {
-                var collider:Collider = EachCollider.make(name, sGreatLand);
-                var queries:AgentQueries = new AgentQueries(collider);
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
                 for (var i:int = Effort.choose(200, 5000); i > 0; i--)
                 {
                     var agents:Vector.<Agent> = RandomWorlds.mixed(6, SHAPES, 1.5, _random);
@@ -84,7 +82,7 @@ package starlogo.queries
                         mover.moveTo(0, 0, 0);
                     }
                     queries.update(agents);
-                    var isFree:Boolean = !touchesAny(collider, mover, agents);
+                    var isFree:Boolean = !queries.touchesAny(mover);
                     var contact:Contact = new Contact();
                     var smallness:Number = Math.pow(10, -_random.between(0, 320));
                     var dx:Number = _random.between(-1, 1) * smallness;
@@ -195,18 +193,6 @@ package starlogo.queries
         {
             var distance:Number = Math.abs(agent.x - x) + Math.abs(agent.y - y) + Math.abs(agent.z - z);
             assertTrue(message + ": " + agent.x + ", " + agent.y + ", " + agent.z, distance < 3e-9);
-        }
-
-        private static function touchesAny(collider:Collider, agent:Agent, others:Vector.<Agent>):Boolean
-        {
-            for each (var other:Agent in others)
-            {
-                if (other !== agent && collider.areColliding(agent, other))
-                {
-                    return true;
-                }
-            }
-            return false;
         }
     }
 }

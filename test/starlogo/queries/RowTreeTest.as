@@ -3,32 +3,21 @@ package starlogo.queries
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.GreatLand;
-    import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
-    import starlogo.broadphase.Points;
-    import starlogo.collision.BinCollider;
     import starlogo.engine;
-    import starlogo.models.BuiltInModel;
     import starlogo.search.RowList;
-    import support.landOf;
 
     use namespace engine;
 
-    /** Searches in trees of places and of boxes against loops over all of them. */
+    /** Searches in trees of boxes against loops over all of them. AgentQueriesTest asks trees of places. */
     public class RowTreeTest
     {
         private static const MOST_ROWS:int = 400;
 
         private var _random:SeededRandom;
-        private var _filter:AgentFilter = AgentFilter.ofBreeds("thirds");
         private var _sizes:Extents;
-        private var _places:Points;
         private var _rows:Vector.<int>;
         private var _tree:RowTree;
-        private var _seen:QueryWorld;
-        private var _found:Collector;
-        private var _near:NearSearch = new NearSearch();
         private var _way:SweptBoxSearch = new SweptBoxSearch();
 
         [Before]
@@ -36,39 +25,6 @@ package starlogo.queries
         {
             _random = new SeededRandom(811);
             _tree = new RowTree();
-            var greatLand:GreatLand = landOf(BuiltInModel.sphere());
-            _seen = new QueryWorld(new BinCollider(greatLand));
-            _found = new Collector(_seen);
-            var agents:Vector.<Agent> = new Vector.<Agent>();
-            for (var i:int = 0; i < MOST_ROWS; i++)
-            {
-                agents.push(new Agent("sphere", i % 3 == 1 ? "thirds" : "others"));
-            }
-            _seen.update(agents);
-        }
-
-        [Test]
-        public function findsPlacesAsALoopDoes():void
-        {
-            var foundSome:int = 0;
-            var foundNone:int = 0;
-            for (var world:int = 0; world < 120; world++)
-            {
-                makeWorld(world);
-                _tree.build(_rows, _rows.length, _places);
-                for (var i:int = 0; i < 30; i++)
-                {
-                    var message:String = "world " + world + ", " + i;
-                    assertNear(message, world, -1, null) ? foundSome++ : foundNone++;
-                    assertNear(message + ", some", world, -1, _filter);
-                    if (_rows.length > 0)
-                    {
-                        assertNear(message + ", beside one", world, anyRow(), i % 2 == 0 ? null : _filter);
-                        moveOne(world);
-                    }
-                }
-            }
-            assertTrue(foundSome + " some, " + foundNone + " none", foundSome > 1000 && foundNone > 300);
         }
 
         [Test]
@@ -98,10 +54,6 @@ package starlogo.queries
         {
             _sizes = new Extents();
             _sizes.grow(RowList.LISTED + MOST_ROWS);
-            _places = new Points();
-            _places.x = _sizes.x;
-            _places.y = _sizes.y;
-            _places.z = _sizes.z;
             _rows = new Vector.<int>();
             var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, MOST_ROWS);
             for (var row:int = RowList.LISTED; row < RowList.LISTED + count; row++)
@@ -116,7 +68,6 @@ package starlogo.queries
             {
                 if (row % 5 > 0 || count < 10)
                 {
-                    _seen.table.ranks[row] = _rows.length;
                     _rows.push(row);
                 }
             }
@@ -159,81 +110,6 @@ package starlogo.queries
             if (_tree.movesLeft < 0)
             {
                 _tree.build(_rows, _rows.length, _sizes);
-            }
-        }
-
-        private function assertNear(message:String, world:int, skipped:int, filter:AgentFilter):Boolean
-        {
-            var x:Number = skipped < 0 ? coordinate(world) : _sizes.x[skipped];
-            var y:Number = skipped < 0 ? coordinate(world) : _sizes.y[skipped];
-            var z:Number = skipped < 0 ? (world % 3 == 0 ? 0 : coordinate(world)) : _sizes.z[skipped];
-            var limit:Number = Math.pow(_random.pick([0, 1, 5, 30, 1e4, Infinity]), 2);
-            var near:Array = [];
-            for each (var row:int in _rows)
-            {
-                var toX:Number = _sizes.x[row] - x;
-                var toY:Number = _sizes.y[row] - y;
-                var toZ:Number = _sizes.z[row] - z;
-                var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square <= limit && row != skipped && (filter == null || filter.admits(_seen.table.agents[row])))
-                {
-                    near.push({row: row, rank: _seen.table.ranks[row], square: square});
-                }
-            }
-            near.sort(function(a:Object, b:Object):Number
-                {
-                    return a.square == b.square ? a.rank - b.rank : a.square - b.square;
-                });
-            for each (var most:int in [Collector.ALL, 1, 2, 10, 150, 0])
-            {
-                _found.begin(most, limit, null, filter);
-                _found.askerRow = skipped;
-                _near.find(_tree, x, y, z, _found);
-                _found.endSorted();
-                assertEquals(message + ": " + most + ", how many", Math.min(most, near.length), _found.count);
-                for (var i:int = 0; i < _found.count; i++)
-                {
-                    assertEquals(message + ": " + most + ", nearest " + i, near[i].row, _found.rows[i]);
-                    assertEquals(message + ": " + most + ", distance " + i, near[i].square, _found.keys[i]);
-                }
-            }
-            _found.begin(Collector.NUMBER, limit, null, filter);
-            _found.askerRow = skipped;
-            _near.find(_tree, x, y, z, _found);
-            assertEquals(message + ": count", near.length, _found.end());
-            assertAsked(message, near, x, y, z, limit, filter, skipped);
-            return near.length > 0;
-        }
-
-        // The function of a filter is called for the nearest rows first, until enough are accepted.
-        private function assertAsked(message:String, near:Array, x:Number, y:Number, z:Number, limit:Number, filter:AgentFilter, skipped:int):void
-        {
-            var asked:Array = [];
-            var asking:AgentFilter = new AgentFilter();
-            asking.breeds = filter == null ? null : filter.breeds;
-            asking.exceptBreeds = filter == null ? null : filter.exceptBreeds;
-            asking.except = filter == null ? null : filter.except;
-            asking.accepts = function(agent:Agent):Boolean
-            {
-                asked.push(_seen.table.rowOf(agent));
-                return asked.length % 3 == 0;
-            };
-            for each (var wanted:int in [Collector.ALL, 1, 2, 10])
-            {
-                asked.length = 0;
-                _found.begin(wanted, limit, null, asking);
-                _found.askerRow = skipped;
-                _near.find(_tree, x, y, z, _found);
-                assertEquals(message + ": accepted", Math.min(wanted, int(near.length / 3)), _found.endSorted());
-                assertEquals(message + ": asked", wanted > near.length / 3 ? near.length : 3 * wanted, asked.length);
-                for (var i:int = 0; i < asked.length; i++)
-                {
-                    assertEquals(message + ": asked in order", near[i].row, asked[i]);
-                    if (i % 3 == 2)
-                    {
-                        assertEquals(message + ": accepted in order", asked[i], _found.rows[int(i / 3)]);
-                    }
-                }
             }
         }
 

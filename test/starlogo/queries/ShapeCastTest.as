@@ -99,7 +99,7 @@ package starlogo.queries
                     var hit:ShapeHit = queries.castAgent(agent, way.x, way.y, way.z);
                     queries.castAgentAll(agent, way.x, way.y, way.z, null, hits);
                     assertEquals(name + ": nothing moves", before, traitsOf(agent));
-                    assertHitsAreThoseOfEach(name, queries, agent, way, hits);
+                    assertHitsAreThoseOfEach(name, queries, agents, way, hits);
                     several += hits.length > 1 ? 1 : 0;
                     var contact:Contact = new Contact();
                     var part:Number = queries.moveUntilTouch(agent, way.x, way.y, way.z, null, contact);
@@ -263,39 +263,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function questionsWithinAFilterLeaveTheCastBodyAlone():void
-        {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
-                var ball:Agent = new Agent("sphere", "balls");
-                var wall:Agent = cubeAt(10, "walls");
-                ball.size = 4;
-                var agents:Vector.<Agent> = new <Agent>[ball, wall];
-                queries.update(agents);
-                var bullet:Sphere = new Sphere(new Vector3D(0, 0, 0.5), 2);
-                var filter:AgentFilter = new AgentFilter();
-                filter.accepts = function(agent:Agent):Boolean
-                {
-                    var small:Agent = new Agent("sphere");
-                    small.size = 0.01;
-                    queries.castAgent(small, 1, 0, 0);
-                    queries.castShape(new Sphere(new Vector3D(), 0.01), 1, 0, 0);
-                    queries.overlapping(new Sphere(new Vector3D(3, 3, 3), 0.01));
-                    queries.distanceToPoint(agent, new Vector3D(1, 2, 3));
-                    queries.wouldTouchAt(small, 5, 5, 5);
-                    return true;
-                };
-                assertEquals(name, queries.castAgent(ball, 20, 0, 0).time, queries.castAgent(ball, 20, 0, 0, filter).time);
-                assertEquals(name, queries.castShape(bullet, 20, 0, 0).time, queries.castShape(bullet, 20, 0, 0, filter).time);
-                var plain:Number = queries.moveUntilTouch(ball, 20, 0, 0);
-                ball.moveTo(0, 0, 0);
-                queries.update(agents);
-                assertEquals(name, plain, queries.moveUntilTouch(ball, 20, 0, 0, filter));
-            }
-        }
-
-        [Test]
         public function filtersAndQuestionsOfTheirOwn():void
         {
             for each (var name:String in EachCollider.NAMES)
@@ -305,19 +272,30 @@ package starlogo.queries
                 queries.update(agents);
                 var ball:Sphere = new Sphere(new Vector3D(-3, 0, 0.5), 0.25);
                 var filter:AgentFilter = new AgentFilter();
+                var small:Agent = new Agent("sphere");
+                small.size = 0.01;
                 filter.exceptBreeds = new <String>["ghosts"];
                 assertStrictlyEquals(name, agents[2], queries.castAgent(agents[0], 20, 0, 0, filter).agent);
                 assertStrictlyEquals(name, agents[0], queries.castShape(ball, 20, 0, 0).agent);
                 filter.accepts = function(agent:Agent):Boolean
                 {
-                    // questions of its own: of another structure, and of another agent that is in the list
+                    // questions of its own: of another structure, of another agent that is in the list, and of a small one that is not
                     queries.castShape(new Sphere(new Vector3D(0, 0, 40), 1), 0, 1, 0);
                     queries.castAgent(agents[3], -20, 0, 0);
+                    queries.castAgent(small, 1, 0, 0);
+                    queries.overlapping(new Sphere(new Vector3D(3, 3, 3), 0.01));
+                    queries.distanceToPoint(agent, new Vector3D(1, 2, 3));
+                    queries.wouldTouchAt(small, 5, 5, 5);
                     return agent.x > 7;
                 };
                 assertStrictlyEquals(name, agents[3], queries.castShape(ball, 20, 0, 0, filter).agent);
-                assertStrictlyEquals(name, agents[3], queries.castAgent(agents[0], 20, 0, 0, filter).agent);
-                var hit:ShapeHit = new ShapeHit();
+                var hit:ShapeHit = queries.castAgent(agents[0], 20, 0, 0, filter);
+                assertStrictlyEquals(name, agents[3], hit.agent);
+                assertTrue(name + ": as long as it is", Math.abs(hit.time - 0.4) < 0.01);
+                assertTrue(name, Math.abs(queries.moveUntilTouch(agents[0], 20, 0, 0, filter) - hit.time) < SAME);
+                agents[0].moveTo(0, 0, 0);
+                queries.moved(agents[0]);
+                hit = new ShapeHit();
                 assertStrictlyEquals(name, hit, queries.castAgent(agents[0], 20, 0, 0, null, hit));
                 assertStrictlyEquals(name, agents[1], hit.agent);
                 assertNull(name, queries.castAgent(agents[0], 1, 0, 0, null, hit));
@@ -386,9 +364,10 @@ package starlogo.queries
             assertTrue(touches + " touch, " + misses + " do not", touches > 50 && misses > 50);
         }
 
-        // Each agent of the list is hit as it is when it is the only one that counts.
-        private function assertHitsAreThoseOfEach(name:String, queries:AgentQueries, agent:Agent, way:Vector3D, hits:Vector.<ShapeHit>):void
+        // Each agent of the list is hit as it is when it is the only one that counts, in the order of times and of the list.
+        private function assertHitsAreThoseOfEach(name:String, queries:AgentQueries, agents:Vector.<Agent>, way:Vector3D, hits:Vector.<ShapeHit>):void
         {
+            var agent:Agent = agents[0];
             for (var i:int = 0; i < hits.length; i++)
             {
                 var filter:AgentFilter = new AgentFilter();
@@ -399,8 +378,9 @@ package starlogo.queries
                 var single:ShapeHit = queries.castAgent(agent, way.x, way.y, way.z, filter);
                 assertEquals(name + ": alone", single.time, hits[i].time);
                 assertTrue(name + ": alone", single.normal.equals(hits[i].normal) && single.point.equals(hits[i].point));
-                assertTrue(name + ": sorted", i == 0 || hits[i - 1].time <= hits[i].time);
-                assertTrue(name + ": once", hits[i].agent != agent && (i == 0 || hits[i - 1].agent != hits[i].agent));
+                assertTrue(name + ": sorted", i == 0 || hits[i - 1].time < hits[i].time
+                        || hits[i - 1].time == hits[i].time && agents.indexOf(hits[i - 1].agent) < agents.indexOf(hits[i].agent));
+                assertTrue(name + ": not itself", hits[i].agent != agent);
             }
         }
 

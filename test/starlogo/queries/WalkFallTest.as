@@ -13,7 +13,6 @@ package starlogo.queries
     import support.EachCollider;
     import support.Effort;
     import support.agentAt;
-    import support.assertThrows;
     import support.fillHeights;
     import support.landOf;
 
@@ -308,20 +307,6 @@ package starlogo.queries
                 }
                 assertTrue(name + ": " + _walker.x, _walker.x > 0.04 && _walker.x < 0.06);
             }
-        }
-
-        [Test]
-        public function whatIsRefusedHasNotMoved():void
-        {
-            _terrain = null;
-            _walker = agentAt("cube", 0.4, 0, 0);
-            ask("tightest fits");
-            _greatLand.removeModel("cube");
-            assertThrows(ArgumentError, /cube/, _queries.walk, _walker, 0.1, 0);
-            assertThrows(ArgumentError, /cube/, _queries.slide, _walker, 0.1, 0, 0);
-            assertThrows(ArgumentError, /cube/, _queries.moveUntilTouch, _walker, 0.1, 0, 0);
-            assertEquals(0.4, _walker.x);
-            assertEquals(0, _walker.z);
         }
 
         private function makeWorld(name:String, world:int):void

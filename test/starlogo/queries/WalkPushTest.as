@@ -154,23 +154,6 @@ package starlogo.queries
             }
         }
 
-        [Test]
-        public function aWallHoldsWhatIsCarried():void
-        {
-            for each (var name:String in NAMES)
-            {
-                begin(name);
-                _wall.moveTo(1, 0, 0);
-                for (var i:int = 0; i < 20; i++)
-                {
-                    _floor.moveTo(0.05 * i, 0, -4);
-                    _queries.update(_agents);
-                    _queries.walk(_walker, 0, 0, _options, _footing);
-                    assertTrue(name + ": " + [i, _walker.x], Math.abs(_walker.x - Math.min(0.25, 0.05 * i)) < NEAR && _footing.stands && Math.abs(_walker.z) < NEAR);
-                }
-            }
-        }
-
         // A box that a platform turns beside a wall gets pushed away from the wall in the same walk.
         [Test]
         public function aPlatformTurnsNothingIntoAWall():void

@@ -20,7 +20,7 @@ package starlogo.queries
     import support.fillHeights;
     import support.landOf;
 
-    /** Agents that walk: over tiles, up and down stairs, slopes and hills, along walls. */
+    /** Agents that walk: over tiles and hills, along walls, off cliffs. WalkWorldsTest has ramps and stairs. */
     public class WalkTest
     {
         // A BinCollider has no flat floors.
@@ -34,92 +34,6 @@ package starlogo.queries
         private var _wrong:Complaints = new Complaints();
         private var _options:WalkOptions = new WalkOptions();
         private var _footing:Footing = new Footing();
-
-        [Test]
-        public function tilesAreOneFloor():void
-        {
-            for each (var name:String in NAMES)
-            {
-                for each (var shape:String in WALKERS)
-                {
-                    var walker:Agent = walkerAt(shape, 0, 0, 0);
-                    var agents:Vector.<Agent> = new <Agent>[walker];
-                    addTiles(agents, -6, 6, flat);
-                    var queries:AgentQueries = queriesOf(name, agents);
-                    for (var i:int = 0; i < 60; i++)
-                    {
-                        var turn:Number = _random.pick([0, 1, 0.5, _random.between(0, 8)]) * Math.PI / 4;
-                        var x:Number = walker.x + 0.15 * Math.cos(turn);
-                        var y:Number = walker.y + 0.15 * Math.sin(turn);
-                        if (Math.abs(x) > 5 || Math.abs(y) > 5)
-                        {
-                            continue;
-                        }
-                        queries.walk(walker, x - walker.x, y - walker.y, _options, _footing);
-                        if (!_footing.stands || _footing.on == null || Math.abs(walker.z) > NEAR || Math.abs(walker.x - x) + Math.abs(walker.y - y) > NEAR)
-                        {
-                            _wrong.add(name + ", " + shape, i + ": " + [_footing.stands, _footing.part, walker.x - x, walker.y - y, walker.z]);
-                            walker.moveTo(x, y, 0);
-                        }
-                    }
-                }
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
-        public function stairsUpAndDown():void
-        {
-            for each (var name:String in NAMES)
-            {
-                for each (var shape:String in WALKERS)
-                {
-                    var walker:Agent = walkerAt(shape, 0, 0, 0);
-                    var agents:Vector.<Agent> = new <Agent>[walker];
-                    addTiles(agents, -1, 8, stairs);
-                    var queries:AgentQueries = queriesOf(name, agents);
-                    var steps:int = walkTo(queries, walker, 7, 0, 0.1, name + ", " + shape + ", up");
-                    assertTrue(name + ", " + shape + ": up in " + steps + " to " + [walker.x, walker.z], walker.x > 6.9 && Math.abs(walker.z - 1.4) < 0.01);
-                    walkTo(queries, walker, 0, 0, 0.1, name + ", " + shape + ", down");
-                    assertTrue(name + ", " + shape + ": down to " + [walker.x, walker.z], walker.x < 0.1 && Math.abs(walker.z) < 0.01);
-                    // steps that are too high are a wall
-                    _options.stepHeight = 0.05;
-                    walkTo(queries, walker, 7, 0, 0.1, "");
-                    assertTrue(name + ", " + shape + ": too high " + [walker.x, walker.z], walker.x < 0.6);
-                    _options.stepHeight = 0.25;
-                }
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
-        public function slopesUpToAnAngle():void
-        {
-            for each (var name:String in NAMES)
-            {
-                for each (var shape:String in WALKERS)
-                {
-                    for each (var slope:Number in [20, 40])
-                    {
-                        var walker:Agent = walkerAt(shape, -7, 0, 0);
-                        var agents:Vector.<Agent> = new <Agent>[walker, rampOf(slope)];
-                        addTiles(agents, -9, 0, flat);
-                        var queries:AgentQueries = queriesOf(name, agents);
-                        _options.slopeDegrees = slope - 5;
-                        _options.stepHeight = 0.1;
-                        walkTo(queries, walker, 3, 0, 0.1, "");
-                        var stopped:Number = walker.x;
-                        assertTrue(name + ", " + shape + ", " + slope + ": too steep " + [walker.x, walker.z], walker.z < 0.3);
-                        _options.slopeDegrees = slope + 5;
-                        walkTo(queries, walker, 3, 0, 0.1, name + ", " + shape + ", " + slope);
-                        assertTrue(name + ", " + shape + ", " + slope + ": climbs " + [walker.x, walker.z], walker.x > stopped + 2 && walker.z > 0.6);
-                        assertTrue(name + ", " + shape + ": normal " + _footing.normal, Math.abs(_footing.normal.z - Math.cos(slope * Math.PI / 180)) < 1e-3);
-                        assertStrictlyEquals(agents[1], _footing.on);
-                    }
-                }
-            }
-            _wrong.assertNone();
-        }
 
         [Test]
         public function slopesAndStepsAtTheLimitsAreWalked():void
@@ -150,6 +64,8 @@ package starlogo.queries
                                 queries.walk(walker, step, 0, _options, _footing);
                                 var x:Number = step > 0 ? 0.05 * i : 2 - 0.05 * i;
                                 assertTrue([name, shape, isBlocky, step, i, walker.x, _footing.stands].join(), _footing.stands && Math.abs(walker.x - x) < NEAR);
+                                assertStrictlyEquals(terrain.agent, _footing.on);
+                                assertTrue("normal " + _footing.normal, isBlocky || Math.abs(_footing.normal.z - Math.SQRT1_2) < 1e-3);
                             }
                         }
                     }
@@ -259,76 +175,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function itFallsOffACliffOfTheGround():void
-        {
-            for each (var name:String in EachCollider.ALL_NAMES)
-            {
-                for each (var shape:String in WALKERS)
-                {
-                    for each (var isBlocky:Boolean in [false, true])
-                    {
-                        var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
-                        terrain.isBlocky = isBlocky;
-                        fillHeights(terrain, function(column:int, row:int):Number
-                            {
-                                return column < 11 ? 4 : 0;
-                            });
-                        var walker:Agent = walkerAt(shape, -1, 0.1, 4.01);
-                        var queries:AgentQueries = queriesOf(name, new <Agent>[walker]);
-                        queries.terrain = terrain;
-                        queries.update(new <Agent>[walker]);
-                        var message:String = name + ", " + shape + ", " + isBlocky;
-                        var falls:int = fallOff(queries, walker, 3, 0, message);
-                        assertTrue(message + ": " + falls, falls >= 6 && falls <= 20);
-                        assertStrictlyEquals(terrain.agent, _footing.on);
-                    }
-                }
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
-        public function whatRisesBelowItLiftsIt():void
-        {
-            for each (var name:String in EachCollider.ALL_NAMES)
-            {
-                for each (var shape:String in WALKERS)
-                {
-                    var walker:Agent = walkerAt(shape, 0, 0.1, 0.01);
-                    var lift:Agent = agentAt("cube", 20, 0, -1);
-                    var agents:Vector.<Agent> = new <Agent>[walker, lift];
-                    var queries:AgentQueries = queriesOf(name, agents);
-                    var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
-                    queries.terrain = terrain;
-                    queries.update(agents);
-                    for each (var rise:Number in [0.01, 0.2, 0.7])
-                    {
-                        terrain.raiseMound(0, 0, 12, rise);
-                        for (var i:int = 0; i < 1 + rise / 0.25; i++)
-                        {
-                            queries.walk(walker, 0.01, 0, _options, _footing);
-                        }
-                        var over:Number = walker.z - terrain.heightAt(walker.x, walker.y);
-                        assertTrue(name + ", " + shape + ", " + rise + ": " + over, _footing.stands && Math.abs(over) < 0.1 && !queries.touchesAny(walker));
-                    }
-                    if (name == "bins")
-                    {
-                        continue;
-                    }
-                    walker.moveTo(20, 0, 0);
-                    queries.moved(walker);
-                    for (i = 0; i < 10; i++)
-                    {
-                        lift.z += 0.1;
-                        queries.moved(lift);
-                        queries.walk(walker, 0, 0, _options, _footing);
-                        assertTrue(name + ", " + shape + ": " + [lift.z, walker.z], Math.abs(walker.z - lift.z - 1) < NEAR && _footing.on === lift);
-                    }
-                }
-            }
-        }
-
-        [Test]
         public function hillsAreWalked():void
         {
             var frames:int = 0;
@@ -393,6 +239,12 @@ package starlogo.queries
             assertFalse(queries.walk(late, 1, 2, _options, _footing).stands);
             assertTrue("a loading agent goes anywhere", late.x == 1 && late.y == 2 && _footing.part == 1 && _footing.on == null);
             loader.cancel("late");
+            _greatLand.removeModel("cube");
+            var x:Number = walker.x;
+            assertThrows(ArgumentError, /cube/, queries.walk, walker, 0.1, 0);
+            assertThrows(ArgumentError, /cube/, queries.slide, walker, 0.1, 0, 0);
+            assertThrows(ArgumentError, /cube/, queries.moveUntilTouch, walker, 0.1, 0, 0);
+            assertEquals(x, walker.x);
         }
 
         [Test]
@@ -474,11 +326,6 @@ package starlogo.queries
             return -2.2;
         }
 
-        private static function stairs(x:int):Number
-        {
-            return 0.2 * Math.max(0, x);
-        }
-
         // Cubes with their tops at some heights.
         private static function addTiles(agents:Vector.<Agent>, from:int, to:int, heightOf:Function):void
         {
@@ -489,18 +336,6 @@ package starlogo.queries
                     agents.push(agentAt("cube", x, y, heightOf(x) - 1, "tiles"));
                 }
             }
-        }
-
-        // A large cube of which one face rises along x from where the floor ends.
-        private static function rampOf(slope:Number):Agent
-        {
-            var ramp:Agent = agentAt("cube", 0, 0, 0);
-            ramp.size = 10;
-            ramp.pitch = -slope;
-            // the middle of its upper face is at (0, 0, 10) before it is turned
-            var turn:Number = slope * Math.PI / 180;
-            ramp.moveTo(10 * Math.sin(turn), 0, -10 * Math.cos(turn) + 0.5 + 2 * Math.tan(turn));
-            return ramp;
         }
 
         private static function walkerAt(shape:String, x:Number, y:Number, z:Number):Agent

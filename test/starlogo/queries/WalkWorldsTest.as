@@ -1,7 +1,6 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -16,7 +15,7 @@ package starlogo.queries
     import support.landOf;
 
     /**
-     * A capsule of height 2 walks over ramps, stairs, a spiral and the ridge of a roof, and between pillars: in worlds of cubes, of one mesh and of the
+     * A capsule of height 2 walks over ramps, stairs and the ridge of a roof, and between pillars: in worlds of cubes, of one mesh and of the
      * ground, and in worlds that move and turn with all that is on them. All are made of one table of heights.
      */
     public class WalkWorldsTest
@@ -84,35 +83,6 @@ package starlogo.queries
                 put(-3, 0);
                 go(world + ", up", 4.5, 1, 0.45);
                 go(world + ", down", -3, -1, 0.45);
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
-        public function aSpiral():void
-        {
-            for each (var world:String in WORLDS)
-            {
-                build(world, true, function(x:Number, y:Number):Number
-                    {
-                        var angle:Number = Math.atan2(y, x) + Math.PI;
-                        return x * x + y * y < 2 ? 4 : 2.4 * angle / (2 * Math.PI);
-                    });
-                for each (var isUp:Boolean in [true, false])
-                {
-                    for (var i:int = 1; i < 18; i++)
-                    {
-                        var angle:Number = (isUp ? i : 18 - i) / 18 * 2 * Math.PI - Math.PI;
-                        var x:Number = 3 * Math.cos(angle);
-                        var y:Number = 3 * Math.sin(angle);
-                        if (isUp && i == 1)
-                        {
-                            put(x, y);
-                        }
-                        go(world + ", " + i + isUp, x, y, 0.5);
-                    }
-                    assertEquals(world + ": height " + local().z, isUp, local().z > 2);
-                }
             }
             _wrong.assertNone();
         }

@@ -6,7 +6,6 @@ package starlogo.terrain
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
-    import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -152,42 +151,6 @@ package starlogo.terrain
                 }
             }
             _wrong.assertNone();
-        }
-
-        // The handler of docs/terrain.md, with gravity and walls.
-        [Test]
-        public function aGameThrowsNobody():void
-        {
-            for each (var shape:String in ["cube", "sphere"])
-            {
-                var terrain:Terrain = columns(21, 21, function(column:int, row:int):Number
-                    {
-                        return _random.chance(0.2) ? _random.pick([0.5, 2, 5]) : 0;
-                    });
-                var collision:Collision = new Collision(EachCollider.make("tightest fits", _land));
-                var agent:Agent = agentAt(shape, 0, 0, 6);
-                var farthest:Number = 0;
-                agent.size = 0.8;
-                collision.terrain = terrain;
-                collision.onCollision("turtles", Collision.TERRAIN, function(bear:Agent, ground:Agent, contact:Contact):void
-                    {
-                        var out:Vector3D = contact.normal;
-                        farthest = Math.max(farthest, contact.depth);
-                        bear.moveTo(bear.x + contact.depth * out.x, bear.y + contact.depth * out.y, bear.z + contact.depth * out.z);
-                    });
-                var frames:int = Effort.choose(600, 3600);
-                for (var frame:int = 0; frame < frames; frame++)
-                {
-                    var turn:Number = frame / 40;
-                    agent.moveTo(agent.x + 0.1 * Math.cos(turn * 1.7), agent.y + 0.1 * Math.sin(turn), agent.z - 0.1);
-                    if (Math.abs(agent.x) > 8 || Math.abs(agent.y) > 8)
-                    {
-                        agent.moveTo(0, 0, 6);
-                    }
-                    collision.update(new <Agent>[agent]);
-                }
-                assertTrue(shape + ": " + farthest, farthest > 0.05 && farthest < 0.3);
-            }
         }
 
         private function check(where:String, collider:Collider, agent:Agent, terrain:Terrain):void

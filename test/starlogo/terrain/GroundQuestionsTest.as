@@ -425,21 +425,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function questionsOfASystemHaveAGroundOfTheirOwn():void
-        {
-            var queries:AgentQueries = new AgentQueries(new BinCollider());
-            var agent:Agent = agentAt("cube", 0, 0, 0);
-            queries.update(new <Agent>[agent]);
-            assertFalse(queries.touchesAny(agent));
-            queries.terrain = new Terrain(3, 3, 1, -1, -1);
-            queries.update(new <Agent>[agent]);
-            assertTrue(queries.touchesAny(agent));
-            queries.terrain = null;
-            queries.update(new <Agent>[agent]);
-            assertFalse(queries.touchesAny(agent));
-        }
-
-        [Test]
         public function twoThatAreNoAgentsHaveNoDistance():void
         {
             var queries:AgentQueries = new AgentQueries(new BinCollider());
@@ -461,6 +446,11 @@ package starlogo.terrain
             assertThrows(ArgumentError, /does not move/, queries.moveUntilTouch, queries.terrain.agent, 1, 0, 0);
             assertThrows(ArgumentError, /list/, queries.moved, queries.terrain.agent);
             assertThrows(ArgumentError, /agents\[0\]/, queries.update, new <Agent>[queries.terrain.agent]);
+            var agent:Agent = agentAt("cube", 0, 0, 0);
+            assertTrue(queries.touchesAny(agent));
+            queries.terrain = null;
+            queries.update(new <Agent>[agent]);
+            assertFalse("no ground any more", queries.touchesAny(agent));
         }
 
         // Ten times as long as it is wide.

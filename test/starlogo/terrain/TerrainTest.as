@@ -51,6 +51,9 @@ package starlogo.terrain
                     assertEquals(column + 10 * row, _terrain.getHeight(column, row));
                 }
             }
+            var part:Terrain = new Terrain(3, 3);
+            part.setHeights(1, 1, 2, 2, new <Number>[1, 2, 3, 4]);
+            assertEquals("row by row", "1,2,3,4,0", [part.getHeight(1, 1), part.getHeight(2, 1), part.getHeight(1, 2), part.getHeight(2, 2), part.getHeight(0, 1)].join());
         }
 
         [Test]
@@ -199,17 +202,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function aRegionIsSetRowByRow():void
-        {
-            _terrain.setHeights(1, 1, 2, 2, new <Number>[1, 2, 3, 4]);
-            assertEquals(1, _terrain.getHeight(1, 1));
-            assertEquals(2, _terrain.getHeight(2, 1));
-            assertEquals(3, _terrain.getHeight(1, 2));
-            assertEquals(4, _terrain.getHeight(2, 2));
-            assertEquals(10, _terrain.getHeight(0, 1));
-        }
-
-        [Test]
         public function squaresKnowTheirBounds():void
         {
             var random:SeededRandom = new SeededRandom(6);
@@ -267,12 +259,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function aWrongRegionIsNamedByColumnsAndRows():void
-        {
-            assertThrows(RangeError, /1 by 1 heights from column -1 and row 0 on is not within columns 0 to 3 and rows 0 to 2/, new Terrain(4, 3).setHeight, -1, 0, 1);
-        }
-
-        [Test]
         public function itsAgentIsOfItsOwnBreed():void
         {
             assertEquals("*terrain", _terrain.agent.breed);
@@ -297,6 +283,7 @@ package starlogo.terrain
             assertThrows(RangeError, "NaN", _terrain.setHeight, 0, 0, NaN);
             assertThrows(RangeError, "Infinity", _terrain.setHeight, 0, 0, Infinity);
             assertThrows(RangeError, "2000000000", _terrain.setHeight, 0, 0, 2e9);
+            assertThrows(RangeError, /1 by 1 heights from column -1 and row 0 on is not within columns 0 to 3 and rows 0 to 2/, new Terrain(4, 3).setHeight, -1, 0, 1);
             assertThrows(RangeError, "column 3 and row 0", _terrain.setHeight, 3, 0, 1);
             assertThrows(RangeError, "column 0 and row -1", _terrain.setHeight, 0, -1, 1);
             assertThrows(RangeError, "column 0 and row 3", _terrain.getHeight, 0, 3);

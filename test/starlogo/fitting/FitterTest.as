@@ -247,21 +247,6 @@ package starlogo.fitting
         }
 
         [Test]
-        public function theBaseClassFindsNothing():void
-        {
-            assertThrows(IllegalOperationError, /begin/, new Fitter().fit, PointSets.box(1, 1, 1));
-        }
-
-        [Test]
-        public function aSessionInStepsRefusesInThem():void
-        {
-            for each (var vertices:Vector.<Number> in [null, new Vector.<Number>(), new <Number>[1, 2], new <Number>[1, 2, NaN]])
-            {
-                assertThrows(ArgumentError, /./, finish, new FitSession(vertices, false));
-            }
-        }
-
-        [Test]
         public function refusesWhatItCannotUse():void
         {
             for each (var fitter:Fitter in allFitters())
@@ -271,6 +256,11 @@ package starlogo.fitting
                 assertThrows(ArgumentError, /.{10}/, fitter.fit, new <Number>[1, 2]);
                 assertThrows(ArgumentError, /.{10}/, fitter.fit, new <Number>[1, 2, NaN]);
             }
+            for each (var vertices:Vector.<Number> in [null, new Vector.<Number>(), new <Number>[1, 2], new <Number>[1, 2, NaN]])
+            {
+                assertThrows(ArgumentError, /./, finish, new FitSession(vertices, false));
+            }
+            assertThrows(IllegalOperationError, /begin/, new Fitter().fit, PointSets.box(1, 1, 1));
             for each (var increment:Number in [0, -10, NaN, Infinity])
             {
                 assertThrows(ArgumentError, /.{10}/, create, OrientedBoxFitter, increment);

@@ -4,9 +4,6 @@ package starlogo.solid
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.GreatLand;
-    import starlogo.agents.Agent;
-    import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
@@ -27,21 +24,6 @@ package starlogo.solid
                 assertTrue(at.join(), isInside(model.vertices, model.triangles, at));
             }
             assertFalse(isInside(model.vertices, model.triangles, [-0.25, 0.75, 0.5]));
-        }
-
-        [Test]
-        public function aBallInTheOverlapCollides():void
-        {
-            var land:GreatLand = new GreatLand();
-            var overlap:Model = SolidModels.of("overlap", [[1, 0, 0, 0, false], [1, 0.5, 0.5, 0.5, true]], Model.AS_GIVEN);
-            land.addModel(overlap);
-            land.addModel(BuiltInModel.sphere());
-            var ball:Agent = new Agent("sphere");
-            ball.size = 0.1;
-            ball.moveTo(0.25, 0.25, 0.7);
-            var collider:HierarchicalCollider = new HierarchicalCollider(land);
-            collider.exact = true;
-            assertTrue(collider.areColliding(new Agent("overlap"), ball));
         }
 
         [Test]

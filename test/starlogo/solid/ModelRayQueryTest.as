@@ -20,13 +20,11 @@ package starlogo.solid
     import support.Effort;
     import support.Fixtures;
     import support.PlainDistance;
-    import support.RayReference;
-    import support.SolidAngles;
     import support.SolidModels;
 
     use namespace engine;
 
-    /** Rays against models: by their triangles, and by their hierarchies at every depth. */
+    /** Rays against models: through edges and corners, and by their hierarchies at every depth. CastTest compares them with loops over all triangles. */
     public class ModelRayQueryTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj", "/assets/seagull.dae"];
@@ -36,42 +34,6 @@ package starlogo.solid
         private var _rays:ModelRayQuery = new ModelRayQuery();
         private var _random:SeededRandom = new SeededRandom(2211);
         private var _structures:RandomStructures = new RandomStructures(_random);
-
-        [Test]
-        public function meetsTheFirstOfAllTriangles():void
-        {
-            var counts:Object = {hit: 0, missed: 0, inside: 0};
-            for each (var model:Model in models())
-            {
-                var hierarchy:SolidHierarchy = hierarchyOf(model);
-                var isClosed:Boolean = hierarchy.solid.isClosed;
-                for (var i:int = 0; i < Effort.choose(150, 3000); i++)
-                {
-                    var ray:Ray = randomRay();
-                    var origin:Vector3D = new Vector3D(ray.x, ray.y, ray.z);
-                    var expected:Number = RayReference.firstTriangle(cornersOf(model), origin, directionOf(ray));
-                    var isInside:Boolean = isClosed && Math.abs(SolidAngles.windingAround(model, ray.x, ray.y, ray.z)) > 0.5;
-                    var isMet:Boolean = _rays.find(hierarchy, 1, true, ray);
-                    var message:String = model.name + ", from " + origin + " along " + directionOf(ray);
-                    if (isInside)
-                    {
-                        counts.inside++;
-                        assertTrue(message + ": inside", isMet && ray.from == 0);
-                        assertEquals(message, -ray.directionX, ray.normalX);
-                        continue;
-                    }
-                    assertEquals(message, expected < Infinity, isMet);
-                    isMet ? counts.hit++ : counts.missed++;
-                    if (isMet)
-                    {
-                        assertTrue(message + ": " + expected + ", not " + ray.from, Math.abs(expected - ray.from) < 1e-9);
-                        assertTrue(message + ": against the ray", ray.normalX * ray.directionX + ray.normalY * ray.directionY + ray.normalZ * ray.directionZ <= 0);
-                        assertTrue(message + ": of length 1", Math.abs(ray.normalX * ray.normalX + ray.normalY * ray.normalY + ray.normalZ * ray.normalZ - 1) < 1e-9);
-                    }
-                }
-            }
-            assertTrue("hit " + counts.hit + ", missed " + counts.missed + ", inside " + counts.inside, counts.hit > 300 && counts.missed > 300 && counts.inside > 100);
-        }
 
         [Test]
         public function noRaySlipsThroughAnEdgeOrAVertex():void
@@ -258,16 +220,6 @@ package starlogo.solid
             var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, 5, 10, false);
             finish(builder);
             return builder.hierarchy;
-        }
-
-        private static function cornersOf(model:Model):Vector.<Number>
-        {
-            var corners:Vector.<Number> = new Vector.<Number>();
-            for each (var vertex:uint in model.triangles)
-            {
-                corners.push(model.vertices[3 * vertex], model.vertices[3 * vertex + 1], model.vertices[3 * vertex + 2]);
-            }
-            return corners;
         }
 
         // All end nodes, one after the other, with what is inside of their ancestors.

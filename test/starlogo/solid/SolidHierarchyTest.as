@@ -38,23 +38,6 @@ package starlogo.solid
         }
 
         [Test]
-        public function anUnorientedSurfaceHasAnInsideToo():void
-        {
-            var cube:Model = BuiltInModel.cube();
-            var triangles:Vector.<uint> = cube.triangles.slice();
-            for (var i:int = 0; i < triangles.length; i += 6)
-            {
-                var first:uint = triangles[i];
-                triangles[i] = triangles[i + 1];
-                triangles[i + 1] = first;
-            }
-            var hierarchy:SolidHierarchy = hierarchyOf(cube.vertices, triangles);
-            assertTrue(hierarchy.solid.isInside(new Vector3D(0.1, 0.2, 0.3)));
-            assertTrue(hierarchy.solid.isInside(new Vector3D(0, 0, 0.5)));
-            assertTrue(!hierarchy.solid.isInside(new Vector3D(0.51, 0, 0.5)));
-        }
-
-        [Test]
         public function aHollowSolidHasAnOutsideInside():void
         {
             var model:Model = SolidModels.hollow();

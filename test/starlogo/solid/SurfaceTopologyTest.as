@@ -33,19 +33,6 @@ package starlogo.solid
         }
 
         [Test]
-        public function aTriangleTurnedRoundLeavesItClosed():void
-        {
-            var cube:Model = BuiltInModel.cube();
-            var triangles:Vector.<uint> = cube.triangles.slice();
-            var first:uint = triangles[0];
-            triangles[0] = triangles[1];
-            triangles[1] = first;
-            var surface:SurfaceTopology = surfaceOf(cube.vertices, triangles);
-            assertTrue(surface.isClosed);
-            assertEquals("turned back", "0", turnedIn(surface).join());
-        }
-
-        [Test]
         public function trianglesWithoutAreaDoNotMatter():void
         {
             var cube:Model = BuiltInModel.cube();
@@ -53,25 +40,6 @@ package starlogo.solid
             triangles.fixed = false;
             triangles.push(3, 3, 5, 7, 7, 7);
             assertTrue(surfaceOf(cube.vertices, triangles).isClosed);
-        }
-
-        [Test]
-        public function countsPieces():void
-        {
-            var vertices:Vector.<Number> = new Vector.<Number>();
-            var triangles:Vector.<uint> = new Vector.<uint>();
-            for (var piece:int = 0; piece < 3; piece++)
-            {
-                // three tetrahedra in a row
-                vertices.push(5 * piece, 0, 0, 5 * piece + 1, 0, 0, 5 * piece, 1, 0, 5 * piece, 0, 1);
-                for each (var corner:int in [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3])
-                {
-                    triangles.push(4 * piece + corner);
-                }
-            }
-            var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-            assertTrue(surface.isClosed);
-            assertEquals(3, surface.partNumberEnd);
         }
 
         [Test]

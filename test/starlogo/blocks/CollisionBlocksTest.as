@@ -72,24 +72,12 @@ package starlogo.blocks
         }
 
         [Test]
-        public function scriptsAreForgottenAndTheSystemStays():void
-        {
-            agentOf("cube", "bears", 0);
-            agentOf("sphere", "balls", 0.5);
-            _blocks.useCollisionSystem(CollisionBlocks.EXACT);
-            _blocks.onCollision("bears", "balls", note("hit"));
-            _blocks.forgetScripts();
-            _blocks.collision.update(_agents);
-            assertEquals(0, _calls.length);
-            assertStrictlyEquals(_blocks.systemNamed(CollisionBlocks.EXACT), _blocks.collision.collisionSystem);
-        }
-
-        [Test]
-        public function theCollisionAndItsFilterStayWhenScriptsAreForgotten():void
+        public function theCollisionItsSystemAndItsFilterStayWhenScriptsAreForgotten():void
         {
             agentOf("cube", "bears", 0);
             agentOf("sphere", "balls", 0.5);
             agentOf("sphere", "ghosts", 0.5);
+            _blocks.useCollisionSystem(CollisionBlocks.EXACT);
             var collision:Collision = _blocks.collision;
             collision.filter = AgentFilter.ofBreeds("bears", "balls");
             _blocks.whenTouchingStarts("bears", Collision.ANY_BREED, note("start"));
@@ -98,8 +86,12 @@ package starlogo.blocks
             assertEquals("start", _calls.join());
             _blocks.forgetScripts();
             assertStrictlyEquals(collision, _blocks.collision);
+            assertStrictlyEquals(_blocks.systemNamed(CollisionBlocks.EXACT), collision.collisionSystem);
             _calls.length = 0;
             assertEquals(0, collision.lastAgents.length);
+            collision.update(_agents);
+            assertEquals("no script is left", 0, _calls.length);
+            _blocks.forgetScripts();
             collision.restore(collision.snapshot(), new Vector.<Agent>());
             // touches begin anew, and of those of before no end is told
             _blocks.whenTouchingStarts("bears", Collision.ANY_BREED, note("again"));

@@ -24,16 +24,6 @@ package starlogo.bounding
         private static const Z:Vector3D = new Vector3D(0, 0, 1);
 
         [Test]
-        public function knowsItsKind():void
-        {
-            var samples:Vector.<BoundingStructure> = Structures.samples();
-            assertEquals(BoundingStructure.SPHERE, samples[0].kind);
-            assertEquals(BoundingStructure.CAPSULE, samples[1].kind);
-            assertEquals(BoundingStructure.BOX, samples[2].kind);
-            assertEquals(BoundingStructure.OTHER, samples[3].kind);
-        }
-
-        [Test]
         public function volumesAndSurfacesAreWhereTheyShouldBe():void
         {
             var capsule:Capsule = new Capsule(at(0, 0, 0), at(0, 0, 2), 1);
@@ -142,19 +132,6 @@ package starlogo.bounding
         private static function at(x:Number, y:Number, z:Number):Vector3D
         {
             return new Vector3D(x, y, z);
-        }
-
-        [Test]
-        public function transformsInPlaceAndChains():void
-        {
-            for each (var structure:BoundingStructure in Structures.samples())
-            {
-                var volume:Number = structure.volume;
-                var offset:Vector3D = new Vector3D(1, 2, 3);
-                var result:BoundingStructure = structure.scale(2).rotate(turn(30, 40, 50)).translate(offset);
-                assertStrictlyEquals(structure, result);
-                assertNear(String(structure), 8 * volume, structure.volume, 1e-5 * volume);
-            }
         }
 
         [Test]

@@ -154,6 +154,24 @@ package starlogo.queries
             }
         }
 
+        [Test]
+        public function whatIsCarriedSlidesAlongAWall():void
+        {
+            for each (var name:String in NAMES)
+            {
+                begin(name);
+                _wall.moveTo(1, 0, 0);
+                for (var i:int = 0; i < 10; i++)
+                {
+                    _floor.moveTo(0.05 * i, 0.05 * i, -4);
+                    _queries.update(_agents);
+                    _queries.walk(_walker, 0, 0, _options, _footing);
+                    assertTrue(name + ": " + [i, _walker.x, _walker.y], Math.abs(_walker.x - Math.min(0.25, 0.05 * i)) < NEAR
+                            && Math.abs(_walker.y - 0.05 * i) < NEAR && _footing.stands);
+                }
+            }
+        }
+
         // A box that a platform turns beside a wall gets pushed away from the wall in the same walk.
         [Test]
         public function aPlatformTurnsNothingIntoAWall():void

@@ -398,20 +398,15 @@ package starlogo.terrain
         }
 
         [Test]
-        public function noListMayHoldIt():void
-        {
-            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), _terrain.agent];
-            assertThrows(ArgumentError, /agents\[1\]/, _collision.update, agents);
-            assertThrows(ArgumentError, /agents\[1\]/, new BinCollider().findCollisions, agents);
-        }
-
-        [Test]
-        public function aSystemOfAGamesOwnHasNoGround():void
+        public function noListMayHoldItAndNoSystemOfAGamesOwnHasOne():void
         {
             var own:Collision = new Collision(new BaseCollider(new BinCollider()));
             own.update(new <Agent>[]);
             own.terrain = _terrain;
             assertThrows(IllegalOperationError, /./, own.update, new <Agent>[]);
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), _terrain.agent];
+            assertThrows(ArgumentError, /agents\[1\]/, _collision.update, agents);
+            assertThrows(ArgumentError, /agents\[1\]/, new BinCollider().findCollisions, agents);
         }
 
         // GroundQuestionsTest and test/fuzz check what a system tells.

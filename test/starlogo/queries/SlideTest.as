@@ -12,6 +12,7 @@ package starlogo.queries
     import support.EachCollider;
     import support.Effort;
     import support.Fixtures;
+    import support.RunningHash;
     import support.SolidModels;
     import support.landOf;
 
@@ -25,7 +26,7 @@ package starlogo.queries
         public static const FIXTURES:Array = ["/assets/fortress.obj"];
 
         private static const HAIR:Number = 1e-9;
-        private static const HASH:uint = 3872856717;
+        private static const HASH:String = "83dc168d";
 
         private static var sGreatLand:GreatLand;
 
@@ -93,7 +94,7 @@ package starlogo.queries
         [Test]
         public function theSameOnAllMachines():void
         {
-            var hash:uint = 2166136261;
+            var hash:RunningHash = new RunningHash();
             for each (var name:String in EachCollider.NAMES)
             {
                 var agents:Vector.<Agent> = mixture(EachCollider.make(name, sGreatLand), false);
@@ -105,21 +106,11 @@ package starlogo.queries
                     for each (var at:Number in [agents[0].x, agents[0].y, agents[0].z])
                     {
                         // to a millionth
-                        var digits:int = Math.round(at * 1e6);
-                        for (var i:int = 0; i < 32; i += 8)
-                        {
-                            hash = times(hash ^ (digits >>> i & 255));
-                        }
+                        hash.addNumber(Math.round(at * 1e6));
                     }
                 }
             }
-            assertEquals(HASH, hash);
-        }
-
-        // By the prime of FNV-1a, 2 to the 24th and 403.
-        private static function times(hash:uint):uint
-        {
-            return (hash << 24) + 403 * (hash & 65535) + ((403 * (hash >>> 16)) << 16);
+            assertEquals(HASH, hash.toString());
         }
 
         // A point among the boxes, each wider by the mover: how far it slides, all faces kept that it has come to.

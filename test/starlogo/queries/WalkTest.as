@@ -175,6 +175,47 @@ package starlogo.queries
         }
 
         [Test]
+        public function whatRisesBelowItLiftsIt():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var walker:Agent = walkerAt(shape, 0, 0.1, 0.01);
+                    var lift:Agent = agentAt("cube", 20, 0, -1);
+                    var agents:Vector.<Agent> = new <Agent>[walker, lift];
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
+                    queries.terrain = terrain;
+                    queries.update(agents);
+                    for each (var rise:Number in [0.01, 0.2, 0.7])
+                    {
+                        terrain.raiseMound(0, 0, 12, rise);
+                        for (var i:int = 0; i < 1 + rise / 0.25; i++)
+                        {
+                            queries.walk(walker, 0.01, 0, _options, _footing);
+                        }
+                        var over:Number = walker.z - terrain.heightAt(walker.x, walker.y);
+                        assertTrue(name + ", " + shape + ", " + rise + ": " + over, _footing.stands && Math.abs(over) < 0.1 && !queries.touchesAny(walker));
+                    }
+                    if (name == "bins")
+                    {
+                        continue;
+                    }
+                    walker.moveTo(20, 0, 0);
+                    queries.moved(walker);
+                    for (i = 0; i < 10; i++)
+                    {
+                        lift.z += 0.1;
+                        queries.moved(lift);
+                        queries.walk(walker, 0, 0, _options, _footing);
+                        assertTrue(name + ", " + shape + ": " + [lift.z, walker.z], Math.abs(walker.z - lift.z - 1) < NEAR && _footing.on === lift);
+                    }
+                }
+            }
+        }
+
+        [Test]
         public function hillsAreWalked():void
         {
             var frames:int = 0;

@@ -15,7 +15,9 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.TreePairQuery;
+    import starlogo.solid.TreeDistanceQuery;
+    import starlogo.solid.TreeOverlapQuery;
+    import starlogo.solid.TreePair;
     import support.Fixtures;
 
     use namespace engine;
@@ -36,7 +38,9 @@ package benchmark
         private static const KINDS:Array = ["sphere", "capsule", "box"];
 
         private var _random:SeededRandom = new SeededRandom(2210);
-        private var _pair:TreePairQuery = new TreePairQuery();
+        private var _pair:TreePair = new TreePair();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
+        private var _distances:TreeDistanceQuery = new TreeDistanceQuery(new TreeOverlapQuery());
         private var _closest:DistanceResult = new DistanceResult();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];
@@ -102,7 +106,7 @@ package benchmark
             {
                 var a:Placement = place(spread);
                 var b:Placement = place(spread);
-                if (!_pair.areOverlapping(tree, a, DEPTH, tree, null, b, DEPTH, false))
+                if (!_overlaps.areOverlapping(tree, a, DEPTH, tree, null, b, DEPTH, false))
                 {
                     firsts.push(a);
                     seconds.push(b);
@@ -111,33 +115,35 @@ package benchmark
             add(name + " at depth 5", function(i:int):void
                 {
                     _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, false);
-                    _pair.findClosest(false, _closest);
+                    _distances.findClosest(_pair, false, _closest);
                 });
             add("  by triangles", function(i:int):void
                 {
                     _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
-                    _pair.findClosest(false, _closest);
+                    _distances.findClosest(_pair, false, _closest);
                 });
             add("  the other one a box", function(i:int):void
                 {
                     _pair.setTo(tree, firsts[i], DEPTH, null, tree.root.bounds, seconds[i], 1, false);
-                    _pair.findClosest(false, _closest);
+                    _distances.findClosest(_pair, false, _closest);
                 });
             add("  whether they touch, by triangles", function(i:int):void
                 {
-                    _pair.areOverlapping(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
+                    _overlaps.areOverlapping(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
                 });
         }
 
         private function add(name:String, pair:Function):void
         {
-            var visits:int = _pair.nodeVisits;
-            var tests:int = _pair.triangleTests;
+            _overlaps.resetCounts();
+            _distances.resetCounts();
             for (var i:int = 0; i < PAIRS; i++)
             {
                 pair(i);
             }
-            _visits.push(((_pair.nodeVisits - visits) / PAIRS).toFixed(1) + ", " + ((_pair.triangleTests - tests) / PAIRS).toFixed(1));
+            var visits:int = _overlaps.nodeVisits + _distances.nodeVisits;
+            var tests:int = _overlaps.triangleTests + _distances.triangleTests;
+            _visits.push((visits / PAIRS).toFixed(1) + ", " + (tests / PAIRS).toFixed(1));
             _all.push(new Measurement(name, function():void
                     {
                         for (var k:int = 0; k < PAIRS; k++)

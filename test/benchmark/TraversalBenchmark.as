@@ -17,7 +17,9 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.TreePairQuery;
+    import starlogo.solid.TreeImpactQuery;
+    import starlogo.solid.TreeOverlapQuery;
+    import starlogo.solid.TreePair;
     import support.Fixtures;
 
     use namespace engine;
@@ -36,7 +38,9 @@ package benchmark
         private static const PAIRS:int = 400;
         private static const DEPTH:int = 5;
 
-        private var _pair:TreePairQuery = new TreePairQuery();
+        private var _pair:TreePair = new TreePair();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
+        private var _impacts:TreeImpactQuery = new TreeImpactQuery(_overlaps);
         private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:SolidHierarchy;
@@ -81,7 +85,7 @@ package benchmark
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _pair.areOverlapping(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
+                    var answer:Boolean = _overlaps.areOverlapping(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -113,7 +117,7 @@ package benchmark
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _pair.areOverlapping(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
+                    var answer:Boolean = _overlaps.areOverlapping(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -130,14 +134,14 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
-                    _pair.findTime(motions[i]);
+                    _impacts.findFirst(_pair, motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _pair.findContact(motions[i], contact);
+                            _impacts.findContact(_pair, motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -154,14 +158,14 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
-                    _pair.findTime(motions[i]);
+                    _impacts.findFirst(_pair, motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _pair.findContact(motions[i], contact);
+                            _impacts.findContact(_pair, motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -181,7 +185,8 @@ package benchmark
         {
             var answers:ByteArray = new ByteArray();
             var hits:int = 0;
-            _pair.resetCounts();
+            _overlaps.resetCounts();
+            _impacts.resetCounts();
             for (var i:int = 0; i < PAIRS; i++)
             {
                 var at:int = answers.position;
@@ -192,7 +197,7 @@ package benchmark
                 hits += end - at > 8 || first == 1 ? 1 : 0;
                 answers.position = end;
             }
-            _visits.push((_pair.nodeVisits / PAIRS).toFixed(2) + ", " + _pair.triangleTests);
+            _visits.push(((_overlaps.nodeVisits + _impacts.nodeVisits) / PAIRS).toFixed(2) + ", " + (_overlaps.triangleTests + _impacts.triangleTests));
             _hits.push((100 * hits / PAIRS).toFixed(0));
             answers.position = 0;
             var hash:int = 17;

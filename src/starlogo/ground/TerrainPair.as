@@ -75,21 +75,29 @@ package starlogo.ground
         }
 
         /**
-         * Finds the first moment at which the two overlap while the model moves. The motion receives the time, from 0 to 1, or
-         * RelativeMotion.NEVER.
+         * Finds the first moment at which the two overlap while the model moves, and the contact then.
+         *
+         * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
          */
-        public function findTime(motion:RelativeMotion):void
+        public function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
-            if (overlapsAt(motion, 0))
+            leastDepth = 0;
+            var touching:Number = 0;
+            if (!overlapsAt(motion, 0))
             {
-                motion.time = 0;
-                return;
+                findImpact(motion, out);
+                if (motion.time != RelativeMotion.NEVER)
+                {
+                    return;
+                }
+                // rounding can miss a touch at the end of the motion
+                touching = overlapsAt(motion, 1) ? 1 : RelativeMotion.NEVER;
             }
-            findImpact(motion, null);
-            // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && overlapsAt(motion, 1))
+            motion.time = touching;
+            if (out != null && touching != RelativeMotion.NEVER)
             {
-                motion.time = 1;
+                findContact(motion, out);
             }
         }
 

@@ -31,8 +31,8 @@ package starlogo.hierarchy
         /** The structure in the first model's space, enlarged by the gap across which shapes touch. */
         public var moved:BoundingStructure = null;
 
-        /** The structure's motion from there. It is RelativeMotion.NONE if the models stand still. */
-        public var motion:RelativeMotion;
+        // The structure's motion from there. It is RelativeMotion.NONE if the models stand still.
+        private var _motion:RelativeMotion;
 
         // A structure for each kind, and the axis of a capsule.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
@@ -42,11 +42,11 @@ package starlogo.hierarchy
         /**
          * Creates a leaf without a structure.
          *
-         * @param motion the second model's motion in the first model's space; kept
+         * @param motion the second model's motion in the first model's space; RelativeMotion.NONE if the models stand still; kept
          */
         public function StructureLeaf(motion:RelativeMotion)
         {
-            pose.motion = motion;
+            _motion = pose.motion = motion;
             node.x = node.y = node.z = 0;
             node.end = 1;
         }
@@ -89,20 +89,26 @@ package starlogo.hierarchy
             }
         }
 
+        /** The test that decides about the leaves of the first model: this, or null if the node's box decides. */
+        public function get decider():LeafTest
+        {
+            return moved.kind == BoundingStructure.BOX ? null : this;
+        }
+
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             a.writeBox(_box);
-            if (motion === RelativeMotion.NONE)
+            if (_motion === RelativeMotion.NONE)
             {
                 return intersects(_box, moved);
             }
-            findTimeOfImpact(moved, _box, motion);
-            if (!(motion.time <= least))
+            findTimeOfImpact(moved, _box, _motion);
+            if (!(_motion.time <= least))
             {
                 return false;
             }
-            least = motion.time;
+            least = _motion.time;
             return true;
         }
 

@@ -377,7 +377,7 @@ package starlogo.search
                 var other:int = rows[others[i]];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                motions.findTime(table, near, isFirst ? row : other, isFirst ? other : row);
+                motions.findTime(table, near, isFirst ? row : other, isFirst ? other : row, null);
                 var time:Number = motions.foundTime;
                 if (time != RelativeMotion.NEVER)
                 {

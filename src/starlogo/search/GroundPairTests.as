@@ -89,7 +89,15 @@ package starlogo.search
         /** @inheritDoc */
         override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            pairOf(a, b).findTime(motion);
+            findFirst(a, b, motion, null);
+        }
+
+        /** @inheritDoc */
+        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var pair:TerrainPair = pairOf(a, b);
+            pair.findFirst(motion, out);
+            leastDepth = pair.leastDepth;
         }
 
         /** @inheritDoc */

@@ -16,7 +16,7 @@ package starlogo.search
      */
     public class PairTests
     {
-        /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
+        /** A lower bound for the length of every way out of the last contact; 0 if none is known. Only the ground knows one. */
         public var leastDepth:Number = 0;
 
         /** The search distance of <code>findExits()</code>: parts of the second body farther away do not count. */
@@ -61,6 +61,20 @@ package starlogo.search
         }
 
         /**
+         * Finds the time at which two bodies first touch, as <code>findTime()</code> does, and their contact then.
+         *
+         * @param out receives the contact if they touch, as in findContact; null if only the time is needed
+         */
+        public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            findTime(a, b, motion);
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                findContact(a, b, motion, out);
+            }
+        }
+
+        /**
          * Finds the contact of two bodies.
          *
          * @param motion as in findTime, with the time of the first touch
@@ -78,11 +92,7 @@ package starlogo.search
          */
         public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findTime(a, b, motion);
-            if (out != null && motion.time != RelativeMotion.NEVER)
-            {
-                findContact(a, b, motion, out);
-            }
+            findFirst(a, b, motion, out);
         }
 
         /**

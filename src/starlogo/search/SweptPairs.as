@@ -106,8 +106,9 @@ package starlogo.search
          * where they are now.
          *
          * @param bins knows how far apart the extents of touching rows may be; null to make the exact test for all pairs
+         * @param out receives the contact if they touch, where b is now; null if only the time is needed
          */
-        public function findTime(table:AgentTable, bins:Bins, a:int, b:int):void
+        public function findTime(table:AgentTable, bins:Bins, a:int, b:int, out:ContactPoint):void
         {
             var motion:RelativeMotion = _motion;
             var way:Points = _motions;
@@ -124,18 +125,22 @@ package starlogo.search
                 // two that move alike touch from the beginning on: time 0. Two that do not sweep or have not moved touch where they are: time 1
                 var found:Number = isSwept && (way.x[a] != 0 || way.y[a] != 0 || way.z[a] != 0) ? 0 : 1;
                 motion.time = _narrowPhase.areTouching(table.bodyOf(a), table.bodyOf(b)) ? found : RelativeMotion.NEVER;
+                if (out != null && motion.time != RelativeMotion.NEVER)
+                {
+                    _narrowPhase.testsOf(table.bodyOf(a), table.bodyOf(b)).findContact(table.bodyOf(a), table.bodyOf(b), motion, out);
+                }
             }
             else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))
             {
                 _narrowPhase.sweptPairs++;
-                if (areSpheres)
+                if (areSpheres && out == null)
                 {
                     _narrowPhase.spheres.findTimeOfRows(table, a, b, motion);
                     return;
                 }
                 var bodyA:Body = table.bodyOf(a);
                 var bodyB:Body = table.bodyOf(b);
-                _narrowPhase.testsOf(bodyA, bodyB).findTime(bodyA, bodyB, motion);
+                _narrowPhase.testsOf(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
             }
         }
 
@@ -157,7 +162,7 @@ package starlogo.search
         {
             if (isSwept && (_isSweeping[a] || _isSweeping[b]))
             {
-                findTime(table, null, a, b);
+                findTime(table, null, a, b, out);
                 var time:Number = _motion.time;
                 if (time != RelativeMotion.NEVER)
                 {
@@ -177,6 +182,7 @@ package starlogo.search
         {
             _motion.endAfter(0, 0, 0);
             _motion.time = 1;
+            _narrowPhase.testsOf(a, b).findContact(a, b, _motion, out);
             separate(a, b, out);
             return 1;
         }
@@ -184,9 +190,7 @@ package starlogo.search
         private function separate(a:Body, b:Body, out:ContactPoint):void
         {
             var motion:RelativeMotion = _motion;
-            var tests:PairTests = _narrowPhase.testsOf(a, b);
-            tests.findContact(a, b, motion, out);
-            tests.separate(a, b, motion, out);
+            _narrowPhase.testsOf(a, b).separate(a, b, motion, out);
             approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
         }
 

@@ -5,7 +5,10 @@ package starlogo.search
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.solid.TreePairQuery;
+    import starlogo.solid.TreeDistanceQuery;
+    import starlogo.solid.TreeImpactQuery;
+    import starlogo.solid.TreeOverlapQuery;
+    import starlogo.solid.TreePair;
 
     use namespace engine;
 
@@ -23,7 +26,10 @@ package starlogo.search
         public var exact:Boolean = false;
 
         private var _tests:int = 0;
-        private var _pair:TreePairQuery = new TreePairQuery();
+        private var _pair:TreePair = new TreePair();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
+        private var _impacts:TreeImpactQuery;
+        private var _distances:TreeDistanceQuery;
 
         // The motion under way: the given motion, or its opposite if the two bodies are tested in the other order.
         private var _motion:RelativeMotion;
@@ -32,6 +38,8 @@ package starlogo.search
 
         public function TreePairTests()
         {
+            _impacts = new TreeImpactQuery(_overlaps);
+            _distances = new TreeDistanceQuery(_overlaps);
             _separation = new PenetrationSearch(this);
         }
 
@@ -44,29 +52,31 @@ package starlogo.search
             }
             _tests++;
             var shapeB:ModelShape = b.shape;
-            return _pair.areOverlapping(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), decideTriangles(a, b));
+            return _overlaps.areOverlapping(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), decideTriangles(a, b));
         }
 
         /** @inheritDoc */
         override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
+            findFirst(a, b, motion, null);
+        }
+
+        /** @inheritDoc */
+        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
             _tests++;
             setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
-            _pair.findTime(_motion);
+            _impacts.findFirst(_pair, _motion, out);
             motion.time = _motion.time;
+            finish(motion, out);
         }
 
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             setMovingPair(a, b, motion, a.form != ModelShape.TREE);
-            _pair.findContact(_motion, out);
-            // two leaves overlap by the depth at least
-            leastDepth = decideTriangles(a, b) ? 0 : out.depth;
-            if (_motion !== motion)
-            {
-                out.swapBodies(motion);
-            }
+            _impacts.findContact(_pair, _motion, out);
+            finish(motion, out);
         }
 
         /** @inheritDoc */
@@ -74,12 +84,9 @@ package starlogo.search
         {
             _tests++;
             setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
-            _pair.findImpact(_motion, out);
+            _impacts.findImpact(_pair, _motion, out);
             motion.time = _motion.time;
-            if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
-            {
-                out.swapBodies(motion);
-            }
+            finish(motion, out);
         }
 
         /** @inheritDoc */
@@ -91,14 +98,15 @@ package starlogo.search
         /** @inheritDoc */
         override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            _pair.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
+            setPair(a, b);
+            _impacts.findOuterContact(_pair, a.shape.structure, b.shape.structure, out);
         }
 
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
         {
             setPair(a, b);
-            _pair.findClosest(areTouching, out);
+            _distances.findClosest(_pair, areTouching, out);
         }
 
         /** The number of levels that a test visits in a body's tree. */
@@ -112,10 +120,12 @@ package starlogo.search
         public function takeCounts(out:SearchCounts):void
         {
             out.hierarchyTests = _tests;
-            out.nodeVisits = _pair.nodeVisits;
-            out.triangleTests = _pair.triangleTests;
+            out.nodeVisits = _overlaps.nodeVisits + _impacts.nodeVisits + _distances.nodeVisits;
+            out.triangleTests = _overlaps.triangleTests + _impacts.triangleTests + _distances.triangleTests;
             _tests = 0;
-            _pair.resetCounts();
+            _overlaps.resetCounts();
+            _impacts.resetCounts();
+            _distances.resetCounts();
         }
 
         private function decideTriangles(a:Body, b:Body):Boolean
@@ -133,6 +143,15 @@ package starlogo.search
                 _reversed.setReversed(motion);
             }
             setPair(isSwapped ? b : a, isSwapped ? a : b);
+        }
+
+        // Turns the contact of the pair, if there is one, into that of the two bodies in their own order.
+        private function finish(motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
+            {
+                out.swapBodies(motion);
+            }
         }
 
         // Sets two bodies. The first one is a tree.

@@ -27,6 +27,9 @@ package starlogo.solid
         private var _pose:RelativePose;
         private var _point:Vector3D = new Vector3D();
 
+        // For each kind, a structure of the second model in the first model's space.
+        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+
         /**
          * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
          */
@@ -61,10 +64,12 @@ package starlogo.solid
         /**
          * Whether a structure is inside of a model. It must not touch the model's surface, so one point of it decides.
          *
-         * @param structure in the model's space
+         * @param outer the first model
+         * @param inner the structure that stands for the second model, in its space
          */
-        public function isStructureInside(outer:SolidHierarchy, structure:BoundingStructure):Boolean
+        public function isStructureInside(outer:SolidHierarchy, inner:BoundingStructure):Boolean
         {
+            var structure:BoundingStructure = _moved[inner.kind] = inner.place(_pose.placement, _moved[inner.kind]);
             isPointOfSecond = false;
             if (structure.kind == BoundingStructure.SPHERE)
             {

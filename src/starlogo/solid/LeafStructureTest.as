@@ -203,9 +203,7 @@ package starlogo.solid
             _corner.setTo(_solid.corners[_first], _solid.corners[int(_first + 1)], _solid.corners[int(_first + 2)]);
             if (structure.contains(_corner))
             {
-                out.aX = out.bX = _corner.x;
-                out.aY = out.bY = _corner.y;
-                out.aZ = out.bZ = _corner.z;
+                out.setPoint(_corner);
             }
         }
 

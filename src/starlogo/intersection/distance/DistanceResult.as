@@ -1,5 +1,6 @@
 package starlogo.intersection.distance
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
 
     /**
@@ -101,6 +102,14 @@ package starlogo.intersection.distance
             {
                 distance = Number.MIN_VALUE;
             }
+        }
+
+        /** Sets both points to one. */
+        public function setPoint(point:Vector3D):void
+        {
+            aX = bX = point.x;
+            aY = bY = point.y;
+            aZ = bZ = point.z;
         }
 
         /** Transforms the points by a placement. */

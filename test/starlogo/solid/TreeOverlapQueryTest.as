@@ -27,13 +27,13 @@ package starlogo.solid
     use namespace engine;
 
     /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
-    public class TreePairQueryTest
+    public class TreeOverlapQueryTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
         private static var sHierarchies:Object = {};
 
-        private var _pair:TreePairQuery = new TreePairQuery();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
 
         [Test]
         public function specksBesideGiants():void
@@ -174,12 +174,12 @@ package starlogo.solid
         private function treesOverlap(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
-            return _pair.areOverlapping(a, placementA, depthA, b, null, placementB, depthB, exact);
+            return _overlaps.areOverlapping(a, placementA, depthA, b, null, placementB, depthB, exact);
         }
 
         private function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            return _pair.areOverlapping(a, placementA, depth, null, structure, placementB, 1, false);
+            return _overlaps.areOverlapping(a, placementA, depth, null, structure, placementB, 1, false);
         }
 
         // About the middle of a model of size 1.

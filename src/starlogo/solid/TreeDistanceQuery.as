@@ -1,0 +1,102 @@
+package starlogo.solid
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxDistanceTraversal;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.StructureLeaf;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Finds the distance and the closest points of two models: two trees, or a tree and a structure. It measures the nodes that
+     * TreeOverlapQuery tests, or the triangles.
+     *
+     * @private
+     */
+    public final class TreeDistanceQuery
+    {
+        private var _overlaps:TreeOverlapQuery;
+        private var _pose:RelativePose = new RelativePose();
+        private var _boxes:BoxDistanceTraversal = new BoxDistanceTraversal();
+
+        // The tests that decide about leaves.
+        private var _leaf:StructureLeaf = new StructureLeaf(RelativeMotion.NONE);
+        private var _trianglePairs:LeafDistanceTest;
+        private var _triangles:LeafStructureTest = new LeafStructureTest();
+
+        /** @param overlaps finds a point of two models that overlap */
+        public function TreeDistanceQuery(overlaps:TreeOverlapQuery)
+        {
+            _overlaps = overlaps;
+            _trianglePairs = new LeafDistanceTest(_pose);
+        }
+
+        /** The number of pairs of nodes visited since resetCounts. */
+        public function get nodeVisits():int
+        {
+            return _boxes.nodeVisits;
+        }
+
+        /** The number of pairs of triangles, or of a triangle and a structure, measured since resetCounts. */
+        public function get triangleTests():int
+        {
+            return _trianglePairs.triangleTests + _triangles.triangleTests;
+        }
+
+        /** Sets all counts to 0. */
+        public function resetCounts():void
+        {
+            _boxes.nodeVisits = _trianglePairs.triangleTests = _triangles.triangleTests = 0;
+        }
+
+        /**
+         * Finds the distance and the closest points.
+         *
+         * @param areTouching whether the two overlap. If so, a point of both is found
+         * @param out receives the distance and the points, in the world
+         */
+        public function findClosest(pair:TreePair, areTouching:Boolean, out:DistanceResult):void
+        {
+            _pose.relate(pair.placementA, pair.placementB);
+            if (pair.b == null)
+            {
+                measureStructure(pair.a, pair.depthA, pair.structureB, pair.isExact);
+            }
+            else
+            {
+                measureTree(pair.a, pair.depthA, pair.b, pair.depthB, pair.isExact);
+            }
+            out.copyPoints(_boxes.points);
+            out.distance = _boxes.least * pair.placementA.size;
+            // a point of both is known already if the measured distance is 0
+            var isPointNeeded:Boolean = areTouching && out.distance > 0;
+            var placement:Placement = isPointNeeded ? _overlaps.findCommonPoint(pair, out) : pair.placementA;
+            out.settle(areTouching);
+            out.place(placement);
+        }
+
+        private function measureTree(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, isExact:Boolean):void
+        {
+            _boxes.structure = null;
+            _boxes.find(_pose, a.root, depthA, b.root, depthB, isExact ? _trianglePairs.begin(a, b) : null);
+        }
+
+        private function measureStructure(a:SolidHierarchy, depthA:int, b:BoundingStructure, isExact:Boolean):void
+        {
+            var decider:LeafTest = null;
+            if (isExact)
+            {
+                _triangles.beginDistance(a, b, _pose);
+                decider = _triangles;
+            }
+            _leaf.begin(b, _pose);
+            _boxes.structure = _leaf.moved;
+            _boxes.find(_leaf.pose, a.root, depthA, _leaf.node, 1, decider);
+        }
+    }
+}

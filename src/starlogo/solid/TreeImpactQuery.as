@@ -1,0 +1,237 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.StructureLeaf;
+    import starlogo.hierarchy.SweptBoxTraversal;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Finds when and where two models first touch while one of them moves. The second one is a tree, or a structure stands for it.
+     *
+     * <p>To get inside of a closed surface from outside, a part of a model has to cross it, and its nodes have to touch. So the nodes
+     * or triangles are tested over time, and the standing test is made only at the beginning and the end.</p>
+     *
+     * @private
+     */
+    public final class TreeImpactQuery
+    {
+        private var _overlaps:TreeOverlapQuery;
+
+        // The pair, the first model's placement at the beginning, and the second model's pose there.
+        private var _pair:TreePair;
+        private var _start:Placement = new Placement();
+        private var _pose:RelativePose = new RelativePose();
+
+        // When the two touch, if findFirst has found them.
+        private var _time:Number = 0;
+
+        private var _boxes:SweptBoxTraversal = new SweptBoxTraversal();
+
+        // The tests that decide about leaves.
+        private var _leaf:StructureLeaf;
+        private var _trianglePairs:LeafSweepTest;
+        private var _triangles:LeafStructureTest = new LeafStructureTest();
+
+        // For contacts: nodes, and for each kind, a structure of the second model in the first model's space.
+        private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _finder:ContactFinder = new ContactFinder();
+
+        /** @param overlaps tests the two where they stand */
+        public function TreeImpactQuery(overlaps:TreeOverlapQuery)
+        {
+            _overlaps = overlaps;
+            _leaf = new StructureLeaf(_pose.motion);
+            _trianglePairs = new LeafSweepTest(_pose);
+        }
+
+        /** The number of pairs of nodes visited since resetCounts. */
+        public function get nodeVisits():int
+        {
+            return _boxes.nodeVisits + _triangles.boxes.nodeVisits;
+        }
+
+        /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
+        public function get triangleTests():int
+        {
+            return _trianglePairs.triangleTests + _triangles.triangleTests;
+        }
+
+        /** Sets all counts to 0. */
+        public function resetCounts():void
+        {
+            _boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
+            _trianglePairs.triangleTests = _triangles.triangleTests = 0;
+        }
+
+        /**
+         * Finds the first moment at which the two overlap, and the contact then. Rounding can miss a touch at the end of the motion. So if
+         * nothing is found on the way, the standing test is made at time 1 too.
+         *
+         * @param motion of the first model, relative to the second; receives the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param out receives the contact, in the world; null if only the time is needed
+         */
+        public function findFirst(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var touching:Number = 0;
+            if (!overlapAt(pair, motion, 0))
+            {
+                findImpact(pair, motion, out);
+                if (motion.time != RelativeMotion.NEVER)
+                {
+                    return;
+                }
+                touching = overlapAt(pair, motion, 1) ? 1 : RelativeMotion.NEVER;
+            }
+            motion.time = touching;
+            if (out != null && touching != RelativeMotion.NEVER)
+            {
+                findContact(pair, motion, out);
+            }
+        }
+
+        /**
+         * Finds when and where the two first touch. They must not touch at the beginning.
+         *
+         * @param motion of the first model, relative to the second; receives the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param out receives the contact, in the world; null if only the time is needed
+         */
+        public function findImpact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
+        {
+            begin(pair, motion);
+            motion.time = findFirstParts() ? _time : RelativeMotion.NEVER;
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                findContactOfParts(motion, out);
+            }
+        }
+
+        /**
+         * Finds the contact of two models that overlap. It is the contact of the first two triangles that touch, or of the first two nodes
+         * that are leaves or at their depth limit. If one model is inside of the other, the structures around both have the contact.
+         *
+         * @param motion of the first model, relative to the second; its time is the time of impact
+         * @param out receives the contact, in the world
+         */
+        public function findContact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
+        {
+            begin(pair, motion);
+            if (findFirstParts() && _time <= motion.time + Tolerances.SAME_TIME)
+            {
+                findContactOfParts(motion, out);
+            }
+            else
+            {
+                findContactOf(pair.a.root.writeBox(_boxA), pair.b == null ? pair.structureB : pair.b.root.writeBox(_boxB), motion, out);
+            }
+        }
+
+        /**
+         * Finds the contact of the structures around two standing models.
+         *
+         * @param a the structure around the first model, in its space
+         * @param b the structure around the second model, in its space
+         * @param out receives the contact, in the world
+         */
+        public function findOuterContact(pair:TreePair, a:BoundingStructure, b:BoundingStructure, out:ContactPoint):void
+        {
+            begin(pair, RelativeMotion.NONE);
+            findContactOf(a, b, RelativeMotion.NONE, out);
+        }
+
+        private function overlapAt(pair:TreePair, motion:RelativeMotion, time:Number):Boolean
+        {
+            setStart(pair, motion, time);
+            return _overlaps.areOverlapping(pair.a, _start, pair.depthA, pair.b, pair.structureB, pair.placementB, pair.depthB, pair.isExact);
+        }
+
+        private function setStart(pair:TreePair, motion:RelativeMotion, time:Number):void
+        {
+            _start.copyFrom(pair.placementA);
+            _start.x += motion.startX + time * motion.x;
+            _start.y += motion.startY + time * motion.y;
+            _start.z += motion.startZ + time * motion.z;
+        }
+
+        private function begin(pair:TreePair, motion:RelativeMotion):void
+        {
+            _pair = pair;
+            setStart(pair, motion, 0);
+            _pose.relate(_start, pair.placementB);
+            _pose.relateMotion(pair.placementA, motion);
+        }
+
+        // Finds the first two triangles or nodes that touch while the first model moves, and the time.
+        private function findFirstParts():Boolean
+        {
+            var a:SolidHierarchy = _pair.a;
+            var b:SolidHierarchy = _pair.b;
+            var isExact:Boolean = _pair.isExact;
+            var isFound:Boolean;
+            if (b != null)
+            {
+                isFound = _boxes.find(_pose, a.root, _pair.depthA, b.root, _pair.depthB, isExact ? _trianglePairs.begin(a, b) : null);
+            }
+            else
+            {
+                if (isExact)
+                {
+                    _triangles.begin(a, _pair.structureB, _pose, _pose.motion);
+                    if (_triangles.isCompact)
+                    {
+                        isFound = _triangles.find();
+                        _time = _triangles.least;
+                        return isFound;
+                    }
+                }
+                _leaf.begin(_pair.structureB, _pose);
+                isFound = _boxes.find(_leaf.pose, a.root, _pair.depthA, _leaf.node, 1, isExact ? _triangles : _leaf.decider);
+            }
+            _time = _boxes.least;
+            return isFound;
+        }
+
+        // The contact of the two that findFirstParts has found, at the motion's time.
+        private function findContactOfParts(motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (!_pair.isExact)
+            {
+                findContactOf(_boxes.firstA.writeBox(_boxA), _pair.b == null ? _pair.structureB : _boxes.firstB.writeBox(_boxB), motion, out);
+                return;
+            }
+            var decider:LeafTest = _pair.b == null ? _triangles : _trianglePairs;
+            _pose.motion.time = motion.time;
+            decider.findContact(out);
+            out.moveToWorld(_pair.placementA, motion);
+        }
+
+        // The contact of two structures in their models' spaces, at the motion's time.
+        private function findContactOf(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var time:Number = motion.time;
+            var way:RelativeMotion = _pose.motion;
+            var displacement:RelativeMotion = _finder.displacement;
+            displacement.startX = -time * way.x;
+            displacement.startY = -time * way.y;
+            displacement.startZ = -time * way.z;
+            _moved[b.kind] = b.place(_pose.placement, _moved[b.kind]);
+            _finder.find(a, _moved[b.kind], out);
+            out.x += time * way.x;
+            out.y += time * way.y;
+            out.z += time * way.z;
+            out.moveToWorld(_pair.placementA, motion);
+        }
+    }
+}

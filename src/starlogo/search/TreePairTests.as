@@ -98,8 +98,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            setPair(a, b);
-            _impacts.findOuterContact(_pair, a.shape.structure, b.shape.structure, out);
+            _impacts.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
         }
 
         /** @inheritDoc */

@@ -134,7 +134,8 @@ package starlogo.solid
             }
             else
             {
-                findContactOf(pair.a.root.writeBox(_boxA), pair.b == null ? pair.structureB : pair.b.root.writeBox(_boxB), motion, out);
+                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.root.writeBox(_boxB);
+                findContactOf(pair.a.root.writeBox(_boxA), pair.placementA, b, motion, out);
             }
         }
 
@@ -142,13 +143,17 @@ package starlogo.solid
          * Finds the contact of the structures around two standing models.
          *
          * @param a the structure around the first model, in its space
+         * @param placementA the first model's placement in the world
          * @param b the structure around the second model, in its space
+         * @param placementB the second model's placement in the world
          * @param out receives the contact, in the world
          */
-        public function findOuterContact(pair:TreePair, a:BoundingStructure, b:BoundingStructure, out:ContactPoint):void
+        public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
+                out:ContactPoint):void
         {
-            begin(pair, RelativeMotion.NONE);
-            findContactOf(a, b, RelativeMotion.NONE, out);
+            _pose.relate(placementA, placementB);
+            _pose.relateMotion(placementA, RelativeMotion.NONE);
+            findContactOf(a, placementA, b, RelativeMotion.NONE, out);
         }
 
         private function overlapAt(pair:TreePair, motion:RelativeMotion, time:Number):Boolean
@@ -208,7 +213,8 @@ package starlogo.solid
         {
             if (!_pair.isExact)
             {
-                findContactOf(_boxes.firstA.writeBox(_boxA), _pair.b == null ? _pair.structureB : _boxes.firstB.writeBox(_boxB), motion, out);
+                var b:BoundingStructure = _pair.b == null ? _pair.structureB : _boxes.firstB.writeBox(_boxB);
+                findContactOf(_boxes.firstA.writeBox(_boxA), _pair.placementA, b, motion, out);
                 return;
             }
             var decider:LeafTest = _pair.b == null ? _triangles : _trianglePairs;
@@ -218,7 +224,8 @@ package starlogo.solid
         }
 
         // The contact of two structures in their models' spaces, at the motion's time.
-        private function findContactOf(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        private function findContactOf(a:BoundingStructure, placementA:Placement, b:BoundingStructure, motion:RelativeMotion,
+                out:ContactPoint):void
         {
             var time:Number = motion.time;
             var way:RelativeMotion = _pose.motion;
@@ -231,7 +238,7 @@ package starlogo.solid
             out.x += time * way.x;
             out.y += time * way.y;
             out.z += time * way.z;
-            out.moveToWorld(_pair.placementA, motion);
+            out.moveToWorld(placementA, motion);
         }
     }
 }

@@ -115,19 +115,21 @@ package starlogo.ground
             bounds = new Vector.<Number>(bounds.length, true);
         }
 
-        /** Becomes the same ground. The two share their lists. */
-        public function copyFrom(other:HeightGrid):void
+        /** Makes another grid the same ground, or makes a new one. The two share their lists. */
+        public function copyInto(other:HeightGrid):HeightGrid
         {
-            columns = other.columns;
-            rows = other.rows;
-            cellWidth = other.cellWidth;
-            x = other.x;
-            y = other.y;
-            isBlocky = other.isBlocky;
-            heights = other.heights;
-            bounds = other.bounds;
-            begins = other.begins;
-            levels = other.levels;
+            other ||= new HeightGrid(2, 2, 1, 0, 0);
+            other.columns = columns;
+            other.rows = rows;
+            other.cellWidth = cellWidth;
+            other.x = x;
+            other.y = y;
+            other.isBlocky = isBlocky;
+            other.heights = heights;
+            other.bounds = bounds;
+            other.begins = begins;
+            other.levels = levels;
+            return other;
         }
 
         /** Call it before a change of some heights. */

@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import starlogo.engine;
-    import starlogo.ground.HeightGrid;
 
     use namespace engine;
 
@@ -33,8 +32,7 @@ package starlogo.search
                 kept.edges = fixture.edges;
                 if (fixture.grid != null)
                 {
-                    kept.grid ||= new HeightGrid(2, 2, 1, 0, 0);
-                    kept.grid.copyFrom(fixture.grid);
+                    kept.grid = fixture.grid.copyInto(kept.grid);
                     _wasHeld = fixture.grid.isHeld;
                     fixture.grid.isHeld = true;
                 }

@@ -220,7 +220,7 @@ package starlogo.solid
             var decider:LeafTest = _pair.b == null ? _triangles : _trianglePairs;
             _pose.motion.time = motion.time;
             decider.findContact(out);
-            out.moveToWorld(_pair.placementA, motion);
+            moveToWorld(out, _pair.placementA, motion);
         }
 
         // The contact of two structures in their models' spaces, at the motion's time.
@@ -238,7 +238,24 @@ package starlogo.solid
             out.x += time * way.x;
             out.y += time * way.y;
             out.z += time * way.z;
-            out.moveToWorld(placementA, motion);
+            moveToWorld(out, placementA, motion);
+        }
+
+        // Moves a contact from the first structure's model into the world: the model's placement is at the end of the motion.
+        private static function moveToWorld(contact:ContactPoint, a:Placement, motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            var x:Number = contact.x * a.size;
+            var y:Number = contact.y * a.size;
+            var z:Number = contact.z * a.size;
+            contact.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + motion.startX + time * motion.x;
+            contact.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + motion.startY + time * motion.y;
+            contact.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + motion.startZ + time * motion.z;
+            x = contact.normalX;
+            y = contact.normalY;
+            z = contact.normalZ;
+            contact.setNormal(a.r00 * x + a.r01 * y + a.r02 * z, a.r10 * x + a.r11 * y + a.r12 * z, a.r20 * x + a.r21 * y + a.r22 * z);
+            contact.depth *= a.size;
         }
     }
 }

@@ -1,7 +1,6 @@
 package starlogo.intersection.contact
 {
     import flash.geom.Vector3D;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -65,30 +64,6 @@ package starlogo.intersection.contact
             normalX = -normalX;
             normalY = -normalY;
             normalZ = -normalZ;
-        }
-
-        /**
-         * Moves the contact from the first structure's model into the world.
-         *
-         * @param a the model's placement at the end of the motion
-         * @param motion the model's motion, with the time of the contact
-         */
-        public function moveToWorld(a:Placement, motion:RelativeMotion):void
-        {
-            var time:Number = motion.time;
-            var alongX:Number = x * a.size;
-            var alongY:Number = y * a.size;
-            var alongZ:Number = z * a.size;
-            x = a.r00 * alongX + a.r01 * alongY + a.r02 * alongZ + a.x + motion.startX + time * motion.x;
-            y = a.r10 * alongX + a.r11 * alongY + a.r12 * alongZ + a.y + motion.startY + time * motion.y;
-            z = a.r20 * alongX + a.r21 * alongY + a.r22 * alongZ + a.z + motion.startZ + time * motion.z;
-            alongX = normalX;
-            alongY = normalY;
-            alongZ = normalZ;
-            normalX = a.r00 * alongX + a.r01 * alongY + a.r02 * alongZ;
-            normalY = a.r10 * alongX + a.r11 * alongY + a.r12 * alongZ;
-            normalZ = a.r20 * alongX + a.r21 * alongY + a.r22 * alongZ;
-            depth *= a.size;
         }
 
         /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */

@@ -33,6 +33,10 @@ package starlogo.queries
         // The place where the row that is met first stops the body.
         private var _end:Vector3D = new Vector3D();
 
+        // The lift out of all rows near the way, with which the body begins, and whether there may be one.
+        private var _lift:Vector3D = new Vector3D();
+        private var _mayLift:Boolean = false;
+
         /** @param questions what questions work with */
         public function MoveQueries(questions:QuerySet)
         {
@@ -70,7 +74,7 @@ package starlogo.queries
             // the agent may go anywhere within the length of its way
             begin(agent, _set.ofMoving(agent), dx, dy, dz, filter, Math.sqrt(dx * dx + dy * dy + dz * dz));
             mover.begin(body, near.numbers, 0, near.count);
-            mover.go(_way, Mover.SLIDE);
+            mover.slide(_way);
             mover.restoreClearance(true);
             if (dx != 0 || dy != 0 || dz != 0)
             {
@@ -176,14 +180,31 @@ package starlogo.queries
         // Finds the rows that stop the body, each as if the others were not there. If one is wanted, the body ends at _end.
         private function collect(wanted:int, ending:int):void
         {
+            _lift.setTo(0, 0, 0);
+            collectLifted(wanted, ending);
+            if (_mayLift)
+            {
+                // a floor may be many rows: what is lifted out of one of them does not run into the next
+                mover.begin(body, near.numbers, 0, near.count);
+                if (mover.findLift(_way, _lift))
+                {
+                    collectLifted(wanted, ending);
+                }
+            }
+        }
+
+        private function collectLifted(wanted:int, ending:int):void
+        {
             var rows:Vector.<int> = near.numbers;
+            _mayLift = false;
             _end.setTo(body.placement.x, body.placement.y, body.placement.z);
             _end.incrementBy(_way);
             _set.found.begin(wanted, Infinity, null, null);
             for (var i:int = 0; i < near.count && _set.found.limit > 0; i++)
             {
                 mover.begin(body, rows, i, i + 1);
-                mover.go(_way, ending);
+                mover.goUntilTouch(_way, ending, _lift);
+                _mayLift ||= mover.isLifted || (mover.fraction == 0 && !mover.isDeep);
                 if (mover.contactRow >= 0 && _set.found.add(rows[i], mover.fraction))
                 {
                     _hits.put(rows[i]).copyFrom(mover.contact);

@@ -27,9 +27,6 @@ package starlogo.queries
         /** An ending: the clearance before the touch. */
         public static const SHORT:int = 1;
 
-        /** An ending: the row slides along what it meets. */
-        public static const SLIDE:int = 2;
-
         // The number of places that are tried in order to find one at which the two touch. A sweep may end some 30 gaps before a triangle of
         // the ground.
         private static const STEPS_INTO_TOUCH:int = 64;
@@ -57,6 +54,9 @@ package starlogo.queries
 
         /** Whether the last motion began deep in another row. */
         public var isDeep:Boolean = false;
+
+        /** Whether the last motion began with a lift out of a row. */
+        public var isLifted:Boolean = false;
 
         /** The row that stopped the last motion; -1 for none, and after a slide. */
         public var contactRow:int = -1;
@@ -130,40 +130,94 @@ package starlogo.queries
         }
 
         /**
-         * Computes where the body ends if it starts at <code>at</code>.
+         * Computes how the beginning of a motion lifts the body out of its rows, all together.
+         *
+         * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
+         * @return whether there is a lift
+         */
+        public function findLift(motion:Vector3D, out:Vector3D):Boolean
+        {
+            start(motion);
+            out.setTo(at.x - _before.x, at.y - _before.y, at.z - _before.z);
+            return isLifted;
+        }
+
+        /**
+         * Computes where the body ends if it goes from <code>at</code> until it touches a row.
          *
          * @param motion the whole motion
-         * @param ending TOUCH, SHORT or SLIDE
-         * @param steepest a slide treats a contact as an upright wall if the z of its normal is less than this. With -2 it does so with none
-         * @param widest how far a slide may go on the ground plane at most
-         * @param steepness for a slide that is a fall: the least slope on which it goes on, as a tangent
+         * @param ending TOUCH or SHORT
+         * @param lift the lift of <code>findLift()</code>; null for none
          */
-        public function go(motion:Vector3D, ending:int, steepest:Number = -2, widest:Number = Infinity, steepness:Number = -1):void
+        public function goUntilTouch(motion:Vector3D, ending:int, lift:Vector3D = null):void
         {
-            _rest.begin(motion, widest, steepness);
-            contactRow = -1;
-            metWall = isDeep = false;
-            contact.setNormal(0, 0, 0);
-            fraction = 1;
-            _sweep.beginMotion(at, motion);
-            if (!(_rest.length * _rest.length > Tolerances.VANISHING))
+            if (!start(motion, lift))
             {
                 _rest.advance(at, 1);
                 return;
             }
-            _count = _others.count;
-            _before.copyFrom(at);
-            liftOut();
-            isDeep = _rest.count > 0;
-            _rest.beginCorner();
-            if (ending == SLIDE)
+            findTouch();
+            if (contactRow < 0 || fraction == 0)
             {
-                slide(steepest);
+                at.copyFrom(_before);
+                _rest.advance(at, fraction);
+            }
+            else if (ending == TOUCH)
+            {
+                endTouching();
             }
             else
             {
-                goUntilTouch(ending);
+                at.copyFrom(_before);
+                _rest.advance(at, Math.max(0, fraction + _sweep.clearance / _along));
             }
+        }
+
+        /**
+         * Computes where the body ends if it goes from <code>at</code> and slides along what it meets.
+         *
+         * @param motion the whole motion
+         * @param steepest a contact counts as an upright wall if the z of its normal is less than this. With -2 none does so
+         * @param widest how far the body may go on the ground plane at most
+         * @param steepness for a fall: the least slope on which it goes on, as a tangent
+         */
+        public function slide(motion:Vector3D, steepest:Number = -2, widest:Number = Infinity, steepness:Number = -1):void
+        {
+            if (!start(motion, null, widest, steepness))
+            {
+                _rest.advance(at, 1);
+                return;
+            }
+            var whole:Number = _rest.length;
+            var gone:Number = 0;
+            floor.setNormal(0, 0, -2);
+            for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
+            {
+                if (!findFirst())
+                {
+                    gone += _rest.advance(at, 1);
+                    break;
+                }
+                if (!isSoon())
+                {
+                    _rest.beginCorner();
+                }
+                _sweep.findWhole(contactRow, _along, contact);
+                gone += _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.clearance / _along, 0));
+                if (!_isNormalFallback && contact.normalZ > floor.normalZ)
+                {
+                    floor.copyFrom(contact);
+                    floorRow = contactRow;
+                }
+                if (contact.normalZ < steepest)
+                {
+                    standUp();
+                }
+                _rest.add(contact, contactRow);
+                dropNeedless();
+            }
+            contactRow = -1;
+            fraction = gone < whole ? gone / whole : 1;
         }
 
         /** Whether the body would go into a row on a straight way from a place. */
@@ -172,6 +226,31 @@ package starlogo.queries
             _sweep.beginMotion(from, motion);
             _sweep.aim(from, motion);
             return _sweep.find(row, from);
+        }
+
+        // Begins a motion at a place that is lifted out of what the row overlaps there. Returns whether there is any motion.
+        private function start(motion:Vector3D, lift:Vector3D = null, widest:Number = Infinity, steepness:Number = -1):Boolean
+        {
+            _rest.begin(motion, widest, steepness);
+            contactRow = -1;
+            metWall = isDeep = isLifted = false;
+            contact.setNormal(0, 0, 0);
+            fraction = 1;
+            _sweep.beginMotion(at, motion);
+            _before.copyFrom(at);
+            if (!(_rest.length * _rest.length > Tolerances.VANISHING))
+            {
+                return false;
+            }
+            if (lift != null)
+            {
+                at.incrementBy(lift);
+            }
+            _count = _others.count;
+            liftOut();
+            isDeep = _rest.count > 0;
+            _rest.beginCorner();
+            return true;
         }
 
         // Lifts the row out of rows that it overlaps a little at its place. If no round frees it, the last round puts it back at its place.
@@ -204,6 +283,7 @@ package starlogo.queries
             if (isShallow && round < LIFTING_ROUNDS)
             {
                 _standing.push(at, _standing.depth + _sweep.clearance);
+                isLifted = true;
                 return;
             }
             if (!_sweep.narrowFor(other, at) && _sweep.overlapsAt(other, at))
@@ -242,7 +322,8 @@ package starlogo.queries
             return overlap > 0;
         }
 
-        private function goUntilTouch(ending:int):void
+        // Finds when the row touches another first, and which.
+        private function findTouch():void
         {
             var crossed:int = _rest.findCrossed();
             if (crossed >= 0)
@@ -264,20 +345,6 @@ package starlogo.queries
                     fraction = 0;
                 }
                 contact.depth = 0;
-            }
-            if (contactRow < 0 || fraction == 0)
-            {
-                at.copyFrom(_before);
-                _rest.advance(at, fraction);
-            }
-            else if (ending == TOUCH)
-            {
-                endTouching();
-            }
-            else
-            {
-                at.copyFrom(_before);
-                _rest.advance(at, Math.max(0, fraction + _sweep.clearance / _along));
             }
         }
 
@@ -310,40 +377,6 @@ package starlogo.queries
                 contact.push(at, -margin);
             }
             return _sweep.wholeTouchesAt(contactRow, at);
-        }
-
-        private function slide(steepest:Number):void
-        {
-            var whole:Number = _rest.length;
-            var gone:Number = 0;
-            floor.setNormal(0, 0, -2);
-            for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
-            {
-                if (!findFirst())
-                {
-                    gone += _rest.advance(at, 1);
-                    break;
-                }
-                if (!isSoon())
-                {
-                    _rest.beginCorner();
-                }
-                _sweep.findWhole(contactRow, _along, contact);
-                gone += _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.clearance / _along, 0));
-                if (!_isNormalFallback && contact.normalZ > floor.normalZ)
-                {
-                    floor.copyFrom(contact);
-                    floorRow = contactRow;
-                }
-                if (contact.normalZ < steepest)
-                {
-                    standUp();
-                }
-                _rest.add(contact, contactRow);
-                dropNeedless();
-            }
-            contactRow = -1;
-            fraction = gone < whole ? gone / whole : 1;
         }
 
         // If a contact is too steep, this turns it into an upright wall. The rest of the motion becomes level, because the slope would stop

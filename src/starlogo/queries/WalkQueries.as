@@ -147,12 +147,12 @@ package starlogo.queries
         private function carryWith(platform:int):void
         {
             beginAt(_start, platform);
-            _mover.go(_carry, Mover.SLIDE);
+            _mover.slide(_carry);
             if (_mover.fraction < 1 && missesInto(platform))
             {
                 _plain.copyFrom(_mover.at);
                 _mover.at.copyFrom(_start);
-                _mover.go(_carry, Mover.SHORT);
+                _mover.goUntilTouch(_carry, Mover.SHORT);
                 if (missesInto(platform))
                 {
                     _mover.at.copyFrom(_plain);
@@ -238,7 +238,7 @@ package starlogo.queries
                 left -= length;
                 _way.setTo(0, 0, 0);
                 _mover.deepest.push(_way, length);
-                _mover.go(_way, Mover.SLIDE);
+                _mover.slide(_way);
             }
             _way.copyFrom(at);
             _way.decrementBy(_start);
@@ -277,13 +277,13 @@ package starlogo.queries
         private function slide(rise:Number, steepest:Number):void
         {
             _way.setTo(_piece.x, _piece.y, rise);
-            _mover.go(_way, Mover.SLIDE, steepest, _whole);
+            _mover.slide(_way, steepest, _whole);
         }
 
         private function goDown(depth:Number):void
         {
             _way.setTo(0, 0, -depth);
-            _mover.go(_way, Mover.SHORT);
+            _mover.goUntilTouch(_way, Mover.SHORT);
         }
 
         // Tries the same way a step higher, and goes down again. Returns whether the agent came farther than without the step, and stands.
@@ -326,7 +326,7 @@ package starlogo.queries
         private function slideDown(depth:Number, widest:Number):void
         {
             _way.setTo(0, 0, -depth);
-            _mover.go(_way, Mover.SLIDE, -2, widest, Math.sqrt(1 - _cosine * _cosine) / _cosine);
+            _mover.slide(_way, -2, widest, Math.sqrt(1 - _cosine * _cosine) / _cosine);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding

@@ -56,6 +56,7 @@ package starlogo.queries
         [Test]
         public function overFloorsAtAllAngles():void
         {
+            var depths:SeededRandom = new SeededRandom(2411);
             eachSystem(function(isBins:Boolean):void
                 {
                     for each (var shape:String in isBins ? [] : MOVERS.concat("plate", "sheet"))
@@ -69,13 +70,18 @@ package starlogo.queries
                             step(mover, way, 20);
                             expect(mover.x > 5.999, "stuck", mover, way);
                             expectShallow(mover);
-                            mover.moveTo(0, 0, 0);
+                            // a little in the floor, as from numbers of single precision
+                            var sunk:Number = depths.pick([0, 0, 1e-9, 1e-7, 0.9e-6]);
+                            // only a sweep sees that a sheet touches the floor if it is a rounding above it
+                            var rise:Number = shape == "sheet" && Math.abs(way[2]) < 1e-12 ? 0 : way[2];
+                            mover.moveTo(0, 0, -sunk);
                             for (var k:int = 0; k < 20; k++)
                             {
-                                _queries.moveUntilTouch(mover, way[0], 0, way[2]);
+                                _queries.moveUntilTouch(mover, way[0], 0, rise);
                             }
-                            expect(mover.x > 5.999 || way[2] < -1e-13 || shape == "sheet", "stops", mover, way);
-                            expectShallow(mover);
+                            expect(mover.x > 5.999 || rise < -1e-13, "stops", mover, way.concat(sunk));
+                            // a motion shorter than a slop may lead deeper into what is overlapped already; for a sheet a touch is an overlap
+                            expectShallow(mover, sunk > 0 || shape == "sheet" ? sunk + 20 * HAIR : 0);
                         }
                     }
                 });
@@ -254,14 +260,14 @@ package starlogo.queries
             _wrong.addIf(!isRight, _system + ", " + mover.shape + ": " + problem, [mover.x, mover.y, mover.z, "by", details].join(" "));
         }
 
-        private function expectShallow(mover:Agent):void
+        private function expectShallow(mover:Agent, sunk:Number = 0):void
         {
             for each (var other:Agent in _agents)
             {
                 if (other !== mover && _collider.areColliding(mover, other))
                 {
                     var depth:Number = _collider.contactOf(mover, other).depth / Math.max(mover.size, other.size);
-                    expect(depth <= HAIR, "deep", mover, [depth]);
+                    expect(depth <= sunk + HAIR, "deep", mover, [depth]);
                 }
             }
         }

@@ -86,6 +86,10 @@ package starlogo.intersection
          * the first zero when it starts to the left of it. It takes at most 80 steps, because each step shrinks the product of the gap and
          * its slope to a quarter, and both are numbers of 53 bits.
          *
+         * <p>If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the
+         * tangent: it goes through this distance and that of the step before, and does not step over the first zero either. A step that went
+         * too far because of rounding is halved.</p>
+         *
          * @inheritDoc
          */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -96,6 +100,9 @@ package starlogo.intersection
             reach *= reach;
             var latest:Number = motion.latest;
             var time:Number = 0;
+            var lastTime:Number = 0;
+            var lastDistance:Number = 0;
+            var least:Number = 0;
             for (var step:int = 0; step < 80; step++)
             {
                 timeParameter = time;
@@ -104,6 +111,24 @@ package starlogo.intersection
                 var y:Number = gapY;
                 var z:Number = gapZ;
                 var squared:Number = x * x + y * y + z * z;
+                if (step == 1)
+                {
+                    // A gap that is no longer than this has no certain direction.
+                    measure();
+                    least = Tolerances.DIRECTION * size;
+                    if (radiusSum < least)
+                    {
+                        reach = radiusSum * Tolerances.TOUCHING + motion.rounding + Tolerances.ROUNDING * size;
+                        reach *= reach;
+                    }
+                }
+                if (step > 0 && 4 * squared < radiusSum * radiusSum)
+                {
+                    // The slope had so large a rounding error that the step went beyond the zero.
+                    time = (lastTime + time) / 2;
+                    least = Infinity;
+                    continue;
+                }
                 var isTouching:Boolean = squared <= reach;
                 if (isTouching)
                 {
@@ -117,12 +142,18 @@ package starlogo.intersection
                 }
                 var next:Number = RelativeMotion.NEVER;
                 var closing:Number = -(x * motionX + y * motionY + z * motionZ);
-                if (closing > 0)
+                var distance:Number = Math.sqrt(squared);
+                if (distance < least && distance < lastDistance)
+                {
+                    next = time + (distance - radiusSum) * (time - lastTime) / (lastDistance - distance);
+                }
+                else if (closing > 0)
                 {
                     // The time at which the plane between the closest points, moved along, has no gap left.
-                    var distance:Number = Math.sqrt(squared);
                     next = time + (distance - radiusSum) * distance / closing;
                 }
+                lastTime = time;
+                lastDistance = distance;
                 if (isTouching)
                 {
                     // They touch to within rounding. One more step makes up for a step that rounding may have skipped.

@@ -52,6 +52,11 @@ package starlogo.intersection
             gapZ = z;
         }
 
+        override protected function measure():void
+        {
+            size = halfX + halfY + halfZ + radiusSum;
+        }
+
         /**
          * A sphere's contact is written out here, because relate() and find() take 1.5 times as long in Adobe's VM.
          *

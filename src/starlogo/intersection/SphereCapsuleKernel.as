@@ -49,6 +49,11 @@ package starlogo.intersection
             gapZ = z;
         }
 
+        override protected function measure():void
+        {
+            size = Math.sqrt(_axisX * _axisX + _axisY * _axisY + _axisZ * _axisZ) + radiusSum;
+        }
+
         /**
          * A sphere's contact is written out here, because relate() and find() take 1.5 times as long in Adobe's VM.
          *

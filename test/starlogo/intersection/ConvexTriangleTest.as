@@ -10,6 +10,7 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
     import support.Complaints;
     import support.Effort;
@@ -46,14 +47,7 @@ package starlogo.intersection
                 var sweep:ConvexTriangle = new ConvexTriangle();
                 var end:Number = Math.min(1, timeOf(sweep, structure, corners, motion));
                 var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + sweep.time;
-                for (var k:int = 1; k <= 16; k++)
-                {
-                    if (areTouching(moved(structure, motion, end * (1 - 1e-7) * k / 16), corners, 0))
-                    {
-                        _wrong.add("through", message);
-                        break;
-                    }
-                }
+                _wrong.addIf(touchesBefore(structure, corners, motion, end * (1 - 1e-7)), "through", message);
                 if (sweep.time > 1)
                 {
                     misses++;
@@ -64,6 +58,56 @@ package starlogo.intersection
             }
             _wrong.assertNone();
             assertTrue(hits + " hits, " + misses + " misses", hits > 100 && misses > 100);
+        }
+
+        /** Shortly before the touch, rounding hides the direction of the gap. */
+        [Test]
+        public function whatComesNearAtAFlatAngleIsMet():void
+        {
+            var hits:int = 0;
+            var closest:DistanceResult = new DistanceResult();
+            for (var i:int = Effort.choose(2000, 30000); i > 0; i--)
+            {
+                var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
+                var corners:Vector.<Number> = anyTriangle(i % 4);
+                var sweep:ConvexTriangle = new ConvexTriangle();
+                timeOf(sweep, structure, corners, RelativeMotion.NONE);
+                sweep.measure();
+                if (!(sweep.distance > 1e-3) || areTouching(structure, corners, 0))
+                {
+                    continue;
+                }
+                sweep.writeClosest(closest);
+                var normal:Vector3D = new Vector3D(closest.gapX, closest.gapY, closest.gapZ);
+                normal.normalize();
+                var gap:Number = _random.logBetween(1e-7, 1e-3);
+                structure.translate(new Vector3D((gap - sweep.distance) * normal.x, (gap - sweep.distance) * normal.y, (gap - sweep.distance) * normal.z));
+                var way:Vector3D = normal.crossProduct(new Vector3D(_random.normal(), _random.normal(), _random.normal()));
+                way.scaleBy(_random.logBetween(0.001, 1));
+                way.decrementBy(new Vector3D(2 * gap * normal.x, 2 * gap * normal.y, 2 * gap * normal.z));
+                var motion:RelativeMotion = new RelativeMotion();
+                motion.x = way.x;
+                motion.y = way.y;
+                motion.z = way.z;
+                var end:Number = Math.min(1, timeOf(sweep, structure, corners, motion));
+                hits += sweep.time <= 1 ? 1 : 0;
+                _wrong.addIf(touchesBefore(structure, corners, motion, end * (1 - 1e-3)), "through",
+                        structure + ", triangle " + corners + ", motion " + way + ", time " + sweep.time);
+            }
+            _wrong.assertNone();
+            assertTrue(hits + " hits", hits > 100);
+        }
+
+        private function touchesBefore(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, end:Number):Boolean
+        {
+            for (var k:int = 1; k <= 16; k++)
+            {
+                if (areTouching(moved(structure, motion, end * k / 16), corners, 0))
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         [Test]

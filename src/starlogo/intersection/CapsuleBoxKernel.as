@@ -68,9 +68,9 @@ package starlogo.intersection
             var px:Number = fromX + time * motionX;
             var py:Number = fromY + time * motionY;
             var pz:Number = fromZ + time * motionZ;
-            var hx:Number = halfX;
-            var hy:Number = halfY;
-            var hz:Number = halfZ;
+            var halfX:Number = this.halfX;
+            var halfY:Number = this.halfY;
+            var halfZ:Number = this.halfZ;
             var dx:Number = alongX;
             var dy:Number = alongY;
             var dz:Number = alongZ;

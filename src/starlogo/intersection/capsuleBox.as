@@ -45,13 +45,13 @@ package starlogo.intersection
         var axisZ:Number = axis.z;
         var px:Number = axisX * startX + axisY * startY + axisZ * startZ;
         var dx:Number = axisX * x + axisY * y + axisZ * z;
-        var hx:Number = box.halfX;
+        var halfX:Number = box.halfX;
         if (dx < 0)
         {
             dx = -dx;
             px = -px;
         }
-        var reach:Number = hx + radius;
+        var reach:Number = halfX + radius;
         if (px > reach || px + dx < -reach)
         {
             return false;
@@ -62,13 +62,13 @@ package starlogo.intersection
         axisZ = axis.z;
         var py:Number = axisX * startX + axisY * startY + axisZ * startZ;
         var dy:Number = axisX * x + axisY * y + axisZ * z;
-        var hy:Number = box.halfY;
+        var halfY:Number = box.halfY;
         if (dy < 0)
         {
             dy = -dy;
             py = -py;
         }
-        reach = hy + radius;
+        reach = halfY + radius;
         if (py > reach || py + dy < -reach)
         {
             return false;
@@ -79,13 +79,13 @@ package starlogo.intersection
         axisZ = axis.z;
         var pz:Number = axisX * startX + axisY * startY + axisZ * startZ;
         var dz:Number = axisX * x + axisY * y + axisZ * z;
-        var hz:Number = box.halfZ;
+        var halfZ:Number = box.halfZ;
         if (dz < 0)
         {
             dz = -dz;
             pz = -pz;
         }
-        reach = hz + radius;
+        reach = halfZ + radius;
         if (pz > reach || pz + dz < -reach)
         {
             return false;
@@ -106,38 +106,10 @@ package starlogo.intersection
         // The segment is not outside if a part of it is inside of all slabs that it crosses. Then only slabs parallel to it are tested. For
         // the others no point is computed, because rounding might put it outside, and a radius of 0 allows no error.
         var isOutside:Boolean = lastIn > firstOut || lastIn > 1 || firstOut < 0;
-        var distanceSquared:Number = 0;
-        var excess:Number;
-        if (isOutside || dx == 0)
-        {
-            excess = px + t * dx;
-            excess = excess < 0 ? -excess : excess;
-            excess -= hx;
-            if (excess > 0)
-            {
-                distanceSquared = excess * excess;
-            }
-        }
-        if (isOutside || dy == 0)
-        {
-            excess = py + t * dy;
-            excess = excess < 0 ? -excess : excess;
-            excess -= hy;
-            if (excess > 0)
-            {
-                distanceSquared += excess * excess;
-            }
-        }
-        if (isOutside || dz == 0)
-        {
-            excess = pz + t * dz;
-            excess = excess < 0 ? -excess : excess;
-            excess -= hz;
-            if (excess > 0)
-            {
-                distanceSquared += excess * excess;
-            }
-        }
-        return distanceSquared <= radius * radius;
+        x = isOutside || dx == 0 ? px + t * dx : 0;
+        y = isOutside || dy == 0 ? py + t * dy : 0;
+        z = isOutside || dz == 0 ? pz + t * dz : 0;
+        include "squaredToBox.inc";
+        return gapSquared <= radius * radius;
     }
 }

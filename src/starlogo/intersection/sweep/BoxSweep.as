@@ -47,16 +47,9 @@ package starlogo.intersection.sweep
         /** The result: the time from which the axes tried do not separate the boxes, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
 
-        // An edge of b, and half of each of its other two edges.
-        private var _pX:Number = 0;
-        private var _pY:Number = 0;
-        private var _pZ:Number = 0;
-        private var _qX:Number = 0;
-        private var _qY:Number = 0;
-        private var _qZ:Number = 0;
-        private var _rX:Number = 0;
-        private var _rY:Number = 0;
-        private var _rZ:Number = 0;
+        // The directions of b's edges, and half of each edge as a vector: along axisX, axisY, axisZ.
+        private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
         private var _times:ContactInterval = new ContactInterval();
 
@@ -129,82 +122,68 @@ package starlogo.intersection.sweep
          */
         public function meetEdges():void
         {
-            time = RelativeMotion.NEVER;
-            _pX = xx;
-            _pY = yx;
-            _pZ = zx;
-            _qX = bY * xy;
-            _qY = bY * yy;
-            _qZ = bY * zy;
-            _rX = bZ * xz;
-            _rY = bZ * yz;
-            _rZ = bZ * zz;
-            if (isSeparatedAcross())
+            var edges:Vector.<Number> = _edges;
+            edges[0] = xx;
+            edges[1] = yx;
+            edges[2] = zx;
+            edges[3] = xy;
+            edges[4] = yy;
+            edges[5] = zy;
+            edges[6] = xz;
+            edges[7] = yz;
+            edges[8] = zz;
+            var halves:Vector.<Number> = _halves;
+            for (var i:int = 0; i < 3; i++)
             {
-                return;
+                halves[i] = bX * edges[i];
+                halves[int(i + 3)] = bY * edges[int(i + 3)];
+                halves[int(i + 6)] = bZ * edges[int(i + 6)];
             }
-            _pX = xy;
-            _pY = yy;
-            _pZ = zy;
-            _qX = _rX;
-            _qY = _rY;
-            _qZ = _rZ;
-            _rX = bX * xx;
-            _rY = bX * yx;
-            _rZ = bX * zx;
-            if (isSeparatedAcross())
-            {
-                return;
-            }
-            _pX = xz;
-            _pY = yz;
-            _pZ = zz;
-            _qX = _rX;
-            _qY = _rY;
-            _qZ = _rZ;
-            _rX = bY * xy;
-            _rY = bY * yy;
-            _rZ = bY * zy;
-            if (!isSeparatedAcross())
-            {
-                time = _times.touch < _times.last ? _times.touch : _times.last;
-            }
+            var isApart:Boolean = isSeparatedAcross(0, 3, 6) || isSeparatedAcross(3, 6, 0) || isSeparatedAcross(6, 0, 3);
+            time = isApart ? RelativeMotion.NEVER : (_times.touch < _times.last ? _times.touch : _times.last);
         }
 
-        // Whether the cross product of edge p of b and an edge of a separates the boxes all the time. q and r are half of b's other edges.
-        private function isSeparatedAcross():Boolean
+        // Whether the cross product of edge p of b and an edge of a separates the boxes all the time. q and r are b's other edges.
+        private function isSeparatedAcross(p:int, q:int, r:int):Boolean
         {
             var times:ContactInterval = _times;
-            var pX:Number = _pX;
-            var pY:Number = _pY;
-            var pZ:Number = _pZ;
+            var halves:Vector.<Number> = _halves;
+            var pX:Number = _edges[p];
+            var pY:Number = _edges[int(p + 1)];
+            var pZ:Number = _edges[int(p + 2)];
+            var qX:Number = halves[q];
+            var qY:Number = halves[int(q + 1)];
+            var qZ:Number = halves[int(q + 2)];
+            var rX:Number = halves[r];
+            var rY:Number = halves[int(r + 1)];
+            var rZ:Number = halves[int(r + 2)];
             var sizeX:Number = pX < 0 ? -pX : pX;
             var sizeY:Number = pY < 0 ? -pY : pY;
             var sizeZ:Number = pZ < 0 ? -pZ : pZ;
-            var q:Number = _qZ * pY - _qY * pZ;
-            q = q < 0 ? -q : q;
-            var r:Number = _rZ * pY - _rY * pZ;
-            r = r < 0 ? -r : r;
+            var alongQ:Number = qZ * pY - qY * pZ;
+            alongQ = alongQ < 0 ? -alongQ : alongQ;
+            var alongR:Number = rZ * pY - rY * pZ;
+            alongR = alongR < 0 ? -alongR : alongR;
             if (sizeY + sizeZ > SHORTEST)
             {
                 times.at = z * pY - y * pZ;
                 times.speed = motionZ * pY - motionY * pZ;
-                times.reach = aY * sizeZ + aZ * sizeY + q + r;
+                times.reach = aY * sizeZ + aZ * sizeY + alongQ + alongR;
                 times.gap = gap * (sizeY + sizeZ);
                 if (times.areSeparated())
                 {
                     return true;
                 }
             }
-            q = _qX * pZ - _qZ * pX;
-            q = q < 0 ? -q : q;
-            r = _rX * pZ - _rZ * pX;
-            r = r < 0 ? -r : r;
+            alongQ = qX * pZ - qZ * pX;
+            alongQ = alongQ < 0 ? -alongQ : alongQ;
+            alongR = rX * pZ - rZ * pX;
+            alongR = alongR < 0 ? -alongR : alongR;
             if (sizeX + sizeZ > SHORTEST)
             {
                 times.at = x * pZ - z * pX;
                 times.speed = motionX * pZ - motionZ * pX;
-                times.reach = aZ * sizeX + aX * sizeZ + q + r;
+                times.reach = aZ * sizeX + aX * sizeZ + alongQ + alongR;
                 times.gap = gap * (sizeX + sizeZ);
                 if (times.areSeparated())
                 {
@@ -215,13 +194,13 @@ package starlogo.intersection.sweep
             {
                 return false;
             }
-            q = _qY * pX - _qX * pY;
-            q = q < 0 ? -q : q;
-            r = _rY * pX - _rX * pY;
-            r = r < 0 ? -r : r;
+            alongQ = qY * pX - qX * pY;
+            alongQ = alongQ < 0 ? -alongQ : alongQ;
+            alongR = rY * pX - rX * pY;
+            alongR = alongR < 0 ? -alongR : alongR;
             times.at = y * pX - x * pY;
             times.speed = motionY * pX - motionX * pY;
-            times.reach = aX * sizeY + aY * sizeX + q + r;
+            times.reach = aX * sizeY + aY * sizeX + alongQ + alongR;
             times.gap = gap * (sizeX + sizeY);
             return times.areSeparated();
         }

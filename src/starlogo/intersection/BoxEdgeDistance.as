@@ -27,10 +27,8 @@ package starlogo.intersection
         /** The square of the smallest distance. */
         public var squared:Number;
 
-        // The box's middle, as seen from the other box's middle.
-        private var _middleX:Number;
-        private var _middleY:Number;
-        private var _middleZ:Number;
+        // From the other box's middle to the box's middle, in the space of both.
+        private var _middle:Vector3D = new Vector3D();
 
         // The point on the edges, as seen from the other box's middle, and as seen from the other box's closest point.
         private var _pointX:Number;
@@ -40,8 +38,8 @@ package starlogo.intersection
         private var _fromOtherY:Number;
         private var _fromOtherZ:Number;
 
-        // Half of each edge as a vector in the other box's axes: first the edges along axisX, then axisY, then axisZ.
-        private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
+        // In the other box's axes: half of the edges along axisX, then axisY, then axisZ, and the box's middle.
+        private var _halves:Vector.<Number> = new Vector.<Number>(12, true);
 
         // For each corner, its place and the vector from the other box to it. A corner's number has a bit for each axis.
         private var _corners:Vector.<Number> = new Vector.<Number>(24, true);
@@ -53,11 +51,15 @@ package starlogo.intersection
             halfX = b.halfX;
             halfY = b.halfY;
             halfZ = b.halfZ;
-            rotateHalf(a.axisX, a.halfX, b, 0);
-            rotateHalf(a.axisY, a.halfY, b, 3);
-            rotateHalf(a.axisZ, a.halfZ, b, 6);
+            rotateInto(a.axisX, a.halfX, b, 0);
+            rotateInto(a.axisY, a.halfY, b, 3);
+            rotateInto(a.axisZ, a.halfZ, b, 6);
+            _middle.x = a.center.x - b.center.x;
+            _middle.y = a.center.y - b.center.y;
+            _middle.z = a.center.z - b.center.z;
+            rotateInto(_middle, 1, b, 9);
             squared = Infinity;
-            findCorners(a.center, b);
+            findCorners();
             for (var i:int = 0; i < 36 && squared > 0; i += 3)
             {
                 tryEdge(EDGES[i], EDGES[int(i + 1)], EDGES[int(i + 2)]);
@@ -82,7 +84,7 @@ package starlogo.intersection
             reachZ = reachZ < 0 ? -reachZ : reachZ;
             var reach:Number = reachX + reachY + reachZ;
             // How far the middle is from the point along the line. This is at most reach.
-            var along:Number = x * (_middleX - _pointX) + y * (_middleY - _pointY) + z * (_middleZ - _pointZ);
+            var along:Number = x * (halves[9] - _pointX) + y * (halves[10] - _pointY) + z * (halves[11] - _pointZ);
             return reach - along <= NEARER * (reach + squared);
         }
 
@@ -117,63 +119,47 @@ package starlogo.intersection
             }
         }
 
-        // Writes half of a's edges along an axis, in b's axes.
-        private function rotateHalf(axis:Vector3D, half:Number, b:Box, at:int):void
+        // Writes a multiple of a vector in b's axes.
+        private function rotateInto(vector:Vector3D, factor:Number, b:Box, at:int):void
         {
             var to:Vector3D = b.axisX;
-            _halves[at] = half * (axis.x * to.x + axis.y * to.y + axis.z * to.z);
+            _halves[at] = factor * (vector.x * to.x + vector.y * to.y + vector.z * to.z);
             to = b.axisY;
-            _halves[int(at + 1)] = half * (axis.x * to.x + axis.y * to.y + axis.z * to.z);
+            _halves[int(at + 1)] = factor * (vector.x * to.x + vector.y * to.y + vector.z * to.z);
             to = b.axisZ;
-            _halves[int(at + 2)] = half * (axis.x * to.x + axis.y * to.y + axis.z * to.z);
+            _halves[int(at + 2)] = factor * (vector.x * to.x + vector.y * to.y + vector.z * to.z);
         }
 
-        private function findCorners(middle:Vector3D, b:Box):void
+        private function findCorners():void
         {
-            var toX:Number = middle.x - b.center.x;
-            var toY:Number = middle.y - b.center.y;
-            var toZ:Number = middle.z - b.center.z;
             var halves:Vector.<Number> = _halves;
-            var axis:Vector3D = b.axisX;
-            var middleX:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
-            axis = b.axisY;
-            var middleY:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
-            axis = b.axisZ;
-            var middleZ:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
-            _middleX = middleX;
-            _middleY = middleY;
-            _middleZ = middleZ;
+            var corners:Vector.<Number> = _corners;
             for (var corner:int = 0; corner < 8; corner++)
             {
                 var signX:int = ((corner & 1) << 1) - 1;
                 var signY:int = (corner & 2) - 1;
                 var signZ:int = ((corner & 4) >> 1) - 1;
-                var x:Number = signX * halves[0] + signY * halves[3] + signZ * halves[6] + middleX;
-                var y:Number = signX * halves[1] + signY * halves[4] + signZ * halves[7] + middleY;
-                var z:Number = signX * halves[2] + signY * halves[5] + signZ * halves[8] + middleZ;
+                var x:Number = signX * halves[0] + signY * halves[3] + signZ * halves[6] + halves[9];
+                var y:Number = signX * halves[1] + signY * halves[4] + signZ * halves[7] + halves[10];
+                var z:Number = signX * halves[2] + signY * halves[5] + signZ * halves[8] + halves[11];
                 var at:int = 3 * corner;
-                _corners[at] = x;
-                _corners[int(at + 1)] = y;
-                _corners[int(at + 2)] = z;
-                var half:Number = halfX;
-                var outX:Number = x > half ? x - half : (x < -half ? x + half : 0);
-                half = halfY;
-                var outY:Number = y > half ? y - half : (y < -half ? y + half : 0);
-                half = halfZ;
-                var outZ:Number = z > half ? z - half : (z < -half ? z + half : 0);
-                _gaps[at] = outX;
-                _gaps[int(at + 1)] = outY;
-                _gaps[int(at + 2)] = outZ;
-                var length:Number = outX * outX + outY * outY + outZ * outZ;
+                corners[at] = x;
+                corners[int(at + 1)] = y;
+                corners[int(at + 2)] = z;
+                include "pointToBox.inc";
+                var length:Number = x * x + y * y + z * z;
+                _gaps[at] = x;
+                _gaps[int(at + 1)] = y;
+                _gaps[int(at + 2)] = z;
                 if (length < squared)
                 {
                     squared = length;
-                    _pointX = x;
-                    _pointY = y;
-                    _pointZ = z;
-                    _fromOtherX = outX;
-                    _fromOtherY = outY;
-                    _fromOtherZ = outZ;
+                    _pointX = corners[at];
+                    _pointY = corners[int(at + 1)];
+                    _pointZ = corners[int(at + 2)];
+                    _fromOtherX = x;
+                    _fromOtherY = y;
+                    _fromOtherZ = z;
                 }
             }
         }

@@ -104,14 +104,10 @@ package starlogo.intersection.contact
                 var dz:Number = directions[int(at + 2)];
                 var half:Number = _halves[int(at / 3)];
                 var along:Number = dx * direction.x + dy * direction.y + dz * direction.z;
+                half = along < -Tolerances.DIRECTION ? -half : half;
                 feature.setVector(half * dx, half * dy, half * dz);
-                if (along > Tolerances.DIRECTION)
+                if (along > Tolerances.DIRECTION || along < -Tolerances.DIRECTION)
                 {
-                    feature.move();
-                }
-                else if (along < -Tolerances.DIRECTION)
-                {
-                    feature.setVector(-half * dx, -half * dy, -half * dz);
                     feature.move();
                 }
                 else if (half > 0)

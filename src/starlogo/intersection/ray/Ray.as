@@ -48,6 +48,9 @@ package starlogo.intersection.ray
         /** Where the line leaves the shape. Input of narrow. */
         public var far:Number = 0;
 
+        /** The axis across the slab that the line enters last. */
+        public var entered:Vector3D = null;
+
         /** Sets the line to another ray's line, or its own, transformed into a model's space. The part has to be set after that. */
         public function bringInto(placement:Placement, line:Ray):void
         {
@@ -136,41 +139,28 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Narrows near and far to the part inside of a slab, the space between two parallel planes.
+         * Narrows near and far to the part inside of a slab, the space between two parallel planes. If near changes, <code>entered</code>
+         * becomes the axis.
          *
          * @param axis a unit vector across the slab
          * @param middle a point halfway between the planes
          * @param half the distance of each plane from the point
-         * @return whether near has changed
          */
-        public function cutAlong(axis:Vector3D, middle:Vector3D, half:Number):Boolean
+        public function cutAlong(axis:Vector3D, middle:Vector3D, half:Number):void
         {
-            return cut(axis.x * (x - middle.x) + axis.y * (y - middle.y) + axis.z * (z - middle.z),
-                    axis.x * directionX + axis.y * directionY + axis.z * directionZ, half);
-        }
-
-        /**
-         * Narrows near and far to the part inside of a slab.
-         *
-         * @param offset how far the line's point is from the middle of the slab
-         * @param speed how far the line goes across the slab in a length of 1; may be 0
-         * @param half the distance of each plane from the middle
-         * @return whether near has changed
-         */
-        public function cut(offset:Number, speed:Number, half:Number):Boolean
-        {
+            var offset:Number = axis.x * (x - middle.x) + axis.y * (y - middle.y) + axis.z * (z - middle.z);
+            var speed:Number = axis.x * directionX + axis.y * directionY + axis.z * directionZ;
             var enter:Number = near;
             var leave:Number = far;
             var reach:Number;
             var place:Number;
             include "cut.inc";
             far = leave;
-            if (enter == near)
+            if (enter != near)
             {
-                return false;
+                near = enter;
+                entered = axis;
             }
-            near = enter;
-            return true;
         }
 
         /** Widens near and far to include the part in a ball. */

@@ -15,22 +15,12 @@ package starlogo.intersection.ray
     public function rayBox(ray:Ray, box:Box):Boolean
     {
         ray.beginWhole();
-        var entered:Vector3D = null;
-        if (ray.cutAlong(box.axisX, box.center, box.halfX))
-        {
-            entered = box.axisX;
-        }
-        if (ray.cutAlong(box.axisY, box.center, box.halfY))
-        {
-            entered = box.axisY;
-        }
-        if (ray.cutAlong(box.axisZ, box.center, box.halfZ))
-        {
-            entered = box.axisZ;
-        }
+        ray.cutAlong(box.axisX, box.center, box.halfX);
+        ray.cutAlong(box.axisY, box.center, box.halfY);
+        ray.cutAlong(box.axisZ, box.center, box.halfZ);
         if (ray.near > ray.from)
         {
-            ray.setNormal(entered.x, entered.y, entered.z);
+            ray.setNormal(ray.entered.x, ray.entered.y, ray.entered.z);
         }
         return ray.narrow();
     }

@@ -76,7 +76,13 @@ package starlogo.intersection.sweep
         /** Tries the normals of both triangles until one separates the two. */
         protected final function areSeparatedByNormal():Boolean
         {
-            return isSeparatedByNormal(edgesA) || isSeparatedByNormal(edgesB);
+            setNormal(edgesA);
+            if (isSeparatedOnAxis())
+            {
+                return true;
+            }
+            setNormal(edgesB);
+            return isSeparatedOnAxis();
         }
 
         /** Tries the axes perpendicular to an edge of each triangle until one separates the two. */
@@ -122,7 +128,7 @@ package starlogo.intersection.sweep
             return false;
         }
 
-        /** Computes <code>height</code> for one of the two triangles. */
+        /** Computes <code>height</code> for one of the two triangles. The axis becomes its normal. */
         protected function measure(edges:Vector.<Number>):void
         {
             var longest:Number = 0;
@@ -134,16 +140,8 @@ package starlogo.intersection.sweep
                 var squared:Number = x * x + y * y + z * z;
                 longest = squared > longest ? squared : longest;
             }
-            x = edges[1] * edges[5] - edges[2] * edges[4];
-            y = edges[2] * edges[3] - edges[0] * edges[5];
-            z = edges[0] * edges[4] - edges[1] * edges[3];
-            height = longest > 0 ? (x * x + y * y + z * z) / longest / longest : 0;
-        }
-
-        private function isSeparatedByNormal(edges:Vector.<Number>):Boolean
-        {
             setNormal(edges);
-            return isSeparatedOnAxis();
+            height = longest > 0 ? (axisX * axisX + axisY * axisY + axisZ * axisZ) / longest / longest : 0;
         }
 
         private function isSeparatedInPlane(edges:Vector.<Number>, nx:Number, ny:Number, nz:Number):Boolean

@@ -6,6 +6,7 @@ package starlogo.bounding
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.requireGiven;
 
     use namespace engine;
 
@@ -248,10 +249,7 @@ package starlogo.bounding
          */
         protected static function checkVector(vector:Vector3D, what:String):Vector3D
         {
-            if (vector == null)
-            {
-                throw new ArgumentError(what + " must not be null");
-            }
+            requireGiven(what, vector);
             // The comparison is false for NaN too.
             if (!(Math.max(Math.max(Math.abs(vector.x), Math.abs(vector.y)), Math.abs(vector.z)) <= LARGEST))
             {
@@ -295,10 +293,7 @@ package starlogo.bounding
         // Checks a rotation matrix, and returns its placement. Throws an ArgumentError if it is null or not a rotation.
         private static function placementOf(rotation:Matrix3D):Placement
         {
-            if (rotation == null)
-            {
-                throw new ArgumentError("the rotation must not be null");
-            }
+            requireGiven("the rotation", rotation);
             var m:Vector.<Number> = sMatrix;
             rotation.copyRawDataTo(m);
             var isAffine:Boolean = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;

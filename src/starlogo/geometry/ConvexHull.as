@@ -151,23 +151,19 @@ package starlogo.geometry
                 });
         }
 
-        // The steps that number the corners and find their neighbours. Their data: the triangles' corners as indices of vertices, the
-        // position of each vertex among the hull's corners, and pairs of a corner and a neighbour of it.
+        // The steps that number the corners and find their neighbours. Their data: the triangles' corners as indices of vertices, and pairs of
+        // a corner and a neighbour of it.
         private function joining():Steps
         {
             var corners:Vector.<int> = findCorners();
-            var place:Vector.<int> = new Vector.<int>(apex + 1);
             var pairs:Vector.<int> = new Vector.<int>();
             _quickHull = null;
             return new StepSequence().call(function():void
                 {
-                    numberCorners(corners, place);
+                    numberCorners(corners);
                 }).call(function():void
                 {
-                    joinCorners(corners, place, pairs);
-                }).call(function():void
-                {
-                    countNeighbors(pairs);
+                    joinCorners(corners, pairs);
                 }).call(function():void
                 {
                     fillNeighbors(pairs);
@@ -192,8 +188,10 @@ package starlogo.geometry
             }
         }
 
-        private function numberCorners(corners:Vector.<int>, place:Vector.<int>):void
+        // Replaces the indices of vertices by positions among the hull's corners, and the apex by -1.
+        private function numberCorners(corners:Vector.<int>):void
         {
+            var place:Vector.<int> = new Vector.<int>(apex + 1);
             var end:int = apex;
             var count:int = corners.length;
             var i:int;
@@ -201,6 +199,7 @@ package starlogo.geometry
             {
                 place[corners[i]] = 1;
             }
+            place[end] = -1;
             for (i = 0; i < end; i++)
             {
                 if (place[i] == 1)
@@ -210,24 +209,33 @@ package starlogo.geometry
                     points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
                 }
             }
+            for (i = 0; i < count; i++)
+            {
+                corners[i] = place[corners[i]];
+            }
+            triangles = dimension == 3 ? corners : triangles;
         }
 
-        private function joinCorners(corners:Vector.<int>, place:Vector.<int>, pairs:Vector.<int>):void
+        // Finds each edge's pair, and where each corner's neighbours begin.
+        private function joinCorners(corners:Vector.<int>, pairs:Vector.<int>):void
         {
-            place[apex] = -1;
-            for (var i:int = 0; i < corners.length; i += 3)
+            var first:Vector.<int> = new Vector.<int>(indices.length + 1);
+            var i:int;
+            for (i = 0; i < corners.length; i++)
             {
-                var a:int = place[corners[i]];
-                var b:int = place[corners[int(i + 1)]];
-                var c:int = place[corners[int(i + 2)]];
-                join(a, b, pairs);
-                join(b, c, pairs);
-                join(c, a, pairs);
-                if (a >= 0 && b >= 0 && c >= 0)
+                var from:int = corners[i];
+                var to:int = corners[i % 3 == 2 ? i - 2 : i + 1];
+                if (from >= 0 && to >= 0)
                 {
-                    triangles.push(a, b, c);
+                    pairs.push(from, to);
+                    first[from + 1]++;
                 }
             }
+            for (i = 0; i < indices.length; i++)
+            {
+                first[i + 1] += first[i];
+            }
+            firstNeighbor = first;
         }
 
         // The index of the point above a plane's vertices.
@@ -252,32 +260,6 @@ package starlogo.geometry
                 }
             }
             return found;
-        }
-
-        private static function join(from:int, to:int, pairs:Vector.<int>):void
-        {
-            if (from >= 0 && to >= 0)
-            {
-                pairs.push(from, to);
-            }
-        }
-
-        // Finds where each corner's neighbours begin, from the pairs of a corner and a neighbour.
-        private function countNeighbors(pairs:Vector.<int>):void
-        {
-            var length:int = pairs.length;
-            var count:int = indices.length;
-            var first:Vector.<int> = new Vector.<int>(count + 1);
-            var i:int;
-            for (i = 0; i < length; i += 2)
-            {
-                first[int(pairs[i] + 1)]++;
-            }
-            for (i = 0; i < count; i++)
-            {
-                first[i + 1] += first[i];
-            }
-            firstNeighbor = first;
         }
 
         private function fillNeighbors(pairs:Vector.<int>):void

@@ -327,10 +327,11 @@ package starlogo.geometry
          * @param from x, y, z of each
          * @param first index of the first coordinate
          * @param end index after the last coordinate
-         * @param out overwritten from its beginning; stays longer if it had more points
+         * @param out overwritten from an index on; stays longer if it had more points
+         * @param to that index
          * @return out
          */
-        engine function movePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>):Vector.<Number>
+        engine function movePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
         {
             var scale:Number = size;
             var moveX:Number = x;
@@ -345,7 +346,6 @@ package starlogo.geometry
             var m20:Number = r20 * scale;
             var m21:Number = r21 * scale;
             var m22:Number = r22 * scale;
-            var to:int = 0;
             for (var i:int = first; i < end; i += 3)
             {
                 var fromX:Number = from[i];

@@ -32,12 +32,7 @@ package starlogo.geometry
         /** Adds one word. */
         public function addWord(word:int):void
         {
-            _low ^= word;
-            _low += _low << 10;
-            _low ^= _low >>> 6;
-            _high ^= word ^ 0x5BD1E995;
-            _high += _high << 10;
-            _high ^= _high >>> 6;
+            addWords(word, word ^ 0x5BD1E995);
         }
 
         /** Adds letters. */
@@ -58,19 +53,10 @@ package starlogo.geometry
          */
         public function addBytes(bytes:ByteArray, count:int):void
         {
-            var low:int = _low;
-            var high:int = _high;
             for (var i:int = 0; i < count; i++)
             {
-                low ^= bytes.readInt();
-                low += low << 10;
-                low ^= low >>> 6;
-                high ^= bytes.readInt();
-                high += high << 10;
-                high ^= high >>> 6;
+                addWords(bytes.readInt(), bytes.readInt());
             }
-            _low = low;
-            _high = high;
         }
 
         /**
@@ -108,6 +94,17 @@ package starlogo.geometry
             {
                 addWord(indices[i]);
             }
+        }
+
+        // Adds a word to each of the two hashes.
+        private function addWords(low:int, high:int):void
+        {
+            _low ^= low;
+            _low += _low << 10;
+            _low ^= _low >>> 6;
+            _high ^= high;
+            _high += _high << 10;
+            _high ^= _high >>> 6;
         }
 
         /** Writes the fingerprint. */

@@ -20,9 +20,6 @@ package starlogo.intersection
      */
     internal final class BoxBoxKernel extends PairKernel
     {
-        /** The radius around a capsule's axis; 0 for boxes. Input of findContact. */
-        public var radius:Number = 0;
-
         private var _a:Zonotope = new Zonotope();
         private var _b:Zonotope = new Zonotope();
         private var _featureA:ContactFeature = new ContactFeature();
@@ -42,7 +39,7 @@ package starlogo.intersection
         /**
          * Finds the contact of two boxes, or of a capsule and a box if the capsule's axis passes through the box.
          *
-         * @param a a Box, or a Capsule: then its axis is tested, and <code>radius</code> must be set
+         * @param a a Box or a Capsule
          * @param b a Box
          * @param displacement moves a from its stored place
          * @param out receives the contact
@@ -56,6 +53,7 @@ package starlogo.intersection
             _a.supportInto(_featureA, normal);
             _featureA.findCommonPoint(_featureB, out);
             // halfway between the two surfaces
+            var radius:Number = _a.radius;
             out.x = _featureA.x - radius / 2 * out.normalX;
             out.y = _featureA.y - radius / 2 * out.normalY;
             out.z = _featureA.z - radius / 2 * out.normalZ;

@@ -109,7 +109,6 @@ package starlogo.intersection
 
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            OVERLAP_KERNEL.radius = radiusSum;
             OVERLAP_KERNEL.findContact(a, b, displacement, out);
         }
     }

@@ -9,7 +9,7 @@ package starlogo.intersection.contact
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * A box, a capsule's axis or a sphere's centre as a sum of segments about a middle: three segments for a box, one for an axis.
+     * A structure's core as a sum of segments about a middle: three segments for a box, one for a capsule's axis, none for a sphere's centre.
      *
      * @private
      */
@@ -26,6 +26,9 @@ package starlogo.intersection.contact
         /** The index after the last number of the directions. */
         public var end:int;
 
+        /** The radius around the core: 0 for a box. */
+        public var radius:Number = 0;
+
         /** How far the sum extends from its middle in the direction of the last <code>measure()</code>. */
         public var reach:Number = 0;
 
@@ -34,7 +37,7 @@ package starlogo.intersection.contact
         /**
          * Sets the sum to a structure.
          *
-         * @param structure a Box, a Capsule whose axis is taken, or a Sphere whose centre is taken
+         * @param structure a Box, a Capsule or a Sphere
          * @param displacement moves the structure from its stored place
          */
         public function setTo(structure:BoundingStructure, displacement:RelativeMotion):void
@@ -43,6 +46,7 @@ package starlogo.intersection.contact
             y = displacement.startY;
             z = displacement.startZ;
             end = 0;
+            radius = 0;
             if (structure.kind == BoundingStructure.BOX)
             {
                 var box:Box = Box(structure);
@@ -59,6 +63,7 @@ package starlogo.intersection.contact
             {
                 var sphere:Sphere = Sphere(structure);
                 moveBy(sphere.center, 1);
+                radius = sphere.radius;
                 return;
             }
             var capsule:Capsule = Capsule(structure);
@@ -74,6 +79,7 @@ package starlogo.intersection.contact
             directions[1] = alongY / length;
             directions[2] = alongZ / length;
             end = 3;
+            radius = capsule.radius;
         }
 
         /** Measures how far the sum extends in a direction, which must be a unit vector. */
@@ -89,6 +95,24 @@ package starlogo.intersection.contact
                 sum += _halves[int(at / 3)] * Math.abs(along);
             }
             reach = sum;
+        }
+
+        /** Finds the point of the sum that is nearest to a place, if the segments are perpendicular to each other. */
+        public function nearestInto(out:Vector3D, place:Vector3D):void
+        {
+            var toX:Number = place.x - x;
+            var toY:Number = place.y - y;
+            var toZ:Number = place.z - z;
+            out.setTo(x, y, z);
+            for (var at:int = 0; at < end; at += 3)
+            {
+                var half:Number = _halves[int(at / 3)];
+                var along:Number = directions[at] * toX + directions[int(at + 1)] * toY + directions[int(at + 2)] * toZ;
+                along = Math.max(-half, Math.min(half, along));
+                out.x += along * directions[at];
+                out.y += along * directions[int(at + 1)];
+                out.z += along * directions[int(at + 2)];
+            }
         }
 
         /** Writes the feature that is farthest in a direction: a corner, an edge or a face. */

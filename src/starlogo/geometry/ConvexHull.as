@@ -93,7 +93,7 @@ package starlogo.geometry
         /** The longest side of the axis-aligned box around the vertices. */
         public function get extent():Number
         {
-            return _simplex.extent;
+            return _simplex.bounds.extent;
         }
 
         /**
@@ -140,9 +140,9 @@ package starlogo.geometry
                 return null;
             }
             // Flat sides along the coordinate axes stay flat on a grid along these axes.
-            var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+            var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : null;
             var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
-            return HullGrid.rounding(_vertices, gridAxes, dimension == 2, grid).begin(function():Steps
+            return HullGrid.rounding(_vertices, gridAxes, _simplex.bounds, dimension == 2, grid).begin(function():Steps
                 {
                     var corners:Vector.<int> = _simplex.corners.concat();
                     corners[3] = dimension == 2 ? apex : corners[3];

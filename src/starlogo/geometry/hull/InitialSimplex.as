@@ -16,8 +16,8 @@ package starlogo.geometry.hull
     {
         private static const VERTICES_PER_STEP:int = 4000;
 
-        /** The longest side of the axis-aligned box around the vertices. All results are complete after the last step. */
-        public var extent:Number = 0;
+        /** The axis-aligned box around the vertices. All results are complete after the last step. */
+        public var bounds:VertexBounds = new VertexBounds();
 
         /** 3 if the vertices span a volume, 2 if they are in a plane, 1 if they are on a line, 0 if they are in one place. */
         public var dimension:int = 0;
@@ -29,7 +29,6 @@ package starlogo.geometry.hull
         public var corners:Vector.<int> = new Vector.<int>();
 
         private var _vertices:Vector.<Number>;
-        private var _bounds:VertexBounds = new VertexBounds();
         private var _flat:Number;
 
         // The vertex that is farthest from the space spanned so far, and the square of its distance.
@@ -52,7 +51,7 @@ package starlogo.geometry.hull
          */
         public function get isThin():Boolean
         {
-            var extents:Number = (_bounds.maxX - _bounds.minX) * (_bounds.maxY - _bounds.minY) * (_bounds.maxZ - _bounds.minZ);
+            var extents:Number = (bounds.maxX - bounds.minX) * (bounds.maxY - bounds.minY) * (bounds.maxZ - bounds.minZ);
             var spanned:Number = 1;
             for (var i:int = 0; i < 3; i++)
             {
@@ -72,18 +71,17 @@ package starlogo.geometry.hull
 
         private function measureSome(first:int, end:int):void
         {
-            _bounds.add(_vertices, first, end);
+            bounds.add(_vertices, first, end);
         }
 
         private function checkBounds():void
         {
-            if (!_bounds.areFinite)
+            if (!bounds.areFinite)
             {
                 throw new ArgumentError(VertexData.vertexProblem(_vertices));
             }
-            extent = _bounds.extent;
-            VertexBounds.requireWithin(_bounds.largest);
-            _flat = Tolerances.HULL_FLAT * extent + Tolerances.HULL_ROUNDING * _bounds.largest;
+            VertexBounds.requireWithin(bounds.largest);
+            _flat = Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * bounds.largest;
         }
 
         // Adds the steps that find the next corner.
@@ -107,9 +105,9 @@ package starlogo.geometry.hull
         private function look(first:int, end:int):void
         {
             var vertices:Vector.<Number> = _vertices;
-            var fromX:Number = (_bounds.minX + _bounds.maxX) / 2;
-            var fromY:Number = (_bounds.minY + _bounds.maxY) / 2;
-            var fromZ:Number = (_bounds.minZ + _bounds.maxZ) / 2;
+            var fromX:Number = (bounds.minX + bounds.maxX) / 2;
+            var fromY:Number = (bounds.minY + bounds.maxY) / 2;
+            var fromZ:Number = (bounds.minZ + bounds.maxZ) / 2;
             if (corners.length > 0)
             {
                 fromX = vertices[3 * corners[0]];

@@ -25,7 +25,7 @@ package starlogo.geometry.hull
         private static const POINTS_PER_STEP:int = 500;
         private static const LOOKS_PER_STEP:int = 3000;
         private static const LOOKS_PER_FACE:int = 12;
-        private static const FACES_PER_STEP:int = 700;
+        private static const FACES_PER_STEP:int = 500;
 
         private var _points:Vector.<Number>;
         private var _outside:OutsidePoints;
@@ -91,7 +91,7 @@ package starlogo.geometry.hull
             slices(among == null ? count : among.length, POINTS_PER_STEP, function(first:int, end:int):void
                 {
                     assign(among, first, end);
-                }).repeat(grow).call(startWalk).repeat(walk).call(countAll);
+                }).repeat(grow).call(startWalk).repeat(walk).call(restartIfFlat);
         }
 
         private function assign(among:Vector.<int>, first:int, end:int):void
@@ -192,8 +192,9 @@ package starlogo.geometry.hull
         private function startWalk():void
         {
             _walked = 0;
-            _faces = new Vector.<HullFace>();
-            visit(_created[0]);
+            _edges = new Vector.<int>(_points.length / 3);
+            _faces = new <HullFace>[_created[0]];
+            _created[0].isVisited = true;
         }
 
         // Walks from faces to their neighbours.
@@ -202,45 +203,24 @@ package starlogo.geometry.hull
             for (var end:int = _walked + FACES_PER_STEP; _walked < _faces.length && _walked < end; _walked++)
             {
                 var face:HullFace = _faces[_walked];
-                visit(face.acrossAB);
-                visit(face.acrossBC);
-                visit(face.acrossCA);
+                cross(face, face.acrossAB, face.a, face.b);
+                cross(face, face.acrossBC, face.b, face.c);
+                cross(face, face.acrossCA, face.c, face.a);
             }
             return _walked < _faces.length;
         }
 
-        private function visit(face:HullFace):void
-        {
-            if (!face.isVisited)
-            {
-                face.isVisited = true;
-                _faces.push(face);
-            }
-        }
-
-        private function countAll():void
-        {
-            _edges = new Vector.<int>(_points.length / 3);
-            slices(_faces.length, FACES_PER_STEP, countEdges).call(restartIfFlat);
-        }
-
-        private function countEdges(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                var face:HullFace = _faces[i];
-                countEdge(face, face.acrossAB, face.a, face.b);
-                countEdge(face, face.acrossBC, face.b, face.c);
-                countEdge(face, face.acrossCA, face.c, face.a);
-            }
-        }
-
-        // An edge is not inside of a flat side if the neighbour's third corner is below the face.
-        private function countEdge(face:HullFace, neighbor:HullFace, from:int, to:int):void
+        // Counts an edge, and visits the neighbour. An edge is not inside of a flat side if the neighbour's third corner is below the face.
+        private function cross(face:HullFace, neighbor:HullFace, from:int, to:int):void
         {
             if (face.side(_points, neighbor.a + neighbor.b + neighbor.c - from - to) != 0)
             {
                 _edges[from]++;
+            }
+            if (!neighbor.isVisited)
+            {
+                neighbor.isVisited = true;
+                _faces.push(neighbor);
             }
         }
 

@@ -159,78 +159,76 @@ package starlogo.intersection.contact
             var a:Vector.<Number> = _points;
             var b:Vector.<Number> = other._points;
             var heights:Number = a[0] * normalX + a[1] * normalY + a[2] * normalZ + (b[0] * normalX + b[1] * normalY + b[2] * normalZ);
+            var found:ContactFeature = this;
             if (_end == 3)
             {
-                setMiddle(a, 3);
+                setMiddle();
             }
             else if (other._end == 3)
             {
-                setMiddle(b, 3);
+                found = other;
+                other.setMiddle();
             }
             else if (other._end > 6)
             {
-                setMiddleWithin(this, other, contact);
+                setMiddleWithin(other, contact);
             }
             else if (_end > 6)
             {
-                setMiddleWithin(other, this, contact);
+                found = other;
+                other.setMiddleWithin(this, contact);
             }
             else
             {
                 setCrossing(a, b);
             }
-            var height:Number = heights / 2 - (normalX * x + normalY * y + normalZ * z);
-            x += height * normalX;
-            y += height * normalY;
-            z += height * normalZ;
+            var height:Number = heights / 2 - (normalX * found.x + normalY * found.y + normalZ * found.z);
+            x = found.x + height * normalX;
+            y = found.y + height * normalY;
+            z = found.z + height * normalZ;
         }
 
-        private function setMiddle(points:Vector.<Number>, end:int):void
+        private function setMiddle():void
         {
             x = y = z = 0;
-            for (var at:int = 0; at < end; at += 3)
+            for (var at:int = 0; at < _end; at += 3)
             {
-                x += points[at];
-                y += points[int(at + 1)];
-                z += points[int(at + 2)];
+                x += _points[at];
+                y += _points[int(at + 1)];
+                z += _points[int(at + 2)];
             }
-            x *= 3 / end;
-            y *= 3 / end;
-            z *= 3 / end;
+            x *= 3 / _end;
+            y *= 3 / _end;
+            z *= 3 / _end;
         }
 
-        // Sets the point to the middle of a segment or polygon after clipping it to another polygon (Sutherland and Hodgman, "Reentrant
+        // Sets the point to the middle of this segment or polygon after clipping it to another polygon (Sutherland and Hodgman, "Reentrant
         // polygon clipping", 1974).
-        private function setMiddleWithin(inner:ContactFeature, outer:ContactFeature, contact:ContactPoint):void
+        private function setMiddleWithin(outer:ContactFeature, contact:ContactPoint):void
         {
-            var points:Vector.<Number> = inner._points;
-            var kept:Vector.<Number> = inner._clipped;
-            var end:int = inner._end;
-            outer.setMiddle(outer._points, outer._end);
+            outer.setMiddle();
             var last:int = outer._end - 3;
-            for (var at:int = 0; at < outer._end && end > 0; at += 3)
+            for (var at:int = 0; at < outer._end && _end > 0; at += 3)
             {
-                end = cut(points, end, outer, last, at, contact, kept);
-                var swapped:Vector.<Number> = points;
-                points = kept;
-                kept = swapped;
+                cut(outer, last, at, contact);
                 last = at;
             }
-            inner._points = points;
-            inner._clipped = kept;
-            if (end == 0)
+            if (_end > 0)
             {
-                // The polygons do not overlap.
-                setMiddle(outer._points, outer._end);
+                setMiddle();
                 return;
             }
-            setMiddle(points, end);
+            // The polygons do not overlap.
+            x = outer.x;
+            y = outer.y;
+            z = outer.z;
         }
 
-        // Keeps the part on the inner side of an edge of the outer polygon, whose middle has been set. Returns the index after its last number.
-        private static function cut(points:Vector.<Number>, end:int, outer:ContactFeature, edgeFrom:int, edgeTo:int, contact:ContactPoint,
-                kept:Vector.<Number>):int
+        // Keeps the part on the inner side of an edge of the outer polygon, whose middle has been set.
+        private function cut(outer:ContactFeature, edgeFrom:int, edgeTo:int, contact:ContactPoint):void
         {
+            var points:Vector.<Number> = _points;
+            var kept:Vector.<Number> = _clipped;
             var edges:Vector.<Number> = outer._points;
             var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer.x) + Math.abs(edges[1] - outer.y)
                     + Math.abs(edges[2] - outer.z) + Math.abs(edges[3] - outer.x) + Math.abs(edges[4] - outer.y)
@@ -252,11 +250,11 @@ package starlogo.intersection.contact
             }
             from -= slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var count:int = 0;
-            var last:int = end - 3;
+            var last:int = _end - 3;
             var lastBeyond:Number = inX * points[last] + inY * points[int(last + 1)] + inZ * points[int(last + 2)] - from;
             // A segment is not a closed outline.
-            var isSegment:Boolean = end == 6;
-            for (var at:int = 0; at < end; at += 3)
+            var isSegment:Boolean = _end == 6;
+            for (var at:int = 0; at < _end; at += 3)
             {
                 var beyond:Number = inX * points[at] + inY * points[int(at + 1)] + inZ * points[int(at + 2)] - from;
                 if (beyond > 0 != lastBeyond > 0 && !(isSegment && at == 0))
@@ -277,7 +275,9 @@ package starlogo.intersection.contact
                 last = at;
                 lastBeyond = beyond;
             }
-            return count;
+            _points = kept;
+            _clipped = points;
+            _end = count;
         }
 
         // Sets the point to where two segments cross. If they are parallel, sets it to the middle of the part that they share.

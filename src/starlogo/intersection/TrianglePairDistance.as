@@ -70,16 +70,14 @@ package starlogo.intersection
             var limit:Number = reach * reach;
             squared = Infinity;
             addFace(a, atA, b, atB, false);
-            if (squared <= limit)
+            if (squared > limit)
             {
-                return true;
+                addFace(b, atB, a, atA, true);
             }
-            addFace(b, atB, a, atA, true);
-            if (squared <= limit)
+            if (squared > limit)
             {
-                return true;
+                addEdges(a, atA, b, atB);
             }
-            addEdges(a, atA, b, atB);
             return squared <= limit;
         }
 

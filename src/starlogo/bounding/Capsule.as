@@ -51,12 +51,7 @@ package starlogo.bounding
             var x:Number = point.x - start.x;
             var y:Number = point.y - start.y;
             var z:Number = point.z - start.z;
-            var along:Number = axisX * x + axisY * y + axisZ * z;
-            var lengthSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
-            var t:Number = along <= 0 ? 0 : (along >= lengthSquared ? 1 : along / lengthSquared);
-            x -= t * axisX;
-            y -= t * axisY;
-            z -= t * axisZ;
+            include "../geometry/pointToSegment.inc";
             var reach:Number = radius + slack(radius + Math.sqrt(lengthSquared) / 2, start);
             return x * x + y * y + z * z <= reach * reach;
         }

@@ -43,7 +43,7 @@ package starlogo.intersection
             var axisX:Number = _axisX;
             var axisY:Number = _axisY;
             var axisZ:Number = _axisZ;
-            include "pointToSegment.inc";
+            include "../geometry/pointToSegment.inc";
             gapX = x;
             gapY = y;
             gapZ = z;
@@ -75,7 +75,7 @@ package starlogo.intersection
             var x:Number = out.x - start.x;
             var y:Number = out.y - start.y;
             var z:Number = out.z - start.z;
-            include "pointToSegment.inc";
+            include "../geometry/pointToSegment.inc";
             var depth:Number = sphere.radius + capsule.radius;
             out.radius = sphere.radius;
             out.depth = depth;

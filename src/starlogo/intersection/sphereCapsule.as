@@ -27,7 +27,7 @@ package starlogo.intersection
         var x:Number = center.x - start.x;
         var y:Number = center.y - start.y;
         var z:Number = center.z - start.z;
-        include "pointToSegment.inc";
+        include "../geometry/pointToSegment.inc";
         var reach:Number = (sphere.radius + capsule.radius) * Tolerances.TOUCHING;
         return x * x + y * y + z * z <= reach * reach;
     }

@@ -24,27 +24,27 @@ package starlogo.intersection.ray
         ray.beginEmpty();
         ray.addBall(start, radius);
         ray.addBall(end, radius);
-        var alongX:Number = end.x - start.x;
-        var alongY:Number = end.y - start.y;
-        var alongZ:Number = end.z - start.z;
-        var squared:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
+        var axisX:Number = end.x - start.x;
+        var axisY:Number = end.y - start.y;
+        var axisZ:Number = end.z - start.z;
+        var squared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
         var x:Number = ray.x - start.x;
         var y:Number = ray.y - start.y;
         var z:Number = ray.z - start.z;
         if (squared > 0)
         {
             // As shares of the segment: the place of the line's point, and how far the line goes along the segment in a length of 1.
-            var share:Number = (x * alongX + y * alongY + z * alongZ) / squared;
-            var speed:Number = (ray.directionX * alongX + ray.directionY * alongY + ray.directionZ * alongZ) / squared;
-            var acrossX:Number = ray.directionX - speed * alongX;
-            var acrossY:Number = ray.directionY - speed * alongY;
-            var acrossZ:Number = ray.directionZ - speed * alongZ;
+            var share:Number = (x * axisX + y * axisY + z * axisZ) / squared;
+            var speed:Number = (ray.directionX * axisX + ray.directionY * axisY + ray.directionZ * axisZ) / squared;
+            var acrossX:Number = ray.directionX - speed * axisX;
+            var acrossY:Number = ray.directionY - speed * axisY;
+            var acrossZ:Number = ray.directionZ - speed * axisZ;
             var turn:Number = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
             if (turn > Tolerances.PARALLEL)
             {
-                var asideX:Number = x - share * alongX;
-                var asideY:Number = y - share * alongY;
-                var asideZ:Number = z - share * alongZ;
+                var asideX:Number = x - share * axisX;
+                var asideY:Number = y - share * axisY;
+                var asideZ:Number = z - share * axisZ;
                 var closest:Number = -(asideX * acrossX + asideY * acrossY + asideZ * acrossZ) / turn;
                 asideX += closest * acrossX;
                 asideY += closest * acrossY;
@@ -82,11 +82,7 @@ package starlogo.intersection.ray
             x += at * ray.directionX;
             y += at * ray.directionY;
             z += at * ray.directionZ;
-            share = squared > 0 ? (x * alongX + y * alongY + z * alongZ) / squared : 0;
-            share = share < 0 ? 0 : (share > 1 ? 1 : share);
-            x -= share * alongX;
-            y -= share * alongY;
-            z -= share * alongZ;
+            include "../../geometry/pointToSegment.inc";
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (length > 0 && capsule.radius > 0)
             {

@@ -170,19 +170,6 @@ package starlogo.geometry
         public static const FLAT_TRIANGLE:Number = 1e-24;
 
         /**
-         * How far a corner must be off another triangle's plane for its side to be certain. It is a factor on the square of the distance at
-         * which surfaces touch. Smaller: rounding decides whether the triangles cross. Larger: the closest points of more pairs are
-         * computed, with the same answers.
-         */
-        public static const CLEARLY_OFF_PLANE:Number = 1e14;
-
-        /**
-         * A triangle is a needle if 1 divided by the squared sine of the angle at its first corner is larger than this. Smaller: the
-         * closest points of more pairs are computed, with the same answers. Larger: normals with fewer digits decide.
-         */
-        public static const SLIMMEST_TRIANGLE:Number = 1e6;
-
-        /**
          * Used for contacts in two ways. If two closest points are farther apart than this fraction of the structures' size, the line
          * between them is the normal. The same number is the sine of the angle within which edges count as parallel to each other or to a
          * face. Smaller: normals have an error of 1e-16 divided by it. Larger: depths have an error of that fraction.

@@ -69,13 +69,6 @@ package starlogo.intersection
             return false;
         }
 
-        // Rounding does not matter if each corner is clearly off the other's plane, there are corners on both sides of it, and neither
-        // triangle is a needle.
-        var clearly:Number = Tolerances.CLEARLY_OFF_PLANE * limit;
-        var enough:Number = clearly * (x * x + y * y + z * z);
-        var isSure:Boolean = low < 0 && high > 0 && atFirst * atFirst > enough && atU * atU > enough && atV * atV > enough
-            && Tolerances.SLIMMEST_TRIANGLE * (x * x + y * y + z * z) > (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
-
         // Now u and v begin at the corner that is alone on its side of b's plane.
         if (atFirst * atU > 0)
         {
@@ -109,9 +102,6 @@ package starlogo.intersection
         atFirst = x * dx + y * dy + z * dz;
         atU = atFirst + x * fx + y * fy + z * fz;
         atV = atFirst + x * gx + y * gy + z * gz;
-        enough = clearly * (x * x + y * y + z * z);
-        isSure = isSure && (atFirst * atU < 0 || atFirst * atV < 0) && atFirst * atFirst > enough && atU * atU > enough && atV * atV > enough
-            && Tolerances.SLIMMEST_TRIANGLE * (x * x + y * y + z * z) > (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
         if (atFirst * atU > 0)
         {
             dx += gx;
@@ -159,12 +149,10 @@ package starlogo.intersection
             low -= atFirst + highB;
             high -= atFirst + lowB;
             gap = low > 0 ? low : -high;
-            var squaredLength:Number = x * x + y * y + z * z;
-            if (gap > 0 && gap * gap > limit * squaredLength)
+            if (gap > 0 && gap * gap > limit * (x * x + y * y + z * z))
             {
                 return false;
             }
-            isSure = isSure && gap < 0 && gap * gap > clearly * squaredLength;
             if (i == 1)
             {
                 x = ux;
@@ -190,6 +178,6 @@ package starlogo.intersection
                 gz = z;
             }
         }
-        return isSure || closest.areWithin(a, atA, b, atB);
+        return closest.areWithin(a, atA, b, atB);
     }
 }

@@ -9,9 +9,9 @@ package starlogo.intersection
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactFeature;
-    import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.Zonotope;
+    import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.TriangleContactFinder;
@@ -84,7 +84,7 @@ package starlogo.intersection
         private var _closest:TrianglePairDistance = new TrianglePairDistance();
         private var _sweep:TriangleSweep = new TriangleSweep();
         private var _overlap:TriangleContactFinder = new TriangleContactFinder();
-        private var _finder:ContactFinder = new ContactFinder();
+        private var _displacement:RelativeMotion = new RelativeMotion(0);
         private var _tried:ContactPoint = new ContactPoint();
         private var _sum:Zonotope = new Zonotope();
         private var _feature:ContactFeature = new ContactFeature();
@@ -400,10 +400,8 @@ package starlogo.intersection
 
         private function findContactOfStructure(out:ContactPoint):void
         {
-            var displacement:RelativeMotion = _finder.displacement;
-            displacement.startX = time * _motion.x;
-            displacement.startY = time * _motion.y;
-            displacement.startZ = time * _motion.z;
+            _motion.time = time;
+            _displacement.stopAt(_motion);
             out.depth = Infinity;
             // The side of the structure's middle comes first, because the first one is kept if rounding decides.
             _face.measure(_triangle, _at, _at + 9);
@@ -417,11 +415,11 @@ package starlogo.intersection
             for (var i:int = 0; i < 9; i += 3)
             {
                 setEdge(i);
-                _finder.find(structure, _edge, _tried);
+                findPairContact(structure, _edge, _displacement, _tried);
                 keepLeast(out);
             }
             _point.setTo(-out.normalX, -out.normalY, -out.normalZ);
-            _sum.setTo(structure, displacement);
+            _sum.setTo(structure, _displacement);
             _sum.supportInto(_feature, _point);
             _feature.setVector(radius * _point.x, radius * _point.y, radius * _point.z);
             _feature.move();

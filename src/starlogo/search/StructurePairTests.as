@@ -6,8 +6,8 @@ package starlogo.search
     import starlogo.broadphase.Circles;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
-    import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
@@ -24,7 +24,7 @@ package starlogo.search
         /** The number of tests since <code>takeCounts()</code>. The index has a bit for the kind of each of the two structures. */
         public var tests:Vector.<int> = new Vector.<int>(8, true);
 
-        private var _finder:ContactFinder = new ContactFinder();
+        private var _displacement:RelativeMotion = new RelativeMotion(0);
 
         private var _narrowPhase:NarrowPhase;
 
@@ -153,8 +153,8 @@ package starlogo.search
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _finder.displacement.stopAt(motion);
-            _finder.find(a.structure(), b.structure(), out);
+            _displacement.stopAt(motion);
+            findPairContact(a.structure(), b.structure(), _displacement, out);
         }
     }
 }

@@ -10,8 +10,8 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
     import starlogo.hierarchy.SweptBoxTraversal;
-    import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -47,7 +47,7 @@ package starlogo.solid
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
-        private var _finder:ContactFinder = new ContactFinder();
+        private var _displacement:RelativeMotion = new RelativeMotion(0);
 
         /** @param overlaps tests the two where they stand */
         public function TreeImpactQuery(overlaps:TreeOverlapQuery)
@@ -229,12 +229,11 @@ package starlogo.solid
         {
             var time:Number = motion.time;
             var way:RelativeMotion = _pose.motion;
-            var displacement:RelativeMotion = _finder.displacement;
-            displacement.startX = -time * way.x;
-            displacement.startY = -time * way.y;
-            displacement.startZ = -time * way.z;
+            _displacement.startX = -time * way.x;
+            _displacement.startY = -time * way.y;
+            _displacement.startZ = -time * way.z;
             _moved[b.kind] = b.place(_pose.placement, _moved[b.kind]);
-            _finder.find(a, _moved[b.kind], out);
+            findPairContact(a, _moved[b.kind], _displacement, out);
             out.x += time * way.x;
             out.y += time * way.y;
             out.z += time * way.z;

@@ -7,8 +7,8 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
@@ -17,7 +17,6 @@ package starlogo.intersection
     {
         private static const PAIRS:int = 1500;
 
-        private var _finder:ContactFinder = new ContactFinder();
         private var _contact:ContactPoint = new ContactPoint();
 
         [Test]
@@ -78,7 +77,7 @@ package starlogo.intersection
         // With the first as wide as it just touches, and a few bits more and less.
         private function compareNearTouching(a:BoundingStructure, b:BoundingStructure, what:String):void
         {
-            _finder.find(a, b, _contact);
+            findPairContact(a, b, RelativeMotion.NONE, _contact);
             var radius:Number = a is Sphere ? Sphere(a).radius : Capsule(a).radius;
             var touching:Number = radius - _contact.depth;
             if (_contact.depth == 0 || !(touching > 0))

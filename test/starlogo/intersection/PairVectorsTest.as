@@ -5,8 +5,8 @@ package starlogo.intersection
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -41,7 +41,7 @@ package starlogo.intersection
 
         private var _pair:DistanceResult = new DistanceResult();
         private var _turned:DistanceResult = new DistanceResult();
-        private var _finder:ContactFinder = new ContactFinder();
+        private var _displacement:RelativeMotion = new RelativeMotion(0);
         private var _touch:ContactPoint = new ContactPoint();
         private var _back:ContactPoint = new ContactPoint();
         private var _motionBack:RelativeMotion = new RelativeMotion();
@@ -163,11 +163,11 @@ package starlogo.intersection
             }
             _touches++;
             note(motions.family, "time", Math.max(Math.abs(time - motions.time), Math.abs(timeBack - motions.time)), TIME);
-            _finder.displacement.stopAt(way);
-            _finder.find(motions.a, motions.b, _touch);
+            _displacement.stopAt(way);
+            findPairContact(motions.a, motions.b, _displacement, _touch);
             _motionBack.setReversed(way);
-            _finder.displacement.stopAt(_motionBack);
-            _finder.find(motions.b, motions.a, _back);
+            _displacement.stopAt(_motionBack);
+            findPairContact(motions.b, motions.a, _displacement, _back);
             var size:Number = halfDiagonal(motions.a) + halfDiagonal(motions.b);
             note(motions.family, "depth", Math.max(Math.abs(_touch.depth - motions.depth), Math.abs(_back.depth - motions.depth)) / size, TIME);
             if (!isNaN(motions.normalX))

@@ -20,38 +20,21 @@ package starlogo.intersection.contact
      * on a capsule's axis, or two capsules are parallel, the normal is perpendicular to the axis and points upwards as far as possible. In
      * the middle of a box any face is chosen.</p>
      *
+     * @param a a Sphere, Capsule or Box
+     * @param b a Sphere, Capsule or Box, in the same space
+     * @param displacement moves the first structure from its stored place to the start of this motion. Its other fields must be 0
+     * @param out receives the contact
      * @private
      */
-    public final class ContactFinder
+    public function findPairContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
     {
-        /** Moves the first structure from its stored place to the start of this motion. The motion's other fields must be 0. */
-        public var displacement:RelativeMotion = new RelativeMotion();
-
-        private var _reversed:RelativeMotion = new RelativeMotion();
-
-        public function ContactFinder()
+        if (a.kind > b.kind)
         {
-            displacement.time = 0;
+            // The kernel takes the pair in the other order, so the contact is swapped back.
+            PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, RelativeMotion.reversed(displacement), out);
+            out.swapBodies(displacement);
+            return;
         }
-
-        /**
-         * Finds the contact of two structures. The first one is displaced.
-         *
-         * @param a a Sphere, Capsule or Box
-         * @param b a Sphere, Capsule or Box, in the same space
-         * @param out receives the contact
-         */
-        public function find(a:BoundingStructure, b:BoundingStructure, out:ContactPoint):void
-        {
-            if (a.kind > b.kind)
-            {
-                // The kernel takes the pair in the other order, so the contact is swapped back.
-                _reversed.setReversed(displacement);
-                PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, _reversed, out);
-                out.swapBodies(displacement);
-                return;
-            }
-            PairTable.KERNELS[3 * a.kind + b.kind].findContact(a, b, displacement, out);
-        }
+        PairTable.KERNELS[3 * a.kind + b.kind].findContact(a, b, displacement, out);
     }
 }

@@ -13,12 +13,12 @@ package starlogo.intersection.contact
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** Contacts part what overlaps, and lie in the middle of it. */
-    public class ContactFinderTest
+    public class FindPairContactTest
     {
         private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
         private static const TOUCHING:Number = 1e-6;
 
-        private var _finder:ContactFinder = new ContactFinder();
+        private var _displacement:RelativeMotion = new RelativeMotion(0);
         private var _touch:ContactPoint = new ContactPoint();
 
         [Test]
@@ -33,7 +33,7 @@ package starlogo.intersection.contact
                 var b:BoundingStructure = shapes.ofKind(random.pick(KINDS), 1, 0.7);
                 if (intersects(a, b))
                 {
-                    _finder.find(a, b, _touch);
+                    findPairContact(a, b, _displacement, _touch);
                     checkParts("overlap " + parted, a, b);
                     parted++;
                 }
@@ -59,19 +59,19 @@ package starlogo.intersection.contact
         public function thePointOfTwoFacesIsInTheMiddleOfTheirOverlap():void
         {
             var low:Box = cube(1, 1, 1);
-            var from:RelativeMotion = _finder.displacement;
+            var from:RelativeMotion = _displacement;
             from.startX = 1.5;
             from.startY = -0.5;
             from.startZ = 1.9;
-            _finder.find(cube(1, 1, 1), low, _touch);
+            findPairContact(cube(1, 1, 1), low, _displacement, _touch);
             assertPoint("faces", 0.75, -0.25, 0.95);
             assertNear("depth", 0.1, _touch.depth);
             from.startX = from.startY = 0;
             from.startZ = 1.2;
-            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _touch);
+            findPairContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
             assertPoint("a capsule on a face", -0.25, 0, 0.85);
             from.startZ = 0.9;
-            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _touch);
+            findPairContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
             assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
         }
 
@@ -94,7 +94,7 @@ package starlogo.intersection.contact
         private function checkNormal(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, depth:Number,
                 orOpposite:Boolean = false):void
         {
-            _finder.find(a, b, _touch);
+            findPairContact(a, b, _displacement, _touch);
             var sign:Number = orOpposite && _touch.normalX * x + _touch.normalY * y + _touch.normalZ * z < 0 ? -1 : 1;
             assertNear(a + " in " + b, x, sign * _touch.normalX);
             assertNear(a + " in " + b, y, sign * _touch.normalY);

@@ -175,29 +175,20 @@ package starlogo.geometry.hull
             }
             if (dimension == 0)
             {
-                setAxisAcross(Math.abs(x), Math.abs(y), Math.abs(z));
+                // The coordinate axis that is farthest from the first axis.
+                var isX:Boolean = Math.abs(x) <= Math.abs(y) && Math.abs(x) <= Math.abs(z);
+                var isY:Boolean = !isX && Math.abs(y) <= Math.abs(z);
+                setAxisAcross(1, isX ? 1 : 0, isY ? 1 : 0, isX || isY ? 0 : 1);
             }
-            setAxis(2, axes[1] * axes[5] - axes[2] * axes[4], axes[2] * axes[3] - axes[0] * axes[5],
-                    axes[0] * axes[4] - axes[1] * axes[3]);
+            setAxisAcross(2, axes[3], axes[4], axes[5]);
             dimension++;
             return true;
         }
 
-        // Sets the second axis perpendicular to the first, and to the coordinate axis that is farthest from the first.
-        private function setAxisAcross(alongX:Number, alongY:Number, alongZ:Number):void
+        // Sets an axis perpendicular to the first one and to a vector.
+        private function setAxisAcross(axis:int, x:Number, y:Number, z:Number):void
         {
-            if (alongX <= alongY && alongX <= alongZ)
-            {
-                setAxis(1, 0, axes[2], -axes[1]);
-            }
-            else if (alongY <= alongZ)
-            {
-                setAxis(1, -axes[2], 0, axes[0]);
-            }
-            else
-            {
-                setAxis(1, axes[1], -axes[0], 0);
-            }
+            setAxis(axis, axes[1] * z - axes[2] * y, axes[2] * x - axes[0] * z, axes[0] * y - axes[1] * x);
         }
 
         private function along(axis:int, vertex:int):Number

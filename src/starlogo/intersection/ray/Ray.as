@@ -124,20 +124,6 @@ package starlogo.intersection.ray
             normalZ = -directionZ;
         }
 
-        /** Sets near and far to the whole line. */
-        public function beginWhole():void
-        {
-            near = -Infinity;
-            far = Infinity;
-        }
-
-        /** Sets near and far to an empty part. */
-        public function beginEmpty():void
-        {
-            near = Infinity;
-            far = -Infinity;
-        }
-
         /**
          * Narrows near and far to the part inside of a slab, the space between two parallel planes. If near changes, <code>entered</code>
          * becomes the axis.

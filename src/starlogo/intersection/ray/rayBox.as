@@ -14,7 +14,8 @@ package starlogo.intersection.ray
      */
     public function rayBox(ray:Ray, box:Box):Boolean
     {
-        ray.beginWhole();
+        ray.near = -Infinity;
+        ray.far = Infinity;
         ray.cutAlong(box.axisX, box.center, box.halfX);
         ray.cutAlong(box.axisY, box.center, box.halfY);
         ray.cutAlong(box.axisZ, box.center, box.halfZ);

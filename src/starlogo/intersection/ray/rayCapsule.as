@@ -21,7 +21,8 @@ package starlogo.intersection.ray
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
         var radius:Number = capsule.radius;
-        ray.beginEmpty();
+        ray.near = Infinity;
+        ray.far = -Infinity;
         ray.addBall(start, radius);
         ray.addBall(end, radius);
         var axisX:Number = end.x - start.x;

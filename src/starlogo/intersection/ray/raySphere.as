@@ -16,7 +16,8 @@ package starlogo.intersection.ray
     public function raySphere(ray:Ray, sphere:Sphere):Boolean
     {
         var center:Vector3D = sphere.center;
-        ray.beginEmpty();
+        ray.near = Infinity;
+        ray.far = -Infinity;
         ray.addBall(center, sphere.radius * Tolerances.TOUCHING);
         var at:Number = ray.near;
         if (at > ray.from && at < Infinity && sphere.radius > 0)

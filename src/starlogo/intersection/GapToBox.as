@@ -7,7 +7,7 @@ package starlogo.intersection
 
     /**
      * Finds a direction along which a structure and an axis-aligned box are apart, and how far. The gap is a lower bound of their distance:
-     * exact for spheres, nearly exact for capsules and boxes. The results are fields, because V8 makes objects for Numbers that are passed.
+     * exact for spheres, and close to it for capsules and boxes. The results are fields, because V8 makes objects for Numbers that are passed.
      *
      * @private
      */
@@ -31,11 +31,8 @@ package starlogo.intersection
         {
             _core.setTo(structure, RelativeMotion.NONE);
             _place.setTo((low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2);
-            for (var i:int = 0; i < 2; i++)
-            {
-                _core.nearestInto(along, _place);
-                _place.setTo(Math.max(low.x, Math.min(high.x, along.x)), Math.max(low.y, Math.min(high.y, along.y)), Math.max(low.z, Math.min(high.z, along.z)));
-            }
+            _core.nearestInto(along, _place);
+            _place.setTo(Math.max(low.x, Math.min(high.x, along.x)), Math.max(low.y, Math.min(high.y, along.y)), Math.max(low.z, Math.min(high.z, along.z)));
             _core.nearestInto(along, _place);
             along.decrementBy(_place);
             gap = -1;

@@ -106,6 +106,10 @@ package starlogo.intersection
         // The segment is not outside if a part of it is inside of all slabs that it crosses. Then only slabs parallel to it are tested. For
         // the others no point is computed, because rounding might put it outside, and a radius of 0 allows no error.
         var isOutside:Boolean = lastIn > firstOut || lastIn > 1 || firstOut < 0;
+        if (!isOutside && dx > 0 && dy > 0 && dz > 0)
+        {
+            return true;
+        }
         x = isOutside || dx == 0 ? px + t * dx : 0;
         y = isOutside || dy == 0 ? py + t * dy : 0;
         z = isOutside || dz == 0 ? pz + t * dz : 0;

@@ -25,8 +25,11 @@ package starlogo.hierarchy
         /** Whether both models are rotated about z only, as almost always. */
         public var isUpright:Boolean;
 
-        /** The second model's motion from its pose, from time 0 to time 1, if the models move. Its start is 0. */
-        public var motion:RelativeMotion = new RelativeMotion();
+        /**
+         * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. If the models stand
+         * still, RelativeMotion.NONE.
+         */
+        public var motion:RelativeMotion = RelativeMotion.NONE;
 
         public function RelativePose()
         {
@@ -82,7 +85,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Computes the second model's motion in the first model's space.
+         * Computes the second model's motion. It must not be RelativeMotion.NONE.
          *
          * @param a the first model's placement in the world
          * @param worldMotion the first model's motion relative to the second, in the world

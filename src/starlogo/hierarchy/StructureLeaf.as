@@ -25,28 +25,20 @@ package starlogo.hierarchy
         /** The only node, in the space of its own axes. */
         public var node:HierarchyNode = new HierarchyNode();
 
-        /** That space's pose in the first model's space. */
+        /** That space's pose in the first model's space, and the structure's motion from there. */
         public var pose:RelativePose = new RelativePose();
 
         /** The structure in the first model's space, enlarged by the gap across which shapes touch. */
         public var moved:BoundingStructure = null;
-
-        // The structure's motion from there. It is RelativeMotion.NONE if the models stand still.
-        private var _motion:RelativeMotion;
 
         // A structure for each kind, and the axis of a capsule.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
         private var _axis:Vector3D = new Vector3D();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
-        /**
-         * Creates a leaf without a structure.
-         *
-         * @param motion the second model's motion in the first model's space; RelativeMotion.NONE if the models stand still; kept
-         */
-        public function StructureLeaf(motion:RelativeMotion)
+        /** Creates a leaf without a structure. */
+        public function StructureLeaf()
         {
-            _motion = pose.motion = motion;
             node.x = node.y = node.z = 0;
             node.end = 1;
         }
@@ -66,6 +58,10 @@ package starlogo.hierarchy
             if (moved !== placed)
             {
                 moved = placed;
+            }
+            if (pose.motion !== models.motion)
+            {
+                pose.motion = models.motion;
             }
             structure.place(models.placement, placed);
             models.widen(placed);
@@ -98,17 +94,18 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
+            var motion:RelativeMotion = pose.motion;
             a.writeBox(_box);
-            if (_motion === RelativeMotion.NONE)
+            if (motion === RelativeMotion.NONE)
             {
                 return intersects(_box, moved);
             }
-            findTimeOfImpact(moved, _box, _motion);
-            if (!(_motion.time <= least))
+            findTimeOfImpact(moved, _box, motion);
+            if (!(motion.time <= least))
             {
                 return false;
             }
-            least = _motion.time;
+            least = motion.time;
             return true;
         }
 

@@ -24,28 +24,18 @@ package starlogo.solid
         /** Whether the point found last is in the second model's space. */
         public var isPointOfSecond:Boolean = false;
 
-        private var _pose:RelativePose;
-        private var _point:Vector3D = new Vector3D();
+        /** The point that was found inside, if the last answer was true. It is in the space of the model around it. */
+        public var innerPoint:Vector3D = new Vector3D();
 
         // For each kind, a structure of the second model in the first model's space.
         private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
         /**
-         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
+         * Whether a part of one model is inside of the other. False if one of them has no triangles.
+         *
+         * @param pose the second model's pose in the first model's space
          */
-        public function ContainmentTest(pose:RelativePose)
-        {
-            _pose = pose;
-        }
-
-        /** The point that was found inside, if the last answer was true. It is in the space of the model around it. */
-        public function get innerPoint():Vector3D
-        {
-            return _point;
-        }
-
-        /** Whether a part of one model is inside of the other. False if one of them has no triangles. */
-        public function isOneInside(a:SolidHierarchy, b:SolidHierarchy):Boolean
+        public function isOneInside(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):Boolean
         {
             if (!a.hasTriangles || !b.hasTriangles)
             {
@@ -56,9 +46,9 @@ package starlogo.solid
             var solidB:Solid = b.readySolid == null ? b.solid : b.readySolid;
             var rootA:HierarchyNode = a.root;
             var rootB:HierarchyNode = b.root;
-            var size:Number = _pose.placement.size;
-            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && hasPartInside(rootA, solidA, solidB, false))
-                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && hasPartInside(rootB, solidB, solidA, true));
+            var size:Number = pose.placement.size;
+            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && hasPartInside(rootA, solidA, solidB, pose.placement, false))
+                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && hasPartInside(rootB, solidB, solidA, pose.placement, true));
         }
 
         /**
@@ -66,34 +56,34 @@ package starlogo.solid
          *
          * @param outer the first model
          * @param inner the structure that stands for the second model, in its space
+         * @param pose the second model's pose in the first model's space
          */
-        public function isStructureInside(outer:SolidHierarchy, inner:BoundingStructure):Boolean
+        public function isStructureInside(outer:SolidHierarchy, inner:BoundingStructure, pose:RelativePose):Boolean
         {
-            var structure:BoundingStructure = _moved[inner.kind] = inner.place(_pose.placement, _moved[inner.kind]);
+            var structure:BoundingStructure = _moved[inner.kind] = inner.place(pose.placement, _moved[inner.kind]);
             isPointOfSecond = false;
             if (structure.kind == BoundingStructure.SPHERE)
             {
                 var sphere:Sphere = Sphere(structure);
-                _point.copyFrom(sphere.center);
-                return outer.isInside(_point, sphere.radius);
+                innerPoint.copyFrom(sphere.center);
+                return outer.isInside(innerPoint, sphere.radius);
             }
             if (structure.kind == BoundingStructure.CAPSULE)
             {
                 var capsule:Capsule = Capsule(structure);
-                _point.copyFrom(capsule.start);
-                return outer.isInside(_point, capsule.radius);
+                innerPoint.copyFrom(capsule.start);
+                return outer.isInside(innerPoint, capsule.radius);
             }
             var box:Box = Box(structure);
-            _point.copyFrom(box.center);
-            return outer.isInside(_point, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
+            innerPoint.copyFrom(box.center);
+            return outer.isInside(innerPoint, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
         }
 
         // Whether a part of the inner model is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise the
         // second one. The numbers transform a point of the inner model into the outer model's space, relative to the middle of its root's
         // box.
-        private function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, isOfFirst:Boolean):Boolean
+        private function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, relative:Placement, isOfFirst:Boolean):Boolean
         {
-            var relative:Placement = _pose.placement;
             var scale:Number = isOfFirst ? 1 / relative.size : relative.size;
             var m00:Number = relative.r00 * scale;
             var m11:Number = relative.r11 * scale;
@@ -154,10 +144,10 @@ package starlogo.solid
                 }
                 if (at == end)
                 {
-                    _point.x = x + root.x;
-                    _point.y = y + root.y;
-                    _point.z = z + root.z;
-                    if (outer.isInside(_point))
+                    innerPoint.x = x + root.x;
+                    innerPoint.y = y + root.y;
+                    innerPoint.z = z + root.z;
+                    if (outer.isInside(innerPoint))
                     {
                         return true;
                     }

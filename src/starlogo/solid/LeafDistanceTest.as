@@ -20,27 +20,23 @@ package starlogo.solid
         private var _alongZ:Number;
         private var _begin:Number;
 
-        /**
-         * @param pose the second model's pose in the first model's space; kept, and read for each pair of models
-         */
-        public function LeafDistanceTest(pose:RelativePose)
+        public function LeafDistanceTest()
         {
-            super(pose);
             points = _nearest.points;
         }
 
         /** @inheritDoc */
-        override public function begin(a:SolidHierarchy, b:SolidHierarchy):LeafTest
+        override public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
         {
             points.distance = Infinity;
             _nearest.begin();
-            return super.begin(a, b);
+            return super.begin(a, b, pose);
         }
 
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            moved.move(b);
+            move(b);
             var count:int = b.end - b.first;
             for (var i:int = 0; i < count && _nearest.squared > 0; i++)
             {
@@ -55,9 +51,9 @@ package starlogo.solid
         // Adds each triangle of a leaf of the first model, paired with a triangle of the second.
         private function addTriangle(a:HierarchyNode, triangle:int):void
         {
-            var corners:Vector.<Number> = moved.corners;
+            var corners:Vector.<Number> = movedCorners;
             var at:int = 9 * triangle;
-            var extents:Vector.<Number> = moved.extents;
+            var extents:Vector.<Number> = movedExtents;
             var extent:int = 6 * triangle;
             var minX:Number = extents[extent];
             var minY:Number = extents[int(extent + 1)];

@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.TrianglePairDistance;
     import starlogo.intersection.triangleTriangle;
 
@@ -14,16 +13,10 @@ package starlogo.solid
         private var _closest:TrianglePairDistance = new TrianglePairDistance();
 
         /** @inheritDoc */
-        public function LeafOverlapTest(pose:RelativePose)
-        {
-            super(pose);
-        }
-
-        /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             _closest.reach = touching;
-            moved.move(b);
+            move(b);
             var count:int = b.end - b.first;
             for (var i:int = 0; i < count; i++)
             {
@@ -39,7 +32,7 @@ package starlogo.solid
         private function touchesSome(triangle:int, a:HierarchyNode):Boolean
         {
             var at:int = 6 * triangle;
-            var extents:Vector.<Number> = moved.extents;
+            var extents:Vector.<Number> = movedExtents;
             var touching:Number = this.touching;
             var minX:Number = extents[at] - touching;
             var minY:Number = extents[int(at + 1)] - touching;
@@ -47,7 +40,7 @@ package starlogo.solid
             var maxX:Number = extents[int(at + 3)] + touching;
             var maxY:Number = extents[int(at + 4)] + touching;
             var maxZ:Number = extents[int(at + 5)] + touching;
-            var corners:Vector.<Number> = moved.corners;
+            var corners:Vector.<Number> = movedCorners;
             var corner:int = 9 * triangle;
             var px:Number = corners[corner];
             var py:Number = corners[int(corner + 1)];

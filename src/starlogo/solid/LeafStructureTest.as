@@ -70,14 +70,14 @@ package starlogo.solid
          *
          * @param model the model's hierarchy
          * @param structure in the space of another model
-         * @param pose the other model's pose in the first one's space
-         * @param motion the structure's motion from there, or RelativeMotion.NONE; kept
+         * @param pose the other model's pose in the first one's space, and its motion from there, which is kept
          */
-        public function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        public function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
         {
+            var motion:RelativeMotion = pose.motion;
             _isMeasuring = _isFound = false;
             _test.margin = pose.gap + Tolerances.SURFACES * model.root.radius;
-            place(model, structure, pose, motion);
+            place(model, structure, pose);
             _startsApart = false;
             var extents:Vector.<Number> = _extents;
             var halfX:Number = (extents[1] - extents[0]) / 2;
@@ -143,7 +143,7 @@ package starlogo.solid
         {
             _isMeasuring = true;
             _test.margin = 0;
-            place(model, structure, pose, RelativeMotion.NONE);
+            place(model, structure, pose);
         }
 
         /** @inheritDoc */
@@ -207,11 +207,11 @@ package starlogo.solid
             }
         }
 
-        private function place(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        private function place(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
         {
             _solid = model.facets;
-            _motion = motion;
-            _test.begin(structure, pose.placement, motion);
+            _motion = pose.motion;
+            _test.begin(structure, pose.placement, _motion);
             _test.structure.extentsInto(_extents);
         }
 

@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.TriangleContactFinder;
@@ -17,28 +16,22 @@ package starlogo.solid
         private var _overlap:TriangleContactFinder = new TriangleContactFinder();
 
         // The triangles that touch first: the indices of their corners, the second's in its own space. Then the second's corners in the
-        // first model's space. This list begins empty, as the list of MovedTriangles does, because V8 makes objects for Numbers that a method
+        // first model's space. This list begins empty, as <code>movedCorners</code> does, because V8 makes objects for Numbers that a method
         // writes to lists of both kinds.
         private var _firstA:int;
         private var _firstB:int;
         private var _corners:Vector.<Number> = new Vector.<Number>();
 
         /** @inheritDoc */
-        public function LeafSweepTest(pose:RelativePose)
-        {
-            super(pose);
-        }
-
-        /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            moved.move(b);
+            move(b);
             _sweep.tolerance = touching;
             var motion:RelativeMotion = pose.motion;
             var latest:Number = least;
             least = RelativeMotion.NEVER;
-            var corners:Vector.<Number> = moved.corners;
-            var spans:Vector.<Number> = moved.extents;
+            var corners:Vector.<Number> = movedCorners;
+            var spans:Vector.<Number> = movedExtents;
             var extents:Vector.<Number> = solidA.extents;
             // Higher indices come first, as in the traversal. So if several triangles touch at the same time, the result does not depend on
             // where leaves end.

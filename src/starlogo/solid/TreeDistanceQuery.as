@@ -8,7 +8,6 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
     import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -25,15 +24,14 @@ package starlogo.solid
         private var _boxes:BoxDistanceTraversal = new BoxDistanceTraversal();
 
         // The tests that decide about leaves.
-        private var _leaf:StructureLeaf = new StructureLeaf(RelativeMotion.NONE);
-        private var _trianglePairs:LeafDistanceTest;
+        private var _leaf:StructureLeaf = new StructureLeaf();
+        private var _trianglePairs:LeafDistanceTest = new LeafDistanceTest();
         private var _triangles:LeafStructureTest = new LeafStructureTest();
 
         /** @param overlaps finds a point of two models that overlap */
         public function TreeDistanceQuery(overlaps:TreeOverlapQuery)
         {
             _overlaps = overlaps;
-            _trianglePairs = new LeafDistanceTest(_pose);
         }
 
         /** The number of pairs of nodes visited since resetCounts. */
@@ -83,7 +81,7 @@ package starlogo.solid
         private function measureTree(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, isExact:Boolean):void
         {
             _boxes.structure = null;
-            _boxes.find(_pose, a.root, depthA, b.root, depthB, isExact ? _trianglePairs.begin(a, b) : null);
+            _boxes.find(_pose, a.root, depthA, b.root, depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
         }
 
         private function measureStructure(a:SolidHierarchy, depthA:int, b:BoundingStructure, isExact:Boolean):void

@@ -28,19 +28,15 @@ package starlogo.solid
     {
         private var _overlaps:TreeOverlapQuery;
 
-        // The pair, the first model's placement at the beginning, and the second model's pose there.
-        private var _pair:TreePair;
+        // The first model's placement at the beginning, and the second model's pose there.
         private var _start:Placement = new Placement();
         private var _pose:RelativePose = new RelativePose();
-
-        // When the two touch, if findFirst has found them.
-        private var _time:Number = 0;
 
         private var _boxes:SweptBoxTraversal = new SweptBoxTraversal();
 
         // The tests that decide about leaves.
-        private var _leaf:StructureLeaf;
-        private var _trianglePairs:LeafSweepTest;
+        private var _leaf:StructureLeaf = new StructureLeaf();
+        private var _trianglePairs:LeafSweepTest = new LeafSweepTest();
         private var _triangles:LeafStructureTest = new LeafStructureTest();
 
         // For contacts: nodes, and for each kind, a structure of the second model in the first model's space.
@@ -53,8 +49,7 @@ package starlogo.solid
         public function TreeImpactQuery(overlaps:TreeOverlapQuery)
         {
             _overlaps = overlaps;
-            _leaf = new StructureLeaf(_pose.motion);
-            _trianglePairs = new LeafSweepTest(_pose);
+            _pose.motion = new RelativeMotion();
         }
 
         /** The number of pairs of nodes visited since resetCounts. */
@@ -110,11 +105,11 @@ package starlogo.solid
          */
         public function findImpact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
         {
-            begin(pair, motion);
-            motion.time = findFirstParts() ? _time : RelativeMotion.NEVER;
+            findFirstParts(pair, motion);
+            motion.time = _pose.motion.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                findContactOfParts(motion, out);
+                findContactOfParts(pair, motion, out);
             }
         }
 
@@ -127,10 +122,10 @@ package starlogo.solid
          */
         public function findContact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
         {
-            begin(pair, motion);
-            if (findFirstParts() && _time <= motion.time + Tolerances.SAME_TIME)
+            findFirstParts(pair, motion);
+            if (_pose.motion.time <= motion.time + Tolerances.SAME_TIME)
             {
-                findContactOfParts(motion, out);
+                findContactOfParts(pair, motion, out);
             }
             else
             {
@@ -170,57 +165,49 @@ package starlogo.solid
             _start.z += motion.startZ + time * motion.z;
         }
 
-        private function begin(pair:TreePair, motion:RelativeMotion):void
+        // Finds the first two triangles or nodes that touch while the first model moves. Writes the time to the pose's motion.
+        private function findFirstParts(pair:TreePair, motion:RelativeMotion):void
         {
-            _pair = pair;
+            var a:SolidHierarchy = pair.a;
+            var b:SolidHierarchy = pair.b;
+            var isExact:Boolean = pair.isExact;
             setStart(pair, motion, 0);
             _pose.relate(_start, pair.placementB);
             _pose.relateMotion(pair.placementA, motion);
-        }
-
-        // Finds the first two triangles or nodes that touch while the first model moves, and the time.
-        private function findFirstParts():Boolean
-        {
-            var a:SolidHierarchy = _pair.a;
-            var b:SolidHierarchy = _pair.b;
-            var isExact:Boolean = _pair.isExact;
-            var isFound:Boolean;
             if (b != null)
             {
-                isFound = _boxes.find(_pose, a.root, _pair.depthA, b.root, _pair.depthB, isExact ? _trianglePairs.begin(a, b) : null);
+                _boxes.find(_pose, a.root, pair.depthA, b.root, pair.depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
+                _pose.motion.time = _boxes.least;
+                return;
             }
-            else
+            if (isExact)
             {
-                if (isExact)
+                _triangles.begin(a, pair.structureB, _pose);
+                if (_triangles.isCompact)
                 {
-                    _triangles.begin(a, _pair.structureB, _pose, _pose.motion);
-                    if (_triangles.isCompact)
-                    {
-                        isFound = _triangles.find();
-                        _time = _triangles.least;
-                        return isFound;
-                    }
+                    var found:Number = _triangles.find() ? _triangles.least : RelativeMotion.NEVER;
+                    _pose.motion.time = found;
+                    return;
                 }
-                _leaf.begin(_pair.structureB, _pose);
-                isFound = _boxes.find(_leaf.pose, a.root, _pair.depthA, _leaf.node, 1, isExact ? _triangles : _leaf.decider);
             }
-            _time = _boxes.least;
-            return isFound;
+            _leaf.begin(pair.structureB, _pose);
+            _boxes.find(_leaf.pose, a.root, pair.depthA, _leaf.node, 1, isExact ? _triangles : _leaf.decider);
+            _pose.motion.time = _boxes.least;
         }
 
         // The contact of the two that findFirstParts has found, at the motion's time.
-        private function findContactOfParts(motion:RelativeMotion, out:ContactPoint):void
+        private function findContactOfParts(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (!_pair.isExact)
+            if (!pair.isExact)
             {
-                var b:BoundingStructure = _pair.b == null ? _pair.structureB : _boxes.firstB.writeBox(_boxB);
-                findContactOf(_boxes.firstA.writeBox(_boxA), _pair.placementA, b, motion, out);
+                var b:BoundingStructure = pair.b == null ? pair.structureB : _boxes.firstB.writeBox(_boxB);
+                findContactOf(_boxes.firstA.writeBox(_boxA), pair.placementA, b, motion, out);
                 return;
             }
-            var decider:LeafTest = _pair.b == null ? _triangles : _trianglePairs;
+            var decider:LeafTest = pair.b == null ? _triangles : _trianglePairs;
             _pose.motion.time = motion.time;
             decider.findContact(out);
-            moveToWorld(out, _pair.placementA, motion);
+            moveToWorld(out, pair.placementA, motion);
         }
 
         // The contact of two structures in their models' spaces, at the motion's time.

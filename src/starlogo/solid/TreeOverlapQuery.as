@@ -11,7 +11,6 @@ package starlogo.solid
     import starlogo.hierarchy.StructureLeaf;
     import starlogo.hierarchy.UprightBoxTraversal;
     import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -36,16 +35,10 @@ package starlogo.solid
         private var _boxes:BoxTraversal = new BoxTraversal();
 
         // The tests that decide about leaves.
-        private var _leaf:StructureLeaf = new StructureLeaf(RelativeMotion.NONE);
-        private var _trianglePairs:LeafOverlapTest;
+        private var _leaf:StructureLeaf = new StructureLeaf();
+        private var _trianglePairs:LeafOverlapTest = new LeafOverlapTest();
         private var _triangles:LeafStructureTest = new LeafStructureTest();
-        private var _containment:ContainmentTest;
-
-        public function TreeOverlapQuery()
-        {
-            _trianglePairs = new LeafOverlapTest(_pose);
-            _containment = new ContainmentTest(_pose);
-        }
+        private var _containment:ContainmentTest = new ContainmentTest();
 
         /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
@@ -94,7 +87,7 @@ package starlogo.solid
             }
             if (exact && a.hasTriangles && b.hasTriangles)
             {
-                decider = _trianglePairs.begin(a, b);
+                decider = _trianglePairs.begin(a, b, pose);
                 depthA = depthB = int.MAX_VALUE;
             }
             var second:HierarchyNode;
@@ -141,13 +134,13 @@ package starlogo.solid
 
         private function isOneInside(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure):Boolean
         {
-            return b == null ? _containment.isStructureInside(a, structureB) : _containment.isOneInside(a, b);
+            return b == null ? _containment.isStructureInside(a, structureB, _pose) : _containment.isOneInside(a, b, _pose);
         }
 
         // Whether a triangle of a model touches a structure in the place of the second model.
         private function touchesTriangle(a:SolidHierarchy, structureB:BoundingStructure):Boolean
         {
-            _triangles.begin(a, structureB, _pose, RelativeMotion.NONE);
+            _triangles.begin(a, structureB, _pose);
             if (_triangles.isCompact)
             {
                 return _triangles.find();

@@ -19,8 +19,6 @@ package starlogo.hierarchy
      */
     public final class BoxTraversal extends NodePairTraversal
     {
-        private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
-
         /**
          * @inheritDoc
          *
@@ -60,7 +58,7 @@ package starlogo.hierarchy
             var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
             var scaleSquared:Number = scale * scale;
             var touching:Number = pose.gap;
-            var stack:Vector.<HierarchyNode> = _stack;
+            var stack:Vector.<HierarchyNode> = nodes;
             var top:int = 0;
             var visits:int = 0;
             while (true)

@@ -41,8 +41,10 @@ package starlogo.hierarchy
         /** A lower bound of the current pair's time or distance. Before <code>estimate()</code>, the parent pair's lower bound. */
         protected var bound:Number;
 
-        // The pairs still to visit, and their bounds.
-        private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        /** The pairs still to visit. */
+        protected var nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+
+        // The bounds of these pairs.
         private var _bounds:Vector.<Number> = new Vector.<Number>();
 
         /**
@@ -63,7 +65,7 @@ package starlogo.hierarchy
             {
                 this.pose = pose;
             }
-            var nodes:Vector.<HierarchyNode> = _nodes;
+            var nodes:Vector.<HierarchyNode> = this.nodes;
             var bounds:Vector.<Number> = _bounds;
             var scale:Number = pose.placement.size;
             var top:int = 0;

@@ -16,8 +16,6 @@ package starlogo.hierarchy
      */
     public final class UprightBoxTraversal extends NodePairTraversal
     {
-        private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
-
         /**
          * @inheritDoc
          *
@@ -46,7 +44,7 @@ package starlogo.hierarchy
             var absSin:Number = sin < 0 ? widened - sin : widened + sin;
             var scaleSquared:Number = scale * scale;
             var touching:Number = pose.gap;
-            var stack:Vector.<HierarchyNode> = _stack;
+            var stack:Vector.<HierarchyNode> = nodes;
             var top:int = 0;
             var visits:int = 0;
             while (true)

@@ -25,8 +25,8 @@ package starlogo.solid
         private var _solid:Solid;
         private var _balances:Vector.<int>;
 
-        // For each piece, six numbers for its box, a corner, six times the volume, and 1 or -1 for its orientation.
-        private var _boxes:Vector.<Number>;
+        // For each piece, its outermost points, a corner, six times the volume, and 1 or -1 for its orientation.
+        private var _extremes:PartExtremes;
         private var _corners:Vector.<int>;
         private var _volumes:Vector.<Number>;
         private var _orientations:Vector.<int>;
@@ -50,11 +50,7 @@ package starlogo.solid
             _balances = balances;
             if (pieces > 1)
             {
-                _boxes = new Vector.<Number>(6 * pieces, true);
-                for (var i:int = 0; i < 6 * pieces; i++)
-                {
-                    _boxes[i] = i % 6 < 3 ? Infinity : -Infinity;
-                }
+                _extremes = new PartExtremes(solid.corners, pieces);
                 _corners = new Vector.<int>(pieces, true);
                 _volumes = new Vector.<Number>(pieces, true);
                 _orientations = new Vector.<int>(pieces, true);
@@ -84,12 +80,7 @@ package starlogo.solid
                     continue;
                 }
                 _corners[piece] ||= 9 * i + 1;
-                for (var k:int = 0; k < 9; k++)
-                {
-                    var at:int = 6 * piece + k % 3;
-                    _boxes[at] = Math.min(_boxes[at], corners[9 * i + k]);
-                    _boxes[at + 3] = Math.max(_boxes[at + 3], corners[9 * i + k]);
-                }
+                _extremes.add(piece, i);
                 _face.setTriangleNormal(corners, 9 * i);
                 if (_face.length > 0)
                 {
@@ -137,9 +128,7 @@ package starlogo.solid
         {
             var corners:Vector.<Number> = _solid.corners;
             var at:int = 9 * triangle;
-            var box:int = 6 * piece;
-            var extent:Number = Math.max(_boxes[box + 3] - _boxes[box], _boxes[box + 4] - _boxes[box + 1], _boxes[box + 5] - _boxes[box + 2]);
-            var inwards:Number = INWARDS * extent;
+            var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[piece]);
             var isOutwards:Boolean = _solid.sideOf(triangle) > 0 == _volumes[piece] > 0;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new Vector.<Number>(3, true);
@@ -178,13 +167,14 @@ package starlogo.solid
         // Whether a piece may have another one inside.
         private function isLarger(outer:int, inner:int):Boolean
         {
+            var points:Vector.<Number> = _extremes.points;
             var isAround:Boolean = isSolid(outer) && Math.abs(_volumes[outer]) > (1 + LARGER) * Math.abs(_volumes[inner]);
             for (var axis:int = 0; axis < 3 && isAround; axis++)
             {
-                var a:int = 6 * outer + axis;
-                var b:int = 6 * inner + axis;
-                var rounding:Number = LARGER * (_boxes[b + 3] - _boxes[b]);
-                isAround = _boxes[a] <= _boxes[b] + rounding && _boxes[a + 3] >= _boxes[b + 3] - rounding;
+                var a:int = _extremes.pointsAt[outer] + 7 * axis;
+                var b:int = _extremes.pointsAt[inner] + 7 * axis;
+                var rounding:Number = LARGER * (points[b + 3] - points[b]);
+                isAround = points[a] <= points[b] + rounding && points[a + 3] >= points[b + 3] - rounding;
             }
             return isAround;
         }

@@ -45,7 +45,7 @@ package starlogo.solid
          * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected, or overlaps itself. So a
          * part that does not touch another surface is inside or outside of it as a whole, or that surface is inside of the part.
          */
-        public var partPoints:Vector.<Number> = new Vector.<Number>();
+        public var partPoints:Vector.<Number>;
 
         /** The extent of the smallest part: the longest of its three extents. */
         public var leastPartExtent:Number = Infinity;
@@ -134,12 +134,6 @@ package starlogo.solid
         public function sideOf(triangle:int):int
         {
             return surface.signedPieces[_order[triangle]];
-        }
-
-        /** Whether the planes are placed. */
-        public function get hasPlanes():Boolean
-        {
-            return _planes != null;
         }
 
         /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */

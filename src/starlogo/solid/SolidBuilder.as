@@ -99,12 +99,9 @@ package starlogo.solid
                 add(_welding);
                 sliced(weld);
             }
-            if (!_solid.hasPlanes)
-            {
-                sliced(_solid.placePlanes);
-            }
+            sliced(_solid.placePlanes);
             _partOf = new Vector.<int>(_surface.pieceStates.length, true);
-            _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
+            _extremes = new PartExtremes(_solid.corners, _surface.partNumberEnd);
             if (_builder != null)
             {
                 _sets = new DisjointSets(_surface.partNumberEnd);
@@ -120,12 +117,13 @@ package starlogo.solid
         // overlapping pieces are joined to one part, and each pair of agents needs fewer points.
         private function joinParts(first:int, end:int):void
         {
+            var points:Vector.<Number> = _extremes.points;
             for (var part:int = first; part < end && _looks < LOOKS_PER_TRIANGLE * _order.length; part++)
             {
                 var at:int = _extremes.pointsAt[part];
                 for (var i:int = at; i < at + 3 * Solid.POINTS_PER_PART; i += 3)
                 {
-                    _solid.wind(_solid.partPoints[i], _solid.partPoints[i + 1], _solid.partPoints[i + 2]);
+                    _solid.wind(points[i], points[i + 1], points[i + 2]);
                     _looks += _solid.woundCount;
                     for (var k:int = 0; k < _solid.woundCount; k++)
                     {
@@ -141,7 +139,7 @@ package starlogo.solid
 
         private function beginAgain():void
         {
-            _extremes = new PartExtremes(_solid, _surface.partNumberEnd);
+            _extremes = new PartExtremes(_solid.corners, _surface.partNumberEnd);
         }
 
         private function numberParts(first:int, end:int):void
@@ -190,7 +188,11 @@ package starlogo.solid
 
         private function conclude():void
         {
-            _extremes.finish();
+            _solid.partPoints = _extremes.points;
+            for (var at:int = 0; at < _solid.partPoints.length; at += 3 * Solid.POINTS_PER_PART)
+            {
+                _solid.leastPartExtent = Math.min(_solid.leastPartExtent, _extremes.extentAt(at));
+            }
             _hierarchy.readySolid = _solid;
             _hierarchy.surface = _surface;
         }

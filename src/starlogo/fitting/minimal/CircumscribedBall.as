@@ -1,5 +1,6 @@
 package starlogo.fitting.minimal
 {
+    import starlogo.fitting.EnclosingStructures;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -67,21 +68,12 @@ package starlogo.fitting.minimal
             return ball;
         }
 
-        /** The square of a point's distance from the centre. */
-        public function squareTo(pointX:Number, pointY:Number, pointZ:Number):Number
-        {
-            pointX -= x;
-            pointY -= y;
-            pointZ -= z;
-            return pointX * pointX + pointY * pointY + pointZ * pointZ;
-        }
-
         /** Whether the ball contains some points, x, y, z of each, except for rounding. */
         public function holds(others:Vector.<Number>):Boolean
         {
             for (var i:int = 0; i < others.length; i += 3)
             {
-                if (squareTo(others[i], others[i + 1], others[i + 2]) > square * (1 + Tolerances.BALL_SLACK))
+                if (EnclosingStructures.squareTo(others, i, x, y, z) > square * (1 + Tolerances.BALL_SLACK))
                 {
                     return false;
                 }

@@ -68,10 +68,8 @@ package starlogo.fitting.minimal
             while (grows)
             {
                 var i:int = EnclosingStructures.farthest(points, x, y, z);
-                var toX:Number = points[i] - _originX;
-                var toY:Number = points[i + 1] - _originY;
-                var toZ:Number = points[i + 2] - _originZ;
-                grows = isLarger(_ball.squareTo(toX, toY, toZ)) && hold(toX, toY, toZ);
+                var point:Vector.<Number> = new <Number>[points[i] - _originX, points[i + 1] - _originY, points[i + 2] - _originZ];
+                grows = isLarger(EnclosingStructures.squareTo(point, 0, _ball.x, _ball.y, _ball.z)) && hold(point);
             }
         }
 
@@ -81,15 +79,15 @@ package starlogo.fitting.minimal
         }
 
         // Finds the smallest ball through this point and around the points held. Returns false if the ball does not grow any more.
-        private function hold(pointX:Number, pointY:Number, pointZ:Number):Boolean
+        private function hold(point:Vector.<Number>):Boolean
         {
             var held:Vector.<Number> = _ball.points;
-            var all:Vector.<Number> = held.concat(new <Number>[pointX, pointY, pointZ]);
+            var all:Vector.<Number> = held.concat(point);
             var others:int = held.length / 3;
             var best:CircumscribedBall = null;
             for (var subset:int = 0; subset < 1 << others; subset++)
             {
-                var chosen:Vector.<Number> = new <Number>[pointX, pointY, pointZ];
+                var chosen:Vector.<Number> = point.concat();
                 for (var i:int = 0; i < others; i++)
                 {
                     if ((subset >> i & 1) == 1)

@@ -177,37 +177,22 @@ package starlogo.solid
         // and edges that run in the same direction at last.
         private function matchNonManifold(last:int):void
         {
-            var keys:Array = [];
+            var groups:Object = {};
             for (var edge:int = last; edge >= 0; edge = _before[edge] - 1)
             {
                 partners[edge] = 0;
-                keys.push(_sets.rootOf(edge / 3) * Number(partners.length) + edge);
+                var root:int = _sets.rootOf(edge / 3);
+                groups[root] ||= [];
+                groups[root].push(edge);
             }
-            keys.sort(Array.NUMERIC);
             var rest:Array = [];
-            var group:Array = [];
-            var root:Number = -1;
-            for each (var key:Number in keys)
+            for each (var group:Array in groups)
             {
-                if (Math.floor(key / partners.length) != root)
-                {
-                    addAll(matchSome(matchSome(group, DIFFERENT), ANY), rest);
-                    group = [];
-                    root = Math.floor(key / partners.length);
-                }
-                group.push(key % partners.length);
+                group.reverse();
+                rest = rest.concat(matchSome(matchSome(group, DIFFERENT), ANY));
             }
-            addAll(matchSome(matchSome(group, DIFFERENT), ANY), rest);
             rest.sort(Array.NUMERIC);
             matchSome(matchSome(matchSome(rest, DIFFERENT), COPIES), ANY);
-        }
-
-        private static function addAll(edges:Array, to:Array):void
-        {
-            for each (var edge:int in edges)
-            {
-                to.push(edge);
-            }
         }
 
         // Matches each edge with the first waiting edge before it whose likeness is at most <code>alike</code>. Returns the edges that are left.

@@ -27,19 +27,14 @@ package starlogo.solid
         /**
          * Creates a builder that has not begun yet.
          *
-         * @param vertices x, y, z of each; kept, not copied
-         * @param triangles three vertex indices each; null if the vertices are the items; kept, not copied
-         * @param minVerticesToSplit a node with at most this many vertices is a leaf
-         * @param maxDepth a node on this level is a leaf
-         * @param splitByMean whether to split at the mean
+         * @param hierarchy without nodes; receives them
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int,
-                maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
+        public function SolidHierarchyBuilder(hierarchy:SolidHierarchy, preparesExact:Boolean = false)
         {
-            hierarchy = new SolidHierarchy(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean);
+            this.hierarchy = hierarchy;
             begin(readStored).begin(divide);
-            if (preparesExact && triangles != null)
+            if (preparesExact && hierarchy.hasTriangles)
             {
                 begin(newSolid);
             }

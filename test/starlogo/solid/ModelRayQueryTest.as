@@ -217,7 +217,7 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model):SolidHierarchy
         {
-            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, 5, 10, false);
+            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(new SolidHierarchy(model.vertices, model.triangles, 5, 10, false));
             finish(builder);
             return builder.hierarchy;
         }

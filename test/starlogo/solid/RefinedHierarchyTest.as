@@ -141,7 +141,7 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model, maxDepth:int):SolidHierarchy
         {
-            return new SolidHierarchyBuilder(model.vertices, model.triangles, 5, maxDepth, false).finished;
+            return new SolidHierarchyBuilder(new SolidHierarchy(model.vertices, model.triangles, 5, maxDepth, false)).finished;
         }
     }
 }

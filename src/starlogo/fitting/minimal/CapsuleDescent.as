@@ -83,12 +83,42 @@ package starlogo.fitting.minimal
             }
         }
 
+        // Moves a capsule's ends until nothing is gained.
         private function descendFrom(start:Capsule):void
         {
             // x, y, z of each
             var ends:Vector.<Number> = start.numbers();
             ends.length = 6;
-            var least:Number = descend(ends);
+            var reach:Number = 0.1;
+            var radius:Number = farthest(ends);
+            var volume:Number = volumeOf(ends, radius);
+            for (var step:int = 0; step < STEPS && reach > 1e-7; step++)
+            {
+                var trial:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), reach);
+                for (var i:int = 0; i < 6; i++)
+                {
+                    trial[i] += ends[i];
+                }
+                var trialRadius:Number = farthest(trial);
+                var trialVolume:Number = volumeOf(trial, trialRadius);
+                if (trialVolume < volume)
+                {
+                    reach *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
+                    volume = trialVolume;
+                    radius = trialRadius;
+                    ends = trial;
+                }
+                else
+                {
+                    reach *= 0.3;
+                }
+            }
+            keepAround(ends, radius);
+        }
+
+        // Keeps the smallest capsule around the line through the ends, if it is smaller than the best.
+        private function keepAround(ends:Vector.<Number>, least:Number):void
+        {
             var from:Vector3D = new Vector3D(ends[0], ends[1], ends[2]);
             var axis:Vector3D = new Vector3D(ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]);
             if (axis.normalize() == 0)
@@ -139,40 +169,6 @@ package starlogo.fitting.minimal
                 }
             }
             return smallest;
-        }
-
-        // Moves the ends until nothing is gained. Returns the radius that encloses all points.
-        private function descend(ends:Vector.<Number>):Number
-        {
-            var reach:Number = 0.1;
-            var radius:Number = farthest(ends);
-            var volume:Number = volumeOf(ends, radius);
-            for (var step:int = 0; step < STEPS && reach > 1e-7; step++)
-            {
-                var change:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), reach);
-                var trial:Vector.<Number> = new Vector.<Number>(6);
-                for (var i:int = 0; i < 6; i++)
-                {
-                    trial[i] = ends[i] + change[i];
-                }
-                var trialRadius:Number = farthest(trial);
-                var trialVolume:Number = volumeOf(trial, trialRadius);
-                if (trialVolume < volume)
-                {
-                    reach *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
-                    volume = trialVolume;
-                    radius = trialRadius;
-                    for (i = 0; i < 6; i++)
-                    {
-                        ends[i] = trial[i];
-                    }
-                }
-                else
-                {
-                    reach *= 0.3;
-                }
-            }
-            return radius;
         }
 
         private static function volumeOf(ends:Vector.<Number>, radius:Number):Number

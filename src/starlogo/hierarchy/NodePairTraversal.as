@@ -65,7 +65,7 @@ package starlogo.hierarchy
             {
                 this.pose = pose;
             }
-            var nodes:Vector.<HierarchyNode> = this.nodes;
+            var stack:Vector.<HierarchyNode> = nodes;
             var bounds:Vector.<Number> = _bounds;
             var scale:Number = pose.placement.size;
             var top:int = 0;
@@ -113,8 +113,8 @@ package starlogo.hierarchy
                         }
                         if (other < least)
                         {
-                            nodes[2 * top] = otherA;
-                            nodes[2 * top + 1] = otherB;
+                            stack[2 * top] = otherA;
+                            stack[2 * top + 1] = otherB;
                             bounds[top] = other;
                             top++;
                         }
@@ -134,8 +134,8 @@ package starlogo.hierarchy
                     return least < Infinity;
                 }
                 top--;
-                a = nodes[2 * top];
-                b = nodes[2 * top + 1];
+                a = stack[2 * top];
+                b = stack[2 * top + 1];
                 bound = bounds[top];
             }
             return false;

@@ -15,10 +15,6 @@ package starlogo.away3d
         private static var sPlacement:Placement = new Placement();
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        public function NodeTransform()
-        {
-        }
-
         /**
          * The transform of an object. It is computed from the object's traits, because a Matrix3D has single precision in Flash Player. If
          * the object's matrix differs, the matrix counts, because Away3D draws with it. For example, the DAEParser sets only the matrix.

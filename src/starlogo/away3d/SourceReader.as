@@ -10,6 +10,8 @@ package starlogo.away3d
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /** Reads the source of an Away3dModel, in steps of about a millisecond. */
     internal final class SourceReader extends ModelReader
@@ -29,9 +31,9 @@ package starlogo.away3d
 
         // _part is the index of the present part. The others belong to it: its data, the place reached, and for each vertex the index of
         // its point, or -1 if it has none yet.
-        private var _part:int = 0;
-        private var _next:int = 0;
-        private var _geometry:ISubGeometry = null;
+        private var _part:int = -1;
+        private var _next:int;
+        private var _geometry:ISubGeometry;
         private var _data:Vector.<Number>;
         private var _indices:Vector.<uint>;
         private var _pointOf:Vector.<int>;
@@ -45,17 +47,17 @@ package starlogo.away3d
         {
             super(name || "", null);
             _source = source;
-            call(collect).repeat(readSome);
+            begin(collect);
         }
 
         /** @inheritDoc */
         override public function get progress():Number
         {
-            var ofPart:Number = _geometry == null ? 0 : _next / itemCount;
-            return _parts.length == 0 ? 0 : (_part + ofPart) / _parts.length;
+            var count:int = _part < 0 ? 0 : itemCountOf(_geometry);
+            return _parts.length == 0 ? 0 : (_part + (count == 0 ? 1 : _next / count)) / _parts.length;
         }
 
-        private function collect():void
+        private function collect():Steps
         {
             addSource(_source);
             var most:int = 0;
@@ -66,6 +68,12 @@ package starlogo.away3d
             }
             _points = new PointTable(most);
             vertices = _points.coordinates;
+            var reading:StepSequence = new StepSequence();
+            for each (part in _parts)
+            {
+                reading.call(open).slices(itemCountOf(part), INDICES_PER_STEP, _hasTriangles ? readTriangles : readVertices);
+            }
+            return reading;
         }
 
         private function addSource(source:Object):void
@@ -123,42 +131,12 @@ package starlogo.away3d
             _places.push(place);
         }
 
-        /** Reads some of the parts. Returns whether there are more. */
-        private function readSome():Boolean
+        // Begins with the next part.
+        private function open():void
         {
-            if (_part == _parts.length)
-            {
-                return false;
-            }
-            if (_geometry == null)
-            {
-                _geometry = _parts[_part];
-                open(_geometry);
-            }
-            var end:int = Math.min(_next + INDICES_PER_STEP, itemCount);
-            if (_hasTriangles)
-            {
-                readTriangles(end);
-            }
-            else
-            {
-                for (var i:int = _next; i < end; i++)
-                {
-                    pointOf(i);
-                }
-            }
-            _next = end;
-            if (_next == itemCount)
-            {
-                _geometry = null;
-                _next = 0;
-                _part++;
-            }
-            return _part < _parts.length;
-        }
-
-        private function open(geometry:ISubGeometry):void
-        {
+            var geometry:ISubGeometry = _parts[++_part];
+            _geometry = geometry;
+            _next = 0;
             var count:int = geometry.numVertices;
             _data = geometry.vertexData || new Vector.<Number>();
             _indices = geometry.indexData || new Vector.<uint>();
@@ -174,16 +152,25 @@ package starlogo.away3d
         }
 
         // With triangles, only the vertices that they use count, because others are not drawn. Without triangles, all vertices count.
-        private function get itemCount():int
+        private function itemCountOf(part:ISubGeometry):int
         {
-            return _hasTriangles ? 3 * _geometry.numTriangles : _geometry.numVertices;
+            return _hasTriangles ? 3 * part.numTriangles : part.numVertices;
         }
 
-        private function readTriangles(end:int):void
+        private function readVertices(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                pointOf(i);
+            }
+            _next = end;
+        }
+
+        private function readTriangles(first:int, end:int):void
         {
             var isMirror:Boolean = _places[_part].isMirror;
             var count:uint = _pointOf.length;
-            for (var i:int = _next; i < end; i += 3)
+            for (var i:int = first; i < end; i += 3)
             {
                 var a:uint = _indices[i];
                 var b:uint = _indices[i + (isMirror ? 2 : 1)];
@@ -195,6 +182,7 @@ package starlogo.away3d
                 }
                 triangles.push(pointOf(a), pointOf(b), pointOf(c));
             }
+            _next = end;
         }
 
         private function pointOf(vertex:int):int

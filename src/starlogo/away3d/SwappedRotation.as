@@ -28,10 +28,6 @@ package starlogo.away3d
         private var _angles:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
 
-        public function SwappedRotation()
-        {
-        }
-
         /** Sets the rotation by its angles on one side, in degrees. The results are the angles on the other side. */
         public function setAngles(heading:Number, pitch:Number, roll:Number):void
         {

@@ -32,9 +32,7 @@ package starlogo.away3d
         private var _object:Object3D;
 
         // The model's origin in the object's own space, in Away3D's axes, and the model's width there.
-        private var _originX:Number = 0;
-        private var _originY:Number = 0;
-        private var _originZ:Number = 0;
+        private var _origin:Vector3D = new Vector3D();
         private var _width:Number = 1;
 
         // The state of both sides at the last update.
@@ -59,9 +57,7 @@ package starlogo.away3d
             _object = object;
             if (model != null)
             {
-                _originX = model.origin.x;
-                _originY = model.origin.y;
-                _originZ = model.origin.z;
+                _origin = model.origin;
                 _width = model.width;
             }
         }
@@ -97,7 +93,7 @@ package starlogo.away3d
             }
             drawn.scaleX = drawn.scaleY = drawn.scaleZ = scale;
             // y and z are swapped, because it turns in the agent's space
-            var offset:Vector3D = turn.turn(scale * _originX - pivot.x, scale * _originZ - pivot.z, scale * _originY - pivot.y);
+            var offset:Vector3D = turn.turn(scale * _origin.x - pivot.x, scale * _origin.z - pivot.z, scale * _origin.y - pivot.y);
             drawn.moveTo(_agent.x - pivot.x - offset.x, _agent.z - pivot.y - offset.z, _agent.y - pivot.z - offset.y);
             remember();
         }
@@ -121,7 +117,7 @@ package starlogo.away3d
             checkScale();
             var turn:SwappedRotation = sTurn;
             turn.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
-            var offset:Vector3D = turn.turn(scale * _originX - pivot.x, scale * _originY - pivot.y, scale * _originZ - pivot.z);
+            var offset:Vector3D = turn.turn(scale * _origin.x - pivot.x, scale * _origin.y - pivot.y, scale * _origin.z - pivot.z);
             var x:Number = drawn.x + pivot.x + offset.x;
             var y:Number = drawn.z + pivot.z + offset.z;
             var z:Number = drawn.y + pivot.y + offset.y;

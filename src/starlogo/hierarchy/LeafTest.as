@@ -12,6 +12,9 @@ package starlogo.hierarchy
      */
     public class LeafTest extends TriangleTest
     {
+        /** The number of triangles, or of pairs of triangles, tested or measured. The caller sets it to 0. */
+        public var triangleTests:int = 0;
+
         /** For distances: the closest points of the leaves tested, and their distance, in the first model's space. */
         public var points:DistanceResult = null;
 

@@ -11,9 +11,6 @@ package starlogo.solid
     /** Decides about leaves by their triangles. Base class of the tests for standing models, for moving models, and for distances. */
     internal class LeafPairTest extends LeafTest
     {
-        /** The number of pairs of triangles tested, or measured. The caller sets it to 0. */
-        public var triangleTests:int = 0;
-
         /** The second model's pose in the first model's space. */
         protected var pose:RelativePose = null;
 

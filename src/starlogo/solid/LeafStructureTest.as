@@ -25,9 +25,6 @@ package starlogo.solid
         // The extents of a compact structure have at most this many times its volume. Those of a sphere have 1.91 times.
         private static const COMPACT:Number = 2;
 
-        /** The number of triangles tested. The caller sets it to 0. */
-        public var triangleTests:int = 0;
-
         /**
          * Whether the structure fills much of its extents, because it is not long and slanted. Then <code>find()</code> finds the leaves
          * faster than a traversal that knows its axes.

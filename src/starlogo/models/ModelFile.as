@@ -9,10 +9,6 @@ package starlogo.models
      */
     public final class ModelFile
     {
-        private static const UTF_8:String = "utf-8";
-        private static const UTF_16_LOW_FIRST:String = "utf-16le";
-        private static const UTF_16_HIGH_FIRST:String = "utf-16be";
-        private static const WINDOWS:String = "windows-1252";
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;
 
@@ -38,18 +34,19 @@ package starlogo.models
 
         private static function decoded(name:String, bytes:ByteArray, format:String):String
         {
-            var encoding:String = encodingOf(bytes);
-            if (encoding == UTF_16_LOW_FIRST || encoding == UTF_16_HIGH_FIRST)
+            var mark:int = bytes.length < 2 ? 0 : bytes[0] << 8 | bytes[1];
+            var isLowFirst:Boolean = mark == 0xFFFE || mark == 0x3C00; // a byte-order mark, or a "<" without one
+            if (isLowFirst || mark == 0xFEFF || mark == 0x003C)
             {
-                return NonUtf8Text.utf16(bytes, encoding == UTF_16_LOW_FIRST);
-            }
-            checkText(name, bytes, format);
-            if (encoding != UTF_8)
-            {
-                return NonUtf8Text.latin(bytes, encoding == WINDOWS);
+                return NonUtf8Text.utf16(bytes, isLowFirst);
             }
             bytes.position = 0;
-            return bytes.readUTFBytes(bytes.length);
+            var text:String = bytes.readUTFBytes(bytes.length);
+            checkText(name, bytes, text.length == bytes.length, format);
+            bytes.position = 0;
+            var start:String = bytes.readUTFBytes(Math.min(bytes.length, DECLARATION_LENGTH));
+            var declaration:Array = start.match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
+            return declaration == null ? text : NonUtf8Text.latin(bytes, declaration[1].toLowerCase() == "windows-1252");
         }
 
         // A zip archive begins with its first file, or with its end if it has no file.
@@ -58,31 +55,9 @@ package starlogo.models
             return bytes.length >= 4 && bytes[0] == 0x50 && bytes[1] == 0x4B && (bytes[2] == 3 && bytes[3] == 4 || bytes[2] == 5 && bytes[3] == 6);
         }
 
-        private static function encodingOf(bytes:ByteArray):String
-        {
-            if (bytes.length >= 2)
-            {
-                var mark:int = bytes[0] << 8 | bytes[1];
-                if (mark == 0xFFFE || mark == 0x3C00) // a byte-order mark, or a "<" without one
-                {
-                    return UTF_16_LOW_FIRST;
-                }
-                if (mark == 0xFEFF || mark == 0x003C)
-                {
-                    return UTF_16_HIGH_FIRST;
-                }
-            }
-            bytes.position = 0;
-            var start:String = bytes.readUTFBytes(Math.min(bytes.length, DECLARATION_LENGTH));
-            var declaration:Array = start.match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
-            return declaration == null ? UTF_8 : declaration[1].toLowerCase();
-        }
-
         // The player ends a text at its first zero character.
-        private static function checkText(name:String, bytes:ByteArray, format:String):void
+        private static function checkText(name:String, bytes:ByteArray, isPlain:Boolean, format:String):void
         {
-            bytes.position = 0;
-            var isPlain:Boolean = bytes.readUTFBytes(bytes.length).length == bytes.length;
             var length:int = isPlain ? Math.min(bytes.length, HEAD_LENGTH) : bytes.length;
             for (var i:int = 0; i < length; i++)
             {

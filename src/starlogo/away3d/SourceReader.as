@@ -29,10 +29,9 @@ package starlogo.away3d
         private var _hasTriangles:Boolean = false;
         private var _points:PointTable;
 
-        // _part is the index of the present part. The others belong to it: its data, the place reached, and for each vertex the index of
+        // _part is the index of the present part. The others belong to it: its data, and for each vertex the index of
         // its point, or -1 if it has none yet.
         private var _part:int = -1;
-        private var _next:int;
         private var _geometry:ISubGeometry;
         private var _data:Vector.<Number>;
         private var _indices:Vector.<uint>;
@@ -48,13 +47,6 @@ package starlogo.away3d
             super(name || "", null);
             _source = source;
             begin(collect);
-        }
-
-        /** @inheritDoc */
-        override public function get progress():Number
-        {
-            var count:int = _part < 0 ? 0 : itemCountOf(_geometry);
-            return _parts.length == 0 ? 0 : (_part + (count == 0 ? 1 : _next / count)) / _parts.length;
         }
 
         private function collect():Steps
@@ -136,7 +128,6 @@ package starlogo.away3d
         {
             var geometry:ISubGeometry = _parts[++_part];
             _geometry = geometry;
-            _next = 0;
             var count:int = geometry.numVertices;
             _data = geometry.vertexData || new Vector.<Number>();
             _indices = geometry.indexData || new Vector.<uint>();
@@ -157,13 +148,19 @@ package starlogo.away3d
             return _hasTriangles ? 3 * part.numTriangles : part.numVertices;
         }
 
+        // Notes that the items of the present part up to one are read.
+        private function noteProgress(end:int):void
+        {
+            progress = (_part + end / itemCountOf(_geometry)) / _parts.length;
+        }
+
         private function readVertices(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
                 pointOf(i);
             }
-            _next = end;
+            noteProgress(end);
         }
 
         private function readTriangles(first:int, end:int):void
@@ -182,7 +179,7 @@ package starlogo.away3d
                 }
                 triangles.push(pointOf(a), pointOf(b), pointOf(c));
             }
-            _next = end;
+            noteProgress(end);
         }
 
         private function pointOf(vertex:int):int

@@ -47,13 +47,7 @@ package starlogo.models
          */
         public function LineReader(name:String, bytes:int, upAxis:Object)
         {
-            super(name, new ModelBudget(name, bytes), new UpAxis(upAxis, name, false));
-        }
-
-        /** @inheritDoc */
-        override public function get progress():Number
-        {
-            return 0.9 * (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
+            super(name, new ModelBudget(name, bytes), upAxis);
         }
 
         /** The place of a line, for errors. */
@@ -130,8 +124,17 @@ package starlogo.models
             if (next == words.length - 1)
             {
                 readPiece();
-                return true;
             }
+            else
+            {
+                readStatements();
+            }
+            progress = 0.9 * (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
+            return next < words.length - 1 || _end < _source.length;
+        }
+
+        private function readStatements():void
+        {
             var end:int = Math.min(next + WORDS_PER_STEP, words.length - 1);
             while (next < end)
             {
@@ -146,7 +149,6 @@ package starlogo.models
                 }
             }
             checkLimits(placeOf(line));
-            return next < words.length - 1 || _end < _source.length;
         }
 
         // Continued lines stay in one piece.

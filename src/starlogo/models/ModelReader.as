@@ -24,14 +24,20 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
+        /** The share that is read, from 0 to 1. */
+        public var progress:Number = 0;
+
         /** Points without a surface. They become the model's vertices if there are no others. */
         protected var loosePoints:Vector.<Number> = new Vector.<Number>();
 
         /** What reading the file may cost. */
         protected var budget:ModelBudget;
 
-        /** The axis that points up in the file, or the model's transform; null if the vertices come with z up. */
-        protected var up:UpAxis;
+        /** The axis that points up in the file: "x", "y" or "z". "z" with a ModelTransform, which leaves the file as it is. */
+        protected var upAxis:String;
+
+        /** The model's transform; null if there is none. */
+        protected var transform:ModelTransform;
 
         /** How the model is scaled, as for Model's constructor. */
         protected var scaling:String = null;
@@ -45,13 +51,17 @@ package starlogo.models
         /**
          * @param name the model's name
          * @param budget what reading the file may cost
-         * @param up the axis that points up in the file; null if the vertices come with z up
+         * @param upAxis "x", "y", "z" or a ModelTransform
+         * @throws ModelError if the up axis is none of these
          */
-        public function ModelReader(name:String, budget:ModelBudget, up:UpAxis = null)
+        public function ModelReader(name:String, budget:ModelBudget, upAxis:Object = "z")
         {
             this.budget = budget;
             this.name = name;
-            this.up = up;
+            transform = upAxis as ModelTransform;
+            this.upAxis = transform == null ? String(upAxis) : "z";
+            refuseIf(this.upAxis != "x" && this.upAxis != "y" && this.upAxis != "z", name,
+                    "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + (upAxis is String ? "\"" + upAxis + "\"" : upAxis));
         }
 
         /** Adds the steps that turn and scale what is read, and returns the reader. @param scaling as for Model's constructor */
@@ -77,12 +87,6 @@ package starlogo.models
             return shape;
         }
 
-        /** The share that is read, from 0 to 1. */
-        public function get progress():Number
-        {
-            return 0;
-        }
-
         /**
          * Takes the loose points if there are no vertices. Throws if there are no loose points either. @param expected for the error: what
          * the file must have
@@ -96,13 +100,29 @@ package starlogo.models
         /** The steps that turn the vertices to z up. */
         protected final function turningUp():Steps
         {
-            return up.axis == UpAxis.Z ? null : up.turn.placing(vertices);
+            return upAxis == "z" ? null : turnUp.placing(vertices);
+        }
+
+        /**
+         * The turn to z up. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA specification's
+         * table for up_axis gives the right and inward axes.)
+         */
+        protected final function get turnUp():AffineTransform
+        {
+            switch (upAxis)
+            {
+                case "x":
+                    return new AffineTransform(new <Number>[0, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0]);
+                case "y":
+                    return new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0]);
+                default:
+                    return new AffineTransform();
+            }
         }
 
         private function normalising():Steps
         {
-            _shape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, up == null ? null : up.transform,
-                    unit);
+            _shape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, transform, unit);
             return _shape;
         }
     }

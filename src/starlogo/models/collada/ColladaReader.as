@@ -4,7 +4,6 @@ package starlogo.models.collada
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
-    import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -32,16 +31,11 @@ package starlogo.models.collada
          */
         public function ColladaReader(name:String, source:String, upAxis:Object)
         {
-            super(name, new ModelBudget(name, source == null ? 0 : source.length), new UpAxis(upAxis, name, true));
+            super(name, new ModelBudget(name, source == null ? 0 : source.length), upAxis == null ? "z" : upAxis);
             refuseIf(source == null, name, "there is no text to read");
+            this.upAxis = upAxis == null ? null : this.upAxis;
             _xml = new XmlReader(source, budget);
             add(_xml).begin(walking).beginEach(readingNext);
-        }
-
-        /** @inheritDoc */
-        override public function get progress():Number
-        {
-            return _instance == 0 ? 0 : 0.9 * _instance / _scene.instances.length;
         }
 
         private function walking():Steps
@@ -49,9 +43,9 @@ package starlogo.models.collada
             _document = new ColladaDocument(budget, _xml);
             _xml = null;
             var asset:ColladaElement = _document.root.child("asset");
-            up.axis ||= upAxisOf(asset);
+            upAxis ||= upAxisOf(asset);
             unit = unitOf(asset);
-            _scene = new ColladaScene(_document, up.turn);
+            _scene = new ColladaScene(_document, turnUp);
             return _scene;
         }
 
@@ -68,6 +62,7 @@ package starlogo.models.collada
             return new StepSequence().add(mesh).begin(function():Steps
                 {
                     _instance++;
+                    progress = 0.9 * _instance / _scene.instances.length;
                     return placing(mesh, instance, mesh.hasSurfaces ? vertices : loosePoints);
                 });
         }
@@ -132,7 +127,7 @@ package starlogo.models.collada
             var element:ColladaElement = asset == null ? null : asset.child("up_axis");
             if (element == null)
             {
-                return UpAxis.Y;
+                return "y";
             }
             var text:String = element.words.join(" ");
             refuseIf(!/^[XYZ]_UP$/.test(text), _document.budget.name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +

@@ -10,7 +10,6 @@ package starlogo.models.cooked
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -73,7 +72,7 @@ package starlogo.models.cooked
             budget.require(ModelBudget.TRIANGLES, triangleCount);
             if (hasTransform)
             {
-                up = new UpAxis(readTransform(), name, false);
+                transform = readTransform();
             }
             if (form == CookedShape.DOUBLE)
             {

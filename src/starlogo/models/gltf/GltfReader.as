@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
-    import starlogo.models.UpAxis;
     import starlogo.models.VertexFilter;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -27,20 +26,14 @@ package starlogo.models.gltf
          */
         public function GltfReader(name:String, file:GltfFile, upAxis:Object)
         {
-            super(name, file.budget, new UpAxis(upAxis == null ? UpAxis.Y : upAxis, name, false));
+            super(name, file.budget, upAxis == null ? "y" : upAxis);
             _file = file;
             begin(walking).beginEach(readingNext).begin(droppingUnused);
         }
 
-        /** @inheritDoc */
-        override public function get progress():Number
-        {
-            return _scene == null || _scene.nodes.length == 0 ? 0 : 0.9 * _node / _scene.nodes.length;
-        }
-
         private function walking():Steps
         {
-            _scene = new GltfScene(_file.json, up.turn);
+            _scene = new GltfScene(_file.json, turnUp);
             return _scene;
         }
 
@@ -69,6 +62,7 @@ package starlogo.models.gltf
                     if (next == primitives.length)
                     {
                         _node++;
+                        progress = 0.9 * _node / _scene.nodes.length;
                         return null;
                     }
                     var primitive:Object = json.elementOf(primitives, next, place + ".primitives");

@@ -83,12 +83,6 @@ package starlogo.models.stl
             return /^\s*solid\b[^\n\r]*[\n\r]\s*(facet|endsolid)\b/i.test(text.substr(0, 1000));
         }
 
-        /** @inheritDoc */
-        override public function get progress():Number
-        {
-            return _bytes == null ? super.progress : 0.3 * triangles.length / Math.max(1, _count);
-        }
-
         private static function countIn(bytes:ByteArray):uint
         {
             return (bytes[COUNT_PLACE] | bytes[COUNT_PLACE + 1] << 8 | bytes[COUNT_PLACE + 2] << 16 | bytes[COUNT_PLACE + 3] << 24) >>> 0;
@@ -115,6 +109,7 @@ package starlogo.models.stl
                 place += FACET_LENGTH;
             }
             checkLimits("triangle " + end);
+            progress = 0.9 * end / Math.max(1, _count);
         }
 
         /** @inheritDoc */

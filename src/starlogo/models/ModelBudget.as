@@ -48,6 +48,9 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
+        /** The corners that may still be looked at while polygons are cut. Afterwards corners are cut off without a test, and holes are filled. */
+        public var looks:Number;
+
         private var _bytes:Number;
         private var _taken:Vector.<Number> = new Vector.<Number>(6, true);
 
@@ -59,18 +62,13 @@ package starlogo.models
         {
             this.name = name;
             _bytes = bytes;
+            looks = LOOKS + LOOKS_PER_BYTE * bytes;
         }
 
         /** Adds bytes that have come. */
         public function addBytes(bytes:Number):void
         {
             _bytes += bytes;
-        }
-
-        /** The most looks at corners while polygons are cut. */
-        public function get looks():Number
-        {
-            return LOOKS + LOOKS_PER_BYTE * _bytes;
         }
 
         /** Takes some of a kind. @throws ModelError if fewer are left */

@@ -4,7 +4,6 @@ package starlogo.models.collada
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
-    import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
 
     /** A COLLADA document. It finds elements by id, reads their numbers, and names their places in errors. */
@@ -12,9 +11,6 @@ package starlogo.models.collada
     {
         /** The root element, COLLADA. */
         public var root:ColladaElement;
-
-        /** Cuts all polygons of the document into triangles. */
-        public var triangulator:Triangulator;
 
         /** What reading the document may cost. */
         public var budget:ModelBudget;
@@ -29,7 +25,6 @@ package starlogo.models.collada
         public function ColladaDocument(budget:ModelBudget, xml:XmlReader)
         {
             this.budget = budget;
-            triangulator = new Triangulator(budget.looks);
             root = xml.root;
             refuseIf(root == null, budget.name, "this is not XML: expected a COLLADA document");
             refuseIf(root.name != "COLLADA", budget.name, "expected a COLLADA document, but its root element is <" + root.name + ">");

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.VertexFilter;
+    import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -21,6 +22,7 @@ package starlogo.models.collada
         private var _mesh:ColladaElement;
         private var _points:Object = {}; // of positions; the key is "#" and the source's id
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
+        private var _triangulator:Triangulator;
 
         /**
          * @param document the document
@@ -30,7 +32,7 @@ package starlogo.models.collada
         {
             _document = document;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            document.triangulator.setTarget(vertices, triangles);
+            _triangulator = new Triangulator(document.budget, vertices, triangles);
             var hasPrimitives:Boolean = false;
             for each (var element:ColladaElement in _mesh == null ? new Vector.<ColladaElement>() : _mesh.children)
             {
@@ -54,7 +56,7 @@ package starlogo.models.collada
                 {
                     var work:StepSequence = new StepSequence();
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
-                    return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles));
+                    return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles, _triangulator));
                 });
         }
 
@@ -109,6 +111,7 @@ package starlogo.models.collada
         {
             _isUsed.length = 0;
             _points = null;
+            _triangulator = null;
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.models.collada
     import starlogo.models.Decimal;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
+    import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -21,6 +22,7 @@ package starlogo.models.collada
         private var _positions:ColladaSource;
         private var _isUsed:Vector.<uint>;
         private var _triangles:Vector.<uint>;
+        private var _triangulator:Triangulator;
 
         // A corner takes _stride words. The index of its position is the word at _offset.
         private var _stride:int = 1;
@@ -46,15 +48,17 @@ package starlogo.models.collada
          * @param positions its points; their steps come before this one's
          * @param isUsed a number for each point of the mesh; set to 1 for points that have a corner
          * @param triangles takes the triangles
+         * @param triangulator cuts polygons, and adds their triangles
          */
         public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaSource,
-                isUsed:Vector.<uint>, triangles:Vector.<uint>)
+                isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
         {
             _document = document;
             _element = element;
             _positions = positions;
             _isUsed = isUsed;
             _triangles = triangles;
+            _triangulator = triangulator;
             _lists = element.childrenNamed("p");
             readInputs();
             addParts();
@@ -100,16 +104,16 @@ package starlogo.models.collada
                 case "polylist":
                     _text = new ColladaWords(_lists);
                     _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
-                    add(_text).add(_sizeText).begin(checkingSizes).repeat(_document.triangulator.cuttingBetween(readPolylist));
+                    add(_text).add(_sizeText).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
                     break;
                 case "polygons":
                     _lists = _lists.concat(_element.childrenNamed("ph"));
                     _document.checkCount(_element, _lists.length, "polygons");
-                    repeat(_document.triangulator.cuttingBetween(readLists));
+                    repeat(_triangulator.cuttingBetween(readLists));
                     break;
                 default:
                     _document.checkCount(_element, _lists.length, "lists of corners <p>");
-                    repeat(_document.triangulator.cuttingBetween(readLists));
+                    repeat(_triangulator.cuttingBetween(readLists));
                     break;
             }
         }
@@ -158,14 +162,14 @@ package starlogo.models.collada
         private function readPolylist():Boolean
         {
             var end:int = _word + CORNERS_PER_STEP * _stride;
-            while (_size < _sizes.length && _word <= end && !_document.triangulator.isCutting)
+            while (_size < _sizes.length && _word <= end && !_triangulator.isCutting)
             {
                 var count:int = Number(_sizes[_size++]);
                 if (count > 2)
                 {
                     _polygon.length = count;
                     readCorners(_word, _polygon);
-                    _document.triangulator.addPolygon(_polygon);
+                    _triangulator.addPolygon(_polygon);
                 }
                 _word += count * _stride;
             }
@@ -175,13 +179,13 @@ package starlogo.models.collada
         private function readLists():Boolean
         {
             var read:int = 0;
-            while (read < CORNERS_PER_STEP && _list < _lists.length && !_document.triangulator.isCutting)
+            while (read < CORNERS_PER_STEP && _list < _lists.length && !_triangulator.isCutting)
             {
                 var element:ColladaElement = _lists[_list++];
                 var loop:Vector.<uint> = loopOf(element.name == "ph" ? _document.requiredChild(element, "p") : element);
                 if (_element.name == "polygons")
                 {
-                    _document.triangulator.addPolygon(loop, holesOf(element));
+                    _triangulator.addPolygon(loop, holesOf(element));
                 }
                 else
                 {
@@ -210,7 +214,7 @@ package starlogo.models.collada
             {
                 var first:int = isFan ? 0 : i - 2 + (i & 1);
                 var second:int = isFan ? i - 1 : i - 1 - (i & 1);
-                _document.triangulator.addTriangle(strip[first], strip[second], strip[i]);
+                _triangulator.addTriangle(strip[first], strip[second], strip[i]);
             }
         }
 

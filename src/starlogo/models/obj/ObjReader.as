@@ -41,7 +41,7 @@ package starlogo.models.obj
             super(name, source == null ? 0 : source.length, upAxis);
             refuseIf(source == null, name, "there is no text to read");
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            _triangulator = new Triangulator(budget.looks, vertices, triangles);
+            _triangulator = new Triangulator(budget, vertices, triangles);
             readLines(source);
             call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
         }

@@ -1,5 +1,7 @@
 package starlogo.models.polygons
 {
+    import starlogo.models.ModelBudget;
+
     /**
      * Cuts a ring of corners into triangles, one ear at a time. It adds only triangles with an area. This holds for corners in a straight
      * line, and for rings that cross or cover themselves.
@@ -11,71 +13,64 @@ package starlogo.models.polygons
         private var _rings:PolygonRings;
 
         // the present node, the number of corners left, and the number of corners passed since the last ear
-        private var _node:int = 0;
+        private var _node:int;
         private var _count:int = 0;
         private var _misses:int = 0;
 
-        /** @param rings contains the ring */
-        public function EarClipper(rings:PolygonRings)
+        /**
+         * @param rings contains the ring
+         * @param start a node of the ring, which must be counter-clockwise when the cutting begins
+         */
+        public function EarClipper(rings:PolygonRings, start:int)
         {
             _rings = rings;
-        }
-
-        /** Sets the ring: the one that contains a node. It must be counter-clockwise. */
-        internal function setRing(start:int):void
-        {
             _node = start;
-            _count = 1;
-            for (var node:int = _rings.next[start]; node != start; node = _rings.next[node])
-            {
-                _count++;
-            }
-            _misses = 0;
         }
 
-        /**
-         * Cuts until two corners are left, or until the given amount of work is done.
-         *
-         * @return whether more work is left
-         */
-        internal function cut(most:int):Boolean
+        /** Cuts until two corners are left, or for one step. Returns whether there is more to cut. */
+        internal function cut():Boolean
         {
             var next:Vector.<int> = _rings.next;
-            var previous:Vector.<int> = _rings.previous;
             var vertex:Vector.<uint> = _rings.vertex;
-            var count:int = _count;
-            var node:int = _node;
-            // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two rounds
-            // any corner.
-            var misses:int = _misses;
-            var end:int = _rings.work + most;
-            while (count > 2 && _rings.work < end)
+            var budget:ModelBudget = _rings.budget;
+            var end:Number = budget.looks - PolygonRings.LOOKS_PER_STEP;
+            _count ||= countCorners();
+            while (_count > 2 && budget.looks > end)
             {
-                var before:int = previous[node];
-                var after:int = next[node];
-                var area:Number = _rings.orient2d(before, node, after);
-                var isCut:Boolean = area == 0 || misses > 2 * count || ++_rings.work > _rings.mostWork;
-                if (isCut || area > 0 && (misses > count || isEar(before, node, after)))
+                var before:int = _rings.previous[_node];
+                var after:int = next[_node];
+                var area:Number = _rings.orient2d(before, _node, after);
+                // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two
+                // rounds any corner.
+                var isCut:Boolean = area == 0 || _misses > 2 * _count || --budget.looks < 0;
+                if (isCut || area > 0 && (_misses > _count || isEar(before, _node, after)))
                 {
                     if (area > 0)
                     {
-                        _rings.addTriangle(vertex[before], vertex[node], vertex[after]);
+                        _rings.addTriangle(vertex[before], vertex[_node], vertex[after]);
                     }
-                    _rings.remove(node);
-                    count--;
-                    misses = misses > 2 * count ? misses : 0;
-                    node = next[after];
+                    _rings.remove(_node);
+                    _count--;
+                    _misses = _misses > 2 * _count ? _misses : 0;
+                    _node = next[after];
                 }
                 else
                 {
-                    misses++;
-                    node = after;
+                    _misses++;
+                    _node = after;
                 }
             }
-            _count = count;
-            _node = node;
-            _misses = misses;
-            return count > 2;
+            return _count > 2;
+        }
+
+        private function countCorners():int
+        {
+            var count:int = 1;
+            for (var node:int = _rings.next[_node]; node != _node; node = _rings.next[node])
+            {
+                count++;
+            }
+            return count;
         }
 
         /** Whether no other corner lies in the triangle of a left turn. */
@@ -111,7 +106,7 @@ package starlogo.models.polygons
                 }
                 isClear = !_rings.isInside(node, before, tip, after);
             }
-            _rings.work += seen;
+            _rings.budget.looks -= seen;
             return isClear;
         }
     }

@@ -5,30 +5,21 @@ package starlogo.models.polygons
      */
     internal final class HoleBridges
     {
-        /** A node of the outline's ring. */
-        internal var outline:int;
-
         private var _rings:PolygonRings;
+        private var _outline:int;
 
         // the rightmost node of each hole; the last one is joined next
         private var _nodes:Array = [];
 
-        /** @param rings contains the rings */
-        public function HoleBridges(rings:PolygonRings)
-        {
-            _rings = rings;
-        }
-
         /**
-         * Sets the polygon.
-         *
+         * @param rings contains the rings
          * @param outline a node of the outline's ring
          * @param holes a node of each hole's ring; these rings are clockwise
          */
-        internal function setPolygon(outline:int, holes:Vector.<int>):void
+        public function HoleBridges(rings:PolygonRings, outline:int, holes:Vector.<int>)
         {
-            this.outline = outline;
-            _nodes = [];
+            _rings = rings;
+            _outline = outline;
             for each (var hole:int in holes)
             {
                 _nodes.push(rightmost(hole));
@@ -37,15 +28,11 @@ package starlogo.models.polygons
             _nodes.sort(compareByX);
         }
 
-        /**
-         * Joins holes until none is left, or until the given amount of work is done. Holes outside the outline are left out.
-         *
-         * @return whether more holes are left
-         */
-        internal function join(most:int):Boolean
+        /** Joins holes until none is left, or for one step. Holes outside the outline are left out. Returns whether holes are left. */
+        internal function join():Boolean
         {
-            var end:int = _rings.work + most;
-            while (_nodes.length > 0 && _rings.work < end)
+            var end:Number = _rings.budget.looks - PolygonRings.LOOKS_PER_STEP;
+            while (_nodes.length > 0 && _rings.budget.looks > end)
             {
                 addBridge(_nodes.pop());
             }
@@ -100,10 +87,10 @@ package starlogo.models.polygons
             var nearest:Number = Number.POSITIVE_INFINITY;
             var x:Number = xs[hole];
             var y:Number = ys[hole];
-            var node:int = outline;
+            var node:int = _outline;
             do
             {
-                if (++_rings.work > _rings.mostWork)
+                if (--_rings.budget.looks < 0)
                 {
                     return -1;
                 }
@@ -120,7 +107,7 @@ package starlogo.models.polygons
                 }
                 node = end;
             }
-            while (node != outline);
+            while (node != _outline);
             return corner < 0 || ys[corner] == y ? corner : nearestToRay(hole, nearest, corner);
         }
 
@@ -141,10 +128,10 @@ package starlogo.models.polygons
             var third:int = isAbove ? corner : ray;
             var result:int = corner;
             var smallest:Number = Math.abs(ys[corner] - y) / (xs[corner] - x);
-            var node:int = outline;
+            var node:int = _outline;
             do
             {
-                _rings.work++;
+                _rings.budget.looks--;
                 if (xs[node] > x && node != corner && _rings.isInside(node, hole, second, third) && seesInside(node, hole))
                 {
                     var slope:Number = Math.abs(ys[node] - y) / (xs[node] - x);
@@ -156,7 +143,7 @@ package starlogo.models.polygons
                 }
                 node = _rings.next[node];
             }
-            while (node != outline);
+            while (node != _outline);
             return result;
         }
 

@@ -1,5 +1,7 @@
 package starlogo.models.polygons
 {
+    import starlogo.models.ModelBudget;
+
     /**
      * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
      * outline's normal (by M. E. Newell's method), so that the outline is counter-clockwise. Small bends out of the plane do no harm.
@@ -8,6 +10,9 @@ package starlogo.models.polygons
      */
     internal final class PolygonRings
     {
+        /** The corners that are looked at in one step. */
+        internal static const LOOKS_PER_STEP:int = 10000;
+
         /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
         internal var x:Vector.<Number> = new Vector.<Number>();
         internal var y:Vector.<Number> = new Vector.<Number>();
@@ -21,11 +26,8 @@ package starlogo.models.polygons
         /** The previous node in the ring, for each node. */
         internal var previous:Vector.<int> = new Vector.<int>();
 
-        /** The number of corners looked at so far, in all polygons. */
-        internal var work:int = 0;
-
-        /** The most corners to look at. Beyond it, corners are cut off without a test, and holes are filled. */
-        internal var mostWork:Number;
+        /** The looks at corners that the file may still take. */
+        internal var budget:ModelBudget;
 
         /** x, y, z of each vertex of the polygons. */
         internal var vertices:Vector.<Number>;
@@ -37,19 +39,14 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
-        public function PolygonRings(mostWork:Number)
-        {
-            this.mostWork = mostWork;
-        }
-
         /**
-         * Sets the vertices and triangles for the next polygons.
-         *
+         * @param budget pays for the looks at corners
          * @param vertices x, y, z, ...; corners are indices of these
          * @param triangles takes the triangles
          */
-        internal function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
+        public function PolygonRings(budget:ModelBudget, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
+            this.budget = budget;
             this.vertices = vertices;
             _triangles = triangles;
         }

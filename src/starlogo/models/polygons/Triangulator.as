@@ -1,5 +1,7 @@
 package starlogo.models.polygons
 {
+    import starlogo.models.ModelBudget;
+
     /**
      * Cuts polygons in space into triangles. Polygons may be concave and have holes.
      *
@@ -7,15 +9,13 @@ package starlogo.models.polygons
      * are joined to the outline (HoleBridges), and ears are cut off (EarClipper). Every outline is accepted. Corners in a straight line,
      * and outlines that cross or cover themselves, never produce a triangle of area 0.</p>
      *
-     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the given number of looks at corners.</p>
+     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the budget's looks at corners. Beyond
+     * that, corners are cut off without a test, and holes are filled.</p>
      *
      * @private
      */
     public final class Triangulator
     {
-        // the corners that it looks at in one call
-        private static const WORK_PER_STEP:int = 10000;
-
         /**
          * Whether a part of the last polygon still has to be cut. If so, call <code>cutSome()</code> until this is false, before the next
          * polygon.
@@ -26,32 +26,14 @@ package starlogo.models.polygons
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
 
-        // whether the present polygon has holes that are not joined yet
-        private var _isBridging:Boolean = false;
-
         /**
-         * @param mostWork the most looks at corners, for all polygons together. Beyond that, corners are cut off without a test, and holes
-         * are filled
-         * @param vertices as in setTarget
-         * @param triangles as in setTarget
-         */
-        public function Triangulator(mostWork:Number, vertices:Vector.<Number> = null, triangles:Vector.<uint> = null)
-        {
-            _rings = new PolygonRings(mostWork);
-            setTarget(vertices, triangles);
-            _bridges = new HoleBridges(_rings);
-            _clipper = new EarClipper(_rings);
-        }
-
-        /**
-         * Sets the vertices and triangles for the next polygons. The limit of work is for all polygons together.
-         *
+         * @param budget pays for the looks at corners
          * @param vertices x, y, z, ...; the polygons' corners are indices of these
          * @param triangles takes the triangles, three indices each, in the direction of their polygon
          */
-        public function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
+        public function Triangulator(budget:ModelBudget, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            _rings.setTarget(vertices, triangles);
+            _rings = new PolygonRings(budget, vertices, triangles);
         }
 
         /**
@@ -80,9 +62,8 @@ package starlogo.models.polygons
                     nodes.push(_rings.addLoop(holes[i], false));
                 }
             }
-            _isBridging = true;
-            isCutting = true;
-            _bridges.setPolygon(start, nodes);
+            _bridges = nodes.length == 0 ? null : new HoleBridges(_rings, start, nodes);
+            _clipper = new EarClipper(_rings, start);
             cutSome();
         }
 
@@ -95,16 +76,7 @@ package starlogo.models.polygons
         /** Goes on with the last polygon for some milliseconds. */
         public function cutSome():void
         {
-            if (_isBridging)
-            {
-                if (_bridges.join(WORK_PER_STEP))
-                {
-                    return;
-                }
-                _isBridging = false;
-                _clipper.setRing(_bridges.outline);
-            }
-            isCutting = _clipper.cut(WORK_PER_STEP);
+            isCutting = _bridges != null && _bridges.join() || _clipper.cut();
         }
 
         /**

@@ -3,6 +3,7 @@ package starlogo.models.polygons
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.models.ModelBudget;
     import support.Effort;
     import support.Surfaces;
     import support.TurnedPlane;
@@ -135,7 +136,7 @@ package starlogo.models.polygons
                 corners.push(i);
             }
             var triangles:Vector.<uint> = new Vector.<uint>();
-            var triangulator:Triangulator = new Triangulator(10000000, vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(new ModelBudget("polygons", 250000), vertices, triangles);
             triangulator.addPolygon(corners);
             var pieces:int = 1;
             for (; triangulator.isCutting; pieces++)
@@ -180,7 +181,7 @@ package starlogo.models.polygons
 
         private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
         {
-            var triangulator:Triangulator = new Triangulator(10000000, vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(new ModelBudget("polygons", 250000), vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
             triangulator.addPolygon(loops[0], holes);
             while (triangulator.isCutting)

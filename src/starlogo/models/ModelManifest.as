@@ -9,7 +9,7 @@ package starlogo.models
         public var url:String;
 
         private var _fetch:ModelFetch = null;
-        private var _models:Object = null; // the key is "#" and a file, which differs from every property that each Object has
+        private var _models:Object = null;
 
         /** @param url the list's address */
         public function ModelManifest(url:String)

@@ -4,78 +4,71 @@ package starlogo.models
     import starlogo.steps.Steps;
 
     /**
-     * Removes the vertices that no surface uses and closes the gaps.
+     * Removes the vertices that no surface uses and closes the gaps, in steps.
      *
      * @private
      */
-    public final class VertexFilter
+    public final class VertexFilter extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 4000;
         private static const CORNERS_PER_STEP:int = 20000;
 
+        private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
+        private var _isUsed:Vector.<uint>;
+        private var _count:int = 0;
+
         /**
-         * The steps that remove them.
-         *
          * @param vertices x, y, z, ...; changed in place
          * @param triangles indices of used vertices; changed to the new indices
          * @param isUsed a number for each vertex; the steps set it to 1 for all vertices of triangles, and remove the vertices with 0. Then
          * it may have the new indices
          */
-        public static function removing(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>):Steps
+        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
         {
-            return new StepSequence().slices(triangles.length, CORNERS_PER_STEP, function(first:int, end:int):void
-                {
-                    markUsed(triangles, first, end, isUsed);
-                }).begin(function():Steps
-                {
-                    return isUsed.indexOf(0) < 0 ? null : closingGaps(vertices, triangles, isUsed);
-                });
+            _vertices = vertices;
+            _triangles = triangles;
+            _isUsed = isUsed;
+            slices(triangles.length, CORNERS_PER_STEP, markUsed).begin(closingGaps);
         }
 
-        private static function closingGaps(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>):Steps
-        {
-            var count:int = 0;
-            return new StepSequence().slices(isUsed.length, VERTICES_PER_STEP, function(first:int, end:int):void
-                {
-                    count = moveVertices(vertices, first, end, isUsed, count);
-                }).slices(triangles.length, CORNERS_PER_STEP, function(first:int, end:int):void
-                {
-                    vertices.length = 3 * count;
-                    renumber(triangles, first, end, isUsed);
-                });
-        }
-
-        private static function markUsed(corners:Vector.<uint>, first:int, end:int, isUsed:Vector.<uint>):void
+        private function markUsed(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                isUsed[corners[i]] = 1;
+                _isUsed[_triangles[i]] = 1;
             }
         }
 
-        // Moves used vertices to a next index and the ones after it, and notes the new indices. Returns the index after the last one.
-        private static function moveVertices(vertices:Vector.<Number>, first:int, end:int, isUsed:Vector.<uint>, next:int):int
+        private function closingGaps():Steps
+        {
+            return _isUsed.indexOf(0) < 0 ? null : new StepSequence().slices(_isUsed.length, VERTICES_PER_STEP, moveVertices)
+                .slices(_triangles.length, CORNERS_PER_STEP, renumber);
+        }
+
+        // Moves used vertices to the first free index, and notes the new indices.
+        private function moveVertices(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                if (isUsed[i] != 0)
+                if (_isUsed[i] != 0)
                 {
                     var from:int = 3 * i;
-                    var to:int = 3 * next;
-                    vertices[to] = vertices[from];
-                    vertices[int(to + 1)] = vertices[int(from + 1)];
-                    vertices[int(to + 2)] = vertices[int(from + 2)];
-                    isUsed[i] = next++;
+                    var to:int = 3 * _count;
+                    _vertices[to] = _vertices[from];
+                    _vertices[int(to + 1)] = _vertices[int(from + 1)];
+                    _vertices[int(to + 2)] = _vertices[int(from + 2)];
+                    _isUsed[i] = _count++;
                 }
             }
-            return next;
         }
 
-        private static function renumber(triangles:Vector.<uint>, first:int, end:int, newIndices:Vector.<uint>):void
+        private function renumber(first:int, end:int):void
         {
+            _vertices.length = 3 * _count;
             for (var i:int = first; i < end; i++)
             {
-                triangles[i] = newIndices[triangles[i]];
+                _triangles[i] = _isUsed[_triangles[i]];
             }
         }
     }

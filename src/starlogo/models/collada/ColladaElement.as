@@ -21,6 +21,9 @@ package starlogo.models.collada
         /** For an element that is a transform: the transform, after it was first needed. */
         public var transform:AffineTransform = null;
 
+        /** For a geometry: its vertices and triangles, after they were first needed. */
+        public var mesh:ColladaMesh = null;
+
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
 

@@ -104,7 +104,7 @@ package starlogo.models.collada
         private function droppingUnused():Steps
         {
             hasSurfaces = _isUsed.indexOf(1) >= 0;
-            return hasSurfaces ? VertexFilter.removing(vertices, triangles, _isUsed) : null;
+            return hasSurfaces ? new VertexFilter(vertices, triangles, _isUsed) : null;
         }
 
         private function letGo():void

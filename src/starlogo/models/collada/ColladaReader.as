@@ -22,7 +22,6 @@ package starlogo.models.collada
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
         private var _instance:int = 0;
-        private var _meshes:Object = {};
 
         /**
          * @param name the model's name
@@ -58,7 +57,8 @@ package starlogo.models.collada
                 return null;
             }
             var instance:ColladaNode = _scene.instances[_instance];
-            var mesh:ColladaMesh = meshOf(instance.geometry);
+            // each geometry is read once, even if it is in the scene many times
+            var mesh:ColladaMesh = instance.geometry.mesh ||= new ColladaMesh(_document, instance.geometry);
             return new StepSequence().add(mesh).begin(function():Steps
                 {
                     _instance++;
@@ -101,17 +101,6 @@ package starlogo.models.collada
                 to[int(at + 2)] = from[int(i + third)] + firstVertex;
                 at += 3;
             }
-        }
-
-        /** Reads each geometry once, even if it is in the scene many times. */
-        private function meshOf(geometry:ColladaElement):ColladaMesh
-        {
-            var key:String = "#" + geometry.id; // the "#" keeps the key different from every property that each Object has
-            if (key == "#" || _meshes[key] == null)
-            {
-                _meshes[key] = new ColladaMesh(_document, geometry);
-            }
-            return _meshes[key];
         }
 
         // A unit that is no length counts as a metre.

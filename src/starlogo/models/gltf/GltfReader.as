@@ -96,7 +96,7 @@ package starlogo.models.gltf
         private function droppingUnused():Steps
         {
             takeVertices("a mesh in the scene");
-            return triangles.length == 0 ? null : VertexFilter.removing(vertices, triangles, new Vector.<uint>(vertices.length / 3));
+            return triangles.length == 0 ? null : new VertexFilter(vertices, triangles, new Vector.<uint>(vertices.length / 3));
         }
     }
 }

@@ -197,7 +197,7 @@ package starlogo.models.obj
         /** If there are faces, removes the vertices that no face uses. */
         private function droppingUnused():Steps
         {
-            return triangles.length + _polygons.length == 0 ? null : VertexFilter.removing(vertices, triangles, _isUsed);
+            return triangles.length + _polygons.length == 0 ? null : new VertexFilter(vertices, triangles, _isUsed);
         }
 
         private function errorAt(line:int, problem:String):ModelError

@@ -18,11 +18,11 @@ package starlogo.models
         /** Decodes UTF-16. An odd last byte is ignored. */
         internal static function utf16(bytes:ByteArray, isLowFirst:Boolean):String
         {
-            var units:Vector.<int> = new Vector.<int>(bytes.length >> 1, true);
+            var units:Array = [];
             var low:int = isLowFirst ? 0 : 1;
-            for (var i:int = 0; i < units.length; i++)
+            for (var i:int = 1; i < bytes.length; i += 2)
             {
-                units[i] = bytes[int(2 * i + low)] | bytes[int(2 * i + 1 - low)] << 8;
+                units.push(bytes[int(i - 1 + low)] | bytes[int(i - low)] << 8);
             }
             return textOf(units);
         }
@@ -30,29 +30,24 @@ package starlogo.models
         /** Decodes one byte per character: windows-1252 or ISO 8859-1. */
         internal static function latin(bytes:ByteArray, isWindows:Boolean):String
         {
-            var units:Vector.<int> = new Vector.<int>(bytes.length, true);
-            for (var i:int = 0; i < units.length; i++)
+            var units:Array = [];
+            for (var i:int = 0; i < bytes.length; i++)
             {
                 var unit:int = bytes[i];
-                units[i] = isWindows && unit >= 0x80 && unit < 0xa0 ? WINDOWS[unit - 0x80] : unit;
+                units.push(isWindows && unit >= 0x80 && unit < 0xa0 ? WINDOWS[unit - 0x80] : unit);
             }
             return textOf(units);
         }
 
         // The player ends a text at its first zero character.
-        private static function textOf(units:Vector.<int>):String
+        private static function textOf(units:Array):String
         {
             var end:int = units.indexOf(0);
             var length:int = end < 0 ? units.length : end;
             var parts:Array = [];
             for (var from:int = 0; from < length; from += CHUNK)
             {
-                var part:Array = [];
-                for (var i:int = from; i < Math.min(length, from + CHUNK); i++)
-                {
-                    part.push(units[i]);
-                }
-                parts.push(String.fromCharCode.apply(null, part));
+                parts.push(String.fromCharCode.apply(null, units.slice(from, Math.min(length, from + CHUNK))));
             }
             return parts.join("");
         }

@@ -86,14 +86,7 @@ package starlogo.models.cooked
             triangles.length = 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    if (form < CookedShape.SINGLE)
-                    {
-                        readMultiples(first, end, CookedShape.divisorOf(form));
-                    }
-                    else
-                    {
-                        readNumbers(first, end, form == CookedShape.DOUBLE);
-                    }
+                    readNumbers(first, end, form);
                 }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
         }
 
@@ -122,32 +115,23 @@ package starlogo.models.cooked
             return new Vector3D(_bytes.readDouble(), _bytes.readDouble(), _bytes.readDouble());
         }
 
-        // Each number is stored as the difference from the one before it, in multiples of 1 / divisor.
-        private function readMultiples(first:int, end:int, divisor:Number):void
+        private function readNumbers(first:int, end:int, form:int):void
         {
-            var bytes:ByteArray = _bytes;
             var all:Vector.<Number> = vertices;
-            var last:int = 3 * end;
-            var i:int = 3 * first;
-            var x:int = first == 0 ? 0 : Math.round(all[int(i - 3)] * divisor);
-            var y:int = first == 0 ? 0 : Math.round(all[int(i - 2)] * divisor);
-            var z:int = first == 0 ? 0 : Math.round(all[int(i - 1)] * divisor);
-            for (; i < last; i += 3)
-            {
-                x += VarInt.read(bytes);
-                y += VarInt.read(bytes);
-                z += VarInt.read(bytes);
-                all[i] = x / divisor;
-                all[int(i + 1)] = y / divisor;
-                all[int(i + 2)] = z / divisor;
-            }
-        }
-
-        private function readNumbers(first:int, end:int, areDoubles:Boolean):void
-        {
+            var divisor:Number = CookedShape.divisorOf(form);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                vertices[i] = areDoubles ? _bytes.readDouble() : _bytes.readFloat();
+                if (form < CookedShape.SINGLE)
+                {
+                    // each number is stored as the difference from the one of the vertex before, in multiples of 1 / divisor
+                    var multiple:int = i < 3 ? 0 : Math.round(all[int(i - 3)] * divisor);
+                    multiple += VarInt.read(_bytes);
+                    all[i] = multiple / divisor;
+                }
+                else
+                {
+                    all[i] = form == CookedShape.DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
+                }
             }
         }
 

@@ -94,7 +94,11 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
-            var builder:SolidHierarchyBuilder = newBuilder(name, vertices, triangles);
+            ShapeTable.checkName(name);
+            refuse(name, VertexData.vertexProblem(vertices));
+            var hasTriangles:Boolean = triangles != null && triangles.length > 0;
+            refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
+            var builder:SolidHierarchyBuilder = builderOf(vertices.concat(), hasTriangles ? triangles.concat() : null);
             finish(builder);
             shapes.entryFor(name).setHierarchy(builder);
         }
@@ -130,22 +134,8 @@ package starlogo.libraries
         }
 
         /**
-         * The work that builds the hierarchy of a shape. None of its steps is done yet.
-         *
-         * @private
-         */
-        engine function newBuilder(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
-        {
-            ShapeTable.checkName(name);
-            refuse(name, VertexData.vertexProblem(vertices));
-            var hasTriangles:Boolean = triangles != null && triangles.length > 0;
-            refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
-            return builderOf(vertices.concat(), hasTriangles ? triangles.concat() : null);
-        }
-
-        /**
-         * As <code>newBuilder()</code>, for a Model's vertices and triangles. They are neither checked nor copied, because a Model checks them and
-         * never changes.
+         * The work that builds the hierarchy of a shape. None of its steps is done yet. The vertices and triangles are neither checked nor
+         * copied, because a Model checks them and never changes.
          *
          * @private
          */

@@ -40,7 +40,6 @@ package starlogo.models.collada
         private var _sizes:Array;
         private var _size:int = 0;
         private var _sum:Number = 0;
-        private var _polygon:Vector.<uint> = new Vector.<uint>();
 
         /**
          * @param document the document
@@ -106,13 +105,10 @@ package starlogo.models.collada
                     _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
                     add(_text).add(_sizeText).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
                     break;
-                case "polygons":
-                    _lists = _lists.concat(_element.childrenNamed("ph"));
-                    _document.checkCount(_element, _lists.length, "polygons");
-                    repeat(_triangulator.cuttingBetween(readLists));
-                    break;
                 default:
-                    _document.checkCount(_element, _lists.length, "lists of corners <p>");
+                    var arePolygons:Boolean = _element.name == "polygons";
+                    _lists = arePolygons ? _lists.concat(_element.childrenNamed("ph")) : _lists;
+                    _document.checkCount(_element, _lists.length, arePolygons ? "polygons" : "lists of corners <p>");
                     repeat(_triangulator.cuttingBetween(readLists));
                     break;
             }
@@ -167,9 +163,7 @@ package starlogo.models.collada
                 var count:int = Number(_sizes[_size++]);
                 if (count > 2)
                 {
-                    _polygon.length = count;
-                    readCorners(_word, _polygon);
-                    _triangulator.addPolygon(_polygon);
+                    _triangulator.addPolygon(cornersAt(_word, count));
                 }
                 _word += count * _stride;
             }
@@ -221,20 +215,18 @@ package starlogo.models.collada
         private function loopOf(element:ColladaElement):Vector.<uint>
         {
             _words = element.words;
-            var loop:Vector.<uint> = new Vector.<uint>(cornerCount);
-            readCorners(0, loop);
-            return loop;
+            return cornersAt(0, cornerCount);
         }
 
-        // Fills a loop with corners, from a word on.
-        private function readCorners(word:int, loop:Vector.<uint>):void
+        // Some corners. The indices of the first one begin at the given word.
+        private function cornersAt(word:int, count:int):Vector.<uint>
         {
-            var count:int = loop.length;
+            var corners:Vector.<uint> = new Vector.<uint>(count);
             for (var i:int = 0; i < count; i++)
             {
-                loop[i] = cornerAt(word);
-                word += _stride;
+                corners[i] = cornerAt(word + i * _stride);
             }
+            return corners;
         }
 
         // The number of corners in the words.

@@ -28,6 +28,7 @@ package starlogo.libraries
         private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
+        private var _found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
 
         /**
          * @param name the shape's name
@@ -91,7 +92,7 @@ package starlogo.libraries
             return false;
         }
 
-        // Checks one structure.
+        // Checks one structure, and takes a larger copy of it.
         private function check(index:int, end:int):void
         {
             var fitter:Fitter = _fitters[index];
@@ -106,6 +107,9 @@ package starlogo.libraries
                 throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("
                         + _vertices.slice(outside, outside + 3).join(", ") + "): " + structure);
             }
+            var wider:BoundingStructure = structure.clone();
+            wider.widenForSurfaces();
+            _found.push(wider);
         }
 
         // The place of the first vertex that is farther outside than the tolerance of a fit; -1 if there is none.
@@ -128,14 +132,7 @@ package starlogo.libraries
 
         private function choose():void
         {
-            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for each (var fit:Fit in _fits)
-            {
-                var structure:BoundingStructure = fit.structure.clone();
-                structure.widenForSurfaces();
-                found.push(structure);
-            }
-            structures = new ShapeStructures(found, _keepsAll);
+            structures = new ShapeStructures(_found, _keepsAll);
         }
 
         private function named(problem:String):ArgumentError

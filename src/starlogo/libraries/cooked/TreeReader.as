@@ -182,12 +182,8 @@ package starlogo.libraries.cooked
             var extents:Vector.<Number> = _extents;
             for (var i:int = 0; i < 3; i++)
             {
-                var a:Number = extents[int(left + i)];
-                var b:Number = extents[int(right + i)];
-                extents[int(at + i)] = a < b ? a : b;
-                a = extents[int(left + i + 3)];
-                b = extents[int(right + i + 3)];
-                extents[int(at + i + 3)] = a > b ? a : b;
+                extents[int(at + i)] = Math.min(extents[int(left + i)], extents[int(right + i)]);
+                extents[int(at + i + 3)] = Math.max(extents[int(left + i + 3)], extents[int(right + i + 3)]);
             }
         }
 

@@ -43,6 +43,8 @@ package starlogo.models.gltf
         /** What reading the file may cost. It grows with the buffers in other files. */
         internal var budget:ModelBudget;
 
+        private var _meter:JsonMeter;
+
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
@@ -65,7 +67,8 @@ package starlogo.models.gltf
             }
             text = TextTokens.unmarked(text);
             budget = new ModelBudget(name, text.length);
-            measure(text);
+            _meter = new JsonMeter(text, budget);
+            add(_meter).call(parse);
         }
 
         /** Whether bytes begin like a binary glTF file. */
@@ -175,25 +178,17 @@ package starlogo.models.gltf
             return bytes.readUnsignedInt();
         }
 
-        private function measure(text:String):void
-        {
-            var meter:JsonMeter = new JsonMeter(text, budget);
-            add(meter).call(function():void
-                {
-                    parse(meter.marked);
-                });
-        }
-
-        private function parse(text:String):void
+        private function parse():void
         {
             try
             {
-                var root:Object = JSON.parse(text);
+                var root:Object = JSON.parse(_meter.marked);
             }
             catch (failure:Error)
             {
                 refuseIf(true, budget.name, "its JSON can't be read: " + failure.message);
             }
+            _meter = null;
             json = new GltfJson(budget.name, root);
             var asset:Object = json.objectIn(root, "asset", "");
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);

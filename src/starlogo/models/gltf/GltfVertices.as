@@ -154,11 +154,8 @@ package starlogo.models.gltf
                 }
                 if (sum == 0)
                 {
-                    _joints.transforms[0].place(points, i, i + 1, moved, 0);
-                    sum = 1;
-                    x = moved[0];
-                    y = moved[1];
-                    z = moved[2];
+                    _joints.transforms[0].place(points, i, i + 1, points, i);
+                    continue;
                 }
                 points[at] = x / sum;
                 points[int(at + 1)] = y / sum;

@@ -209,6 +209,15 @@ package starlogo.models
             assertEquals(9, model.vertices.length);
         }
 
+        [Test]
+        public function readsGeometriesOfTheSameId():void
+        {
+            const FACE:String = Collada.triangles("0 1 2");
+            var near:String = Collada.geometry("a", "0 0 0 1 0 0 0 1 0", FACE);
+            var far:String = Collada.geometry("a", "5 0 0 6 0 0 5 1 0", FACE);
+            assertSize("6,1,0", read(Collada.document(near + far, "", Collada.Z_UP)));
+        }
+
         private static function box():String
         {
             return Collada.geometry("a", BOX, Collada.polylist("4 4 4 4 4 4", SIDES));

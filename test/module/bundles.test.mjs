@@ -6,7 +6,6 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { Worker } from "node:worker_threads";
 import { gzipSync } from "node:zlib";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -88,21 +87,9 @@ test("nothing runs when it is imported, so that bundlers may leave it out", () =
 	assert.ok(rest.length < 200, rest.slice(0, 300));
 });
 
-test("a fresh project in Node", () => {
-	write("node.mjs", `${GAME}console.log(result);\n`);
-	assert.equal(execFileSync(process.execPath, ["node.mjs"], { cwd: work, encoding: "utf8" }).trim(), RESULT);
+test("a fresh project in Node reads the package's own package.json", () => {
 	write("package.mjs", 'import data from "starlogo-collision/package.json" with { type: "json" };\nconsole.log(data.name);\n');
 	assert.equal(execFileSync(process.execPath, ["--no-warnings", "package.mjs"], { cwd: work, encoding: "utf8" }).trim(), "starlogo-collision");
-});
-
-test("a fresh project with esbuild, minified, in Node and in a Worker", async () => {
-	const entry = write("game.mjs", `${GAME}globalThis.report?.(result);\n`);
-	const file = path.join(work, "game.bundle.mjs");
-	esbuild.buildSync({ entryPoints: [entry], bundle: true, minify: true, format: "esm", outfile: file });
-	assert.equal((await import(pathToFileURL(file))).result, RESULT);
-	const worker = write("worker.mjs", 'import { parentPort } from "node:worker_threads";\nimport { result } from "./game.bundle.mjs";\nparentPort.postMessage(result);\n');
-	const answer = await new Promise((resolve, reject) => new Worker(worker).once("message", resolve).once("error", reject));
-	assert.equal(answer, RESULT);
 });
 
 test("a fresh project with Vite", async () => {

@@ -14,7 +14,6 @@ package support
         private static const PLACES:int = 65536;
 
         private var _hash:RunningHash = new RunningHash();
-        private var _collisions:int = 0;
 
         /**
          * @param scene is played
@@ -32,7 +31,6 @@ package support
             {
                 scene.step();
                 var found:Vector.<Agent> = collider.findCollisions(scene.agents);
-                _collisions += found.length / 2;
                 _hash.addShort(found.length);
                 var pairs:Array = [];
                 for (i = 0; i < found.length; i += 2)
@@ -46,12 +44,6 @@ package support
                     _hash.addShort(pair % PLACES);
                 }
             }
-        }
-
-        /** The collisions of all frames. */
-        public function get collisions():int
-        {
-            return _collisions;
         }
 
         /** The hash: eight hexadecimal digits. */

@@ -1,8 +1,6 @@
 package evaluation.scenes
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.collision.BinCollider;
     import starlogo.collision.CollisionSystem;
@@ -59,39 +57,6 @@ package evaluation.scenes
         public function collisionsOfAScatteredGameAreTheSameOnEveryRun():void
         {
             assertEquals(SCATTERED_HASHES.join("\n"), hashes(Scenes.scattered, SCATTERED).join("\n"));
-        }
-
-        [Test]
-        public function scenesDiffer():void
-        {
-            var collider:BinCollider = new BinCollider(sGreatLand);
-            var scattered:CollisionHash = new CollisionHash(Scenes.scattered(SCATTERED, "spheres"), collider, FRAMES);
-            var other:CollisionHash = new CollisionHash(Scenes.scattered(SCATTERED + 1, "spheres"), collider, FRAMES);
-            var crowd:CollisionHash = new CollisionHash(Scenes.crowd(CROWD, "spheres"), collider, FRAMES);
-            var later:CollisionHash = new CollisionHash(Scenes.scattered(SCATTERED, "spheres"), collider, FRAMES + 1);
-            assertFalse("a scattered game and one of more agents", String(scattered) == String(other));
-            assertFalse("a scattered game and a crowd", String(scattered) == String(crowd));
-            assertFalse("a longer game", String(scattered) == String(later));
-        }
-
-        [Test]
-        public function inACrowdEveryPairCollidesInEveryFrame():void
-        {
-            for each (var collider:Class in COLLIDERS)
-            {
-                for each (var cast:String in Scenes.CROWD_CASTS)
-                {
-                    var hash:CollisionHash = new CollisionHash(Scenes.crowd(CROWD, cast), new collider(sGreatLand), FRAMES);
-                    assertEquals(collider + ", " + cast, FRAMES * CROWD * (CROWD - 1) / 2, hash.collisions);
-                }
-            }
-        }
-
-        [Test]
-        public function inAScatteredGameSomeCollide():void
-        {
-            var hash:CollisionHash = new CollisionHash(Scenes.scattered(SCATTERED, "mix"), new TightestFitCollider(sGreatLand), FRAMES);
-            assertTrue(String(hash.collisions), hash.collisions > 100 * FRAMES / 3 && hash.collisions < 1000 * FRAMES);
         }
 
         [Test]

@@ -214,21 +214,6 @@ package starlogo.bounding
         }
 
         [Test]
-        public function placesLikeItsTransformsOneByOne():void
-        {
-            for each (var structure:BoundingStructure in Structures.samples())
-            {
-                for each (var angles:Array in [[0, 0, 0], [90, 0, 0], [35, 0, 0], [-120, 40, 200]])
-                {
-                    var placement:Placement = standing(2.5, angles, 3, -4, 5);
-                    var expected:BoundingStructure = structure.clone();
-                    expected.scale(2.5).rotate(turn(angles[0], angles[1], angles[2])).translate(new Vector3D(3, -4, 5));
-                    assertSame(expected, structure.place(placement), 1e-5);
-                }
-            }
-        }
-
-        [Test]
         public function placesIntoAnExistingStructure():void
         {
             var placement:Placement = standing(0.5, [20, 30, 40], 1, 2, 3);

@@ -105,69 +105,6 @@ package starlogo.broadphase
         }
 
         [Test]
-        public function rowsNeedNotBeInOrderNorAllOfThem():void
-        {
-            for (var i:int = 0; i < 5; i++)
-            {
-                add(0.1 * i, 0, 0.5, 0.5);
-            }
-            _rows = new <int>[4, 0, 2, 1, 3];
-            search(3);
-            assertEquals(3, _sink.length);
-            assertEquals(1, _sink.count(4, 0));
-            assertEquals(1, _sink.count(0, 2));
-            assertEquals(1, _sink.count(4, 2));
-        }
-
-        [Test]
-        public function membersMayChangeLevelsWhileOthersLeave():void
-        {
-            var random:SeededRandom = new SeededRandom(503);
-            for (var i:int = 0; i < 50; i++)
-            {
-                add(random.between(0, 8), random.between(0, 8), 0.5, 0.5);
-            }
-            var overlapping:int = 0;
-            for (var k:int = 0; k < 30; k++)
-            {
-                _rows.splice(random.integer(0, _rows.length - 1), 1);
-                for each (var row:int in _rows)
-                {
-                    _extents.halfX[row] = random.pick([0.2, 0.5, 1, 3]);
-                    _extents.radius[row] = Math.sqrt(_extents.halfX[row] * _extents.halfX[row] + 0.25);
-                }
-                overlapping += assertLikeBruteForce("search " + k);
-            }
-            assertTrue(overlapping > 500);
-        }
-
-        [Test]
-        public function theOrderIsThatOfTheMembersAndTheirPlaces():void
-        {
-            var random:SeededRandom = new SeededRandom(505);
-            for (var i:int = 0; i < 80; i++)
-            {
-                add(random.between(-4, 4), random.between(-4, 4), 0.5, 0.5);
-            }
-            search();
-            var first:String = _sink.order;
-            // other bins, other rows of the same members
-            var extents:Extents = _extents;
-            _bins = new Bins();
-            _sink = new PairList(_bins);
-            _extents = new Extents();
-            for (i = 79; i >= 0; i--)
-            {
-                add(extents.x[i], extents.y[i], 0.5, 0.5);
-            }
-            _rows.length = 80;
-            _rows.reverse();
-            search();
-            assertTrue(first.length > 100);
-            assertEquals(first, _sink.order);
-        }
-
-        [Test]
         public function aSinkThatThrowsLeavesTheNextSearchAsItShouldBe():void
         {
             add(0, 0, 1, 1);

@@ -123,6 +123,26 @@ package starlogo.collision
         }
 
         [Test]
+        public function longWaysAreInOneCell():void
+        {
+            var ball:Agent = agentAt("cube", -5000, -3000, 0);
+            var agents:Vector.<Agent> = new <Agent>[ball, agentAt("cube", 5, 0, 0)];
+            ball.size = 0.2;
+            ball.sweeps = true;
+            _collider.findCollisions(agents);
+            ball.moveTo(5000, 3000, 0);
+            _collider.findCollisions(agents);
+            assertEquals(1, _collider.statistics.candidatePairs);
+            assertEquals(1, _collider.statistics.sweptPairs);
+            ball.moveTo(-5000, 0, 0);
+            _collider.findCollisions(agents);
+            ball.moveTo(5000, 0, 0);
+            assertEquals(2, _collider.findCollisions(agents).length);
+            assertEquals(1, _collider.statistics.sweptPairs);
+            assertEquals(1, _collider.statistics.sphereSphereTests);
+        }
+
+        [Test]
         public function aCrowdNeedsNoMoreMemoryThanItsPairs():void
         {
             var agents:Vector.<Agent> = new Vector.<Agent>();
@@ -154,6 +174,8 @@ package starlogo.collision
             assertThrows(ArgumentError, /null/, _collider.areColliding, a, null);
             assertThrows(ArgumentError, /unicorn/, _collider.areColliding, a, unknown);
             assertThrows(ArgumentError, /two different agents are needed/, _collider.areColliding, a, a);
+            assertThrows(ArgumentError, /two different agents/, _collider.contactOf, a, a);
+            assertThrows(ArgumentError, /two agents/, _collider.contactOf, null, a);
             assertEquals("and the collider still works", 2, _collider.findCollisions(new <Agent>[a, b], out).length);
         }
 

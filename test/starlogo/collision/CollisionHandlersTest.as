@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
+    import flash.errors.IllegalOperationError;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -9,6 +10,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import support.OwnVectorSystem;
     import support.assertThrows;
+    import support.create;
     import support.landOf;
 
     /** What handlers may do to a game, and to other handlers. */
@@ -18,6 +20,38 @@ package starlogo.collision
         private var _collision:Collision = new Collision(new BinCollider(_greatLand));
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
         private var _calls:Array = [];
+
+        [Test]
+        public function updateDoesNotNest():void
+        {
+            addAll("bears", "bears");
+            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                    _collision.update(_agents);
+                });
+            assertThrows(IllegalOperationError, /handler/, _collision.update, _agents);
+        }
+
+        [Test]
+        public function badInputIsNamedAndCallsNoHandler():void
+        {
+            addAll("bears", "bears");
+            _collision.onCollision("bears", "bears", note("bump"));
+            _agents.push(_agents[0]);
+            assertThrows(ArgumentError, /listed twice/, _collision.update, _agents);
+            _agents[2] = null;
+            assertThrows(ArgumentError, /agents\[2\] is null/, _collision.update, _agents);
+            _agents[2] = new Agent("unicorn");
+            assertThrows(ArgumentError, /unicorn/, _collision.update, _agents);
+            assertThrows(ArgumentError, /null/, _collision.update, null);
+            assertEquals(0, _calls.length);
+            assertThrows(ArgumentError, /handler/, _collision.onCollision, "bears", "bears", null);
+            assertThrows(ArgumentError, /breeds/, _collision.onCollision, "", "bears", note("x"));
+            assertThrows(ArgumentError, /collisionSystem/, create, Collision, null);
+            _agents.pop();
+            _collision.update(_agents);
+            assertEquals("and the game goes on", 2, _calls.length);
+        }
 
         [Test]
         public function everyErrorOfAFrameIsKept():void

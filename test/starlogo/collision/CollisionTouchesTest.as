@@ -21,45 +21,6 @@ package starlogo.collision
         private var _calls:Array = [];
 
         [Test]
-        public function beginsOnceAndEndsOnce():void
-        {
-            note("bears", "balls");
-            assertFrame("apart", 5, "");
-            assertFrame("first", 0.5, "start bears balls,stay bears balls");
-            assertFrame("second", 0.4, "stay bears balls");
-            assertFrame("third", 0.4, "stay bears balls");
-            assertFrame("gone", 5, "end bears balls");
-            assertFrame("still gone", 5, "");
-            assertFrame("again", 0.5, "start bears balls,stay bears balls");
-        }
-
-        [Test]
-        public function eachDirectionHasItsOwn():void
-        {
-            note("balls", "bears");
-            note("bears", Collision.ANY_BREED);
-            assertFrame("first", 0.5, "start bears balls,stay bears balls,start balls bears,stay balls bears");
-            assertFrame("second", 0.5, "stay bears balls,stay balls bears");
-            // in the new order of the list
-            _agents.reverse();
-            assertFrame("the other way round", 0.5, "stay balls bears,stay bears balls");
-            assertFrame("gone", 5, "end bears balls,end balls bears");
-        }
-
-        [Test]
-        public function theEndOfAnAgentThatIsTakenOut():void
-        {
-            note("bears", "balls");
-            assertFrame("first", 0.5, "start bears balls,stay bears balls");
-            _agents.length = 1;
-            assertFrame("taken out", 0.5, "end bears balls");
-            _agents.push(_ball);
-            assertFrame("back", 0.5, "start bears balls,stay bears balls");
-            _agents.length = 0;
-            assertFrame("both taken out", 0.5, "end bears balls");
-        }
-
-        [Test]
         public function whoIsTakenOutBeforeItsTurnNeverTouched():void
         {
             var other:Agent = new Agent("sphere", "bears");
@@ -117,33 +78,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function anotherBreedIsAnotherTouch():void
-        {
-            note("bears", "balls");
-            note("bears", "walls");
-            assertFrame("first", 0.5, "start bears balls,stay bears balls");
-            _ball.breed = "walls";
-            assertFrame("a wall", 0.5, "end bears balls,start bears walls,stay bears walls");
-            _ball.breed = "trees";
-            assertFrame("no handler is about trees", 0.5, "end bears walls");
-            _ball.breed = "balls";
-            assertFrame("a ball", 0.5, "start bears balls,stay bears balls");
-        }
-
-        [Test]
-        public function aTouchBeginsAnewAfterAFrameWithoutHandlers():void
-        {
-            var start:Function = noting("start");
-            _collision.onCollisionStart("bears", "balls", start);
-            assertFrame("first", 0.5, "start bears balls");
-            assertTrue(_collision.removeHandler("bears", "balls", start));
-            _collision.onCollision("bears", "balls", noting("stay"));
-            assertFrame("no handler when it begins", 0.5, "stay bears balls");
-            _collision.onCollisionStart("bears", "balls", start);
-            assertFrame("handlers again", 0.5, "start bears balls,stay bears balls");
-        }
-
-        [Test]
         public function anotherSystemMayEndIt():void
         {
             note("bears", "balls");
@@ -154,32 +88,6 @@ package starlogo.collision
             assertFrame("finds no pair", 0.4, "end bears balls");
             _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_ball, _bear]);
             assertFrame("finds them far apart", 40, "start bears balls,stay bears balls");
-        }
-
-        [Test]
-        public function handlersMayComeAndGo():void
-        {
-            var start:Function = function(collider:Agent, collidee:Agent):void
-            {
-                _calls.push("late start");
-            };
-            var end:Function = function(collider:Agent, collidee:Agent):void
-            {
-                _calls.push("late end");
-            };
-            assertFrame("no handler", 0.5, "");
-            _collision.onCollisionStart("bears", "balls", start);
-            assertFrame("a handler", 0.5, "late start");
-            _collision.onCollisionStart("bears", "balls", start);
-            _collision.onCollisionEnd("bears", "balls", end);
-            assertFrame("too late for this touch's start", 0.5, "");
-            assertFrame("but not for its end", 5, "late end");
-            assertTrue(_collision.removeHandler("bears", "balls", start));
-            assertTrue(_collision.removeHandler("bears", "balls", start));
-            assertTrue(!_collision.removeHandler("bears", "balls", start));
-            assertFrame("again", 0.5, "");
-            assertTrue(_collision.removeHandler("bears", "balls", end));
-            assertFrame("no agent is left", 5, "");
         }
 
         [Test]

@@ -40,59 +40,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function anAgentOfAnotherBreedGetsThatOfTheGroundBefore():void
-        {
-            // the pair's handlers take no contact before the breed changes
-            _agents.unshift(agentAt("sphere", 3, 0, -0.1, "diggers"));
-            _collision.onCollision("diggers", Collision.TERRAIN, function(digger:Agent, ground:Agent):void
-                {
-                    raise();
-                    _ball.breed = "bears";
-                });
-            _collision.onCollision("balls", Collision.TERRAIN, ignore);
-            _collision.onCollision("bears", Collision.TERRAIN, note);
-            _collision.update(_agents);
-            assertDepths(0.1);
-        }
-
-        [Test]
-        public function anAgentOfAnotherBreedGetsThatOfTheEdgesBefore():void
-        {
-            _ball.moveTo(8.6, 0, 5);
-            _agents.unshift(agentAt("sphere", -8.6, 0, 5, "diggers"));
-            _collision.onCollision("diggers", Collision.EDGE, function(digger:Agent, edge:Agent):void
-                {
-                    _bounds.setTo(-4, -9, -9, 4, 9, 9);
-                    _ball.breed = "bears";
-                });
-            _collision.onCollision("balls", Collision.EDGE, ignore);
-            _collision.onCollisionStart("bears", Collision.EDGE, note);
-            _collision.update(_agents);
-            assertDepths(0.1);
-        }
-
-        [Test]
-        public function askedInAHandlerItIsThatOfTheFrameWhateverHandlersDidToTheGround():void
-        {
-            for each (var change:Function in [raise, flatten, makeBlocky, takeAway, exchange, raiseTwice, updateAnother])
-            {
-                makeGame();
-                _terrain.setHeight(5, 5, 0.25);
-                _ball.moveTo(0, 0, 0.125);
-                _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
-                    {
-                        _depths.push(depthOf(ball, ground));
-                        change();
-                        _depths.push(depthOf(ball, ground), depthOf(ground, ball), depthOf(ball, ground));
-                    });
-                var before:Number = depthOf(_ball, _terrain.agent);
-                _collision.update(_agents);
-                assertDepths(before, before, before, before);
-                assertTrue("a depth", before > 0.1);
-            }
-        }
-
-        [Test]
         public function afterTheFrameItIsThatOfTheGroundAsItIs():void
         {
             _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
@@ -107,22 +54,6 @@ package starlogo.collision
             _terrain.setHeights(5, 5, 1, 1, new <Number>[0]);
             _depths.push(depthOf(_ball, _terrain.agent));
             assertDepths(0.1, 5.1, 0.1, 0.1);
-        }
-
-        [Test]
-        public function askedInAHandlerItIsThatOfTheEdgesOfTheFrame():void
-        {
-            _ball.moveTo(8.6, 0, 5);
-            _collision.onCollision("balls", Collision.EDGE, function(ball:Agent, edges:Agent):void
-                {
-                    _bounds.setTo(-4, -9, -9, 4, 9, 9);
-                    _depths.push(depthOf(ball, edges), depthOf(edges, ball));
-                    _collision.bounds = null;
-                    _depths.push(depthOf(ball, edges));
-                });
-            _collision.update(_agents);
-            _depths.push(depthOf(_ball, _bounds.agent));
-            assertDepths(0.1, 0.1, 0.1, 5.1);
         }
 
         // Two frames use one ground at the same time, and handlers of both change it.
@@ -256,43 +187,6 @@ package starlogo.collision
         private function depthOf(a:Agent, b:Agent):Number
         {
             return BaseCollider(_collision.collisionSystem).contactOf(a, b).depth;
-        }
-
-        private function makeBlocky():void
-        {
-            _terrain.isBlocky = true;
-        }
-
-        private function flatten():void
-        {
-            _terrain.reset();
-        }
-
-        private function takeAway():void
-        {
-            _collision.terrain = null;
-        }
-
-        private function exchange():void
-        {
-            _collision.terrain = new Terrain(3, 3);
-            raise();
-        }
-
-        private function raiseTwice():void
-        {
-            raise();
-            _terrain.raiseWall(0, 0, -3);
-            _terrain.isBlocky = true;
-        }
-
-        private function updateAnother():void
-        {
-            raise();
-            var other:Collision = new Collision(new BinCollider());
-            other.terrain = _terrain;
-            other.onCollision("balls", Collision.TERRAIN, ignore);
-            other.update(new <Agent>[_ball]);
         }
 
         private function raise():void

@@ -49,28 +49,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function aWallOfTwoTrianglesIsHitInItsMiddle():void
-        {
-            _greatLand.addModel(new Model("wall", new <Number>[0, -0.5, 0, 0, 0.5, 0, 0, 0.5, 1, 0, -0.5, 1], new <uint>[0, 1, 2, 0, 2, 3]));
-            // so that the two triangles are two leaves
-            _greatLand.hierarchies.minVerticesToSplit = 1;
-            _greatLand.addModel(new Model("finer wall", new <Number>[0, -0.5, 0, 0, 0.5, 0, 0, 0.5, 1, 0, -0.5, 1], new <uint>[0, 1, 2, 0, 2, 3]));
-            _greatLand.hierarchies.minVerticesToSplit = 5;
-            for each (var shape:String in ["wall", "finer wall"])
-            {
-                for each (var isExact:Boolean in [false, true])
-                {
-                    for (var depth:int = 1; depth <= 12; depth++)
-                    {
-                        _collider.exact = isExact;
-                        _collider.maxDepth = depth;
-                        assertEquals(shape + " at depth " + depth, 3, whereItStops(shape));
-                    }
-                }
-            }
-        }
-
-        [Test]
         public function theAgentsOwnDepthCounts():void
         {
             var a:Agent = new Agent("blades");
@@ -132,28 +110,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function exactSurfacesMeetOrNot():void
-        {
-            _collider.exact = true;
-            var a:Agent = new Agent("blades");
-            var b:Agent = new Agent("blades");
-            // the blades are planes through the axis, at right angles: turned by 45 degrees they meet on it
-            b.heading = 45;
-            assertTrue(_collider.areColliding(a, b));
-            b.heading = 0;
-            b.moveTo(0.1, 0.1, 0);
-            assertTrue("they cross", _collider.areColliding(a, b));
-            b.moveTo(0.1, 0.1, 1.001);
-            assertFalse("over it", _collider.areColliding(a, b));
-            b.moveTo(0.1, 0.1, 1);
-            assertTrue("on it", _collider.areColliding(a, b));
-            b.moveTo(0, 1, 0);
-            assertTrue("edge to edge", _collider.areColliding(a, b));
-            b.moveTo(0, 1 + 1e-9, 0);
-            assertFalse(_collider.areColliding(a, b));
-        }
-
-        [Test]
         public function exactWithoutTrianglesIsItsLeaves():void
         {
             _greatLand.addModel(new Model("points", BuiltInModel.cube().vertices));
@@ -162,42 +118,6 @@ package starlogo.collision
             var b:Agent = new Agent("cube");
             b.moveTo(0, 0, 0.9);
             assertTrue(_collider.areColliding(a, b));
-        }
-
-        [Test]
-        public function aSolidInsideOfAClosedOneCounts():void
-        {
-            addOpenCube();
-            _collider.exact = true;
-            var inner:Agent = new Agent("sphere");
-            inner.size = 0.4;
-            inner.moveTo(0.1, 0.05, 0.3);
-            for each (var pair:Vector.<Agent> in [new <Agent>[new Agent("cube"), inner], new <Agent>[inner, new Agent("cube")]])
-            {
-                assertTrue(_collider.areColliding(pair[0], pair[1]));
-            }
-            assertFalse("an open cube has no inside", _collider.areColliding(new Agent("open cube"), inner));
-            assertFalse(_collider.areColliding(inner, new Agent("open cube")));
-            inner.moveTo(0.8, 0.05, 0.3);
-            assertFalse("beside it", _collider.areColliding(inner, new Agent("cube")));
-        }
-
-        // Where an agent that walks along x is stopped by a wall at x = 3.5, or -1.
-        private function whereItStops(shape:String):int
-        {
-            var wall:Agent = new Agent(shape);
-            wall.size = 10;
-            wall.moveTo(3.5, 0, 0);
-            var walker:Agent = new Agent("cube");
-            for (var x:int = 0; x < 8; x++)
-            {
-                walker.moveTo(x, 0.1, 4.6);
-                if (_collider.findCollisions(new <Agent>[walker, wall]).length > 0)
-                {
-                    return x;
-                }
-            }
-            return -1;
         }
 
         private function compareWithReference(count:int, seed:uint, isUpright:Boolean):void
@@ -282,12 +202,6 @@ package starlogo.collision
                 }
             }
             return new Model("blades", vertices, triangles);
-        }
-
-        private function addOpenCube():void
-        {
-            var cube:Model = BuiltInModel.cube();
-            _greatLand.addModel(new Model("open cube", cube.vertices, cube.triangles.slice(0, 33)));
         }
     }
 }

@@ -193,43 +193,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function aMotionFromThereMeetsWhatIsInBetween():void
-        {
-            for each (var isJumped:Boolean in [false, true])
-            {
-                var collision:Collision = new Collision(new BinCollider(_greatLand));
-                var ball:Agent = new Agent("sphere", "balls");
-                var wall:Agent = new Agent("sphere", "walls");
-                ball.sweeps = true;
-                wall.moveTo(5, 0, 0);
-                var hits:int = 0;
-                collision.onCollision("balls", "walls", function(collider:Agent, collidee:Agent):void
-                    {
-                        hits++;
-                    });
-                var agents:Vector.<Agent> = new <Agent>[ball, wall];
-                collision.update(agents);
-                var bytes:ByteArray = collision.snapshot();
-                ball.moveTo(20, 0, 0);
-                collision.update(agents);
-                assertEquals(1, hits);
-                // put back, by a jump even
-                ball.jumpTo(0, 0, 0);
-                collision.restore(bytes, agents);
-                if (isJumped)
-                {
-                    ball.jumpTo(20, 0, 0);
-                }
-                else
-                {
-                    ball.moveTo(20, 0, 0);
-                }
-                collision.update(agents);
-                assertEquals(isJumped ? 1 : 2, hits);
-            }
-        }
-
-        [Test]
         public function anAgentThatAHandlerTakesOutComesBack():void
         {
             for each (var name:String in EachCollider.NAMES)

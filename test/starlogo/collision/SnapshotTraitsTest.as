@@ -61,26 +61,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function anAngleAndItsQuaternionAreTwoStates():void
-        {
-            var collision:Collision = new Collision(new BinCollider());
-            var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("sphere"), new Agent("sphere")];
-            agents[0].heading = 33.3;
-            agents[1].setQuaternion(agents[0].getQuaternion()[0], agents[0].getQuaternion()[1], agents[0].getQuaternion()[2], agents[0].getQuaternion()[3]);
-            agents[2].heading = agents[1].heading;
-            agents[2].setQuaternion(agents[2].getQuaternion()[0], agents[2].getQuaternion()[1], agents[2].getQuaternion()[2], agents[2].getQuaternion()[3]);
-            collision.update(agents);
-            var bytes:ByteArray = collision.snapshot(true);
-            var expected:String = textOf(agents);
-            var turned:Vector.<Agent> = agents.concat().reverse();
-            new Collision(new BinCollider()).restore(bytes, turned);
-            assertEquals(expected, textOf(turned));
-            agents.reverse();
-            new Collision(new BinCollider()).restore(bytes, agents);
-            assertEquals(expected, textOf(agents));
-        }
-
-        [Test]
         public function whatCarriesAWalkerComesBack():void
         {
             for each (var withTraits:Boolean in [true, false])

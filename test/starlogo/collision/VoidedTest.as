@@ -266,25 +266,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function aModelWithoutFitsWasRemoved():void
-        {
-            // for a BinCollider nothing else is known of it
-            var land:GreatLand = new GreatLand();
-            land.loadTightestFit = land.loadHierarchies = false;
-            land.addModel(flat(0.3));
-            var collider:BinCollider = new BinCollider(land);
-            var pair:Vector.<Agent> = new <Agent>[new Agent("flat"), new Agent("flat")];
-            assertEquals(2, collider.findCollisions(pair).length);
-            land.addModel(flat(0.4));
-            assertEquals("replaced", 2, collider.findCollisions(pair).length);
-            land.removeModel("flat");
-            assertThrows(ArgumentError, /there is no model "flat"/, collider.findCollisions, pair);
-            assertThrows(ArgumentError, /there is no model "flat"/, collider.areColliding, pair[0], pair[1]);
-            land.addModel(flat(0.3));
-            assertEquals("added again", 2, collider.findCollisions(pair).length);
-        }
-
-        [Test]
         public function aQuestionThrewBeforeAnother():void
         {
             sGreatLand.expect("later");

@@ -69,24 +69,6 @@ package starlogo.debug
         }
 
         [Test]
-        public function aBoxIsItsTwelveEdges():void
-        {
-            var lines:Vector.<Number> = Wireframes.ofStructure(new Box(new Vector3D(1, 2, 3), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 2, 4));
-            var seen:Object = {};
-            var count:int = 0;
-            for (var i:int = 0; i < lines.length; i += 6)
-            {
-                var line:String = lines.slice(i, i + 6).join();
-                count += seen[line] ? 0 : 1;
-                seen[line] = true;
-                var length:Number = Math.abs(lines[i + 3] - lines[i]) + Math.abs(lines[i + 4] - lines[i + 1]) + Math.abs(lines[i + 5] - lines[i + 2]);
-                assertTrue(length == 2 || length == 4 || length == 8);
-            }
-            assertEquals(12, count);
-            assertEquals(12 * 6, lines.length);
-        }
-
-        [Test]
         public function whatHasNoLengthIsLeftOut():void
         {
             var here:Vector3D = new Vector3D(1, 2, 3);

@@ -1,6 +1,5 @@
 package starlogo.fitting
 {
-    import evaluation.literal.LiteralOrientedBoxFit;
     import evaluation.pairs.SeededRandom;
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
@@ -60,25 +59,6 @@ package starlogo.fitting
             encloseHardSets(1, minimalFitters(), Effort.choose(8, 1));
         }
 
-        [Test]
-        public function theMinimalSphereIsTheSmallest():void
-        {
-            var sets:Array = PointSets.hard(new SeededRandom(2));
-            for (var i:int = 0; i < sets.length; i += 2 * Effort.choose(6, 2))
-            {
-                var session:FitSession = new FitSession(sets[i + 1]);
-                var rounding:Number = 1e-9 * Math.pow(session.hull.extent, 3);
-                var sphere:Number = new MinimalSphereFitter().fitOnce(session).volume;
-                for each (var fitter:Fitter in thesisFitters())
-                {
-                    var found:BoundingStructure = fitter.fitOnce(session);
-                    var least:Number = found is Sphere ? sphere : session.hull.volume;
-                    assertTrue(sets[i] + ", " + fitter + ": " + found.volume + " below " + least,
-                            found.volume >= least * (1 - 1e-5) - rounding);
-                }
-            }
-        }
-
         // every set, or every so many
         private static function encloseHardSets(seed:int, fitters:Vector.<Fitter>, every:int):void
         {
@@ -119,19 +99,6 @@ package starlogo.fitting
                 }
             }
             assertEquals(BOXES, hash.toString());
-        }
-
-        [Test]
-        public function orientedBoxIsTheLiteralOne():void
-        {
-            var random:SeededRandom = new SeededRandom(41);
-            for (var i:int = 0; i < 6; i++)
-            {
-                var cloud:Vector.<Number> = PointSets.turned(PointSets.cloud(random, 60, 1, 0.6, 0.3), random);
-                var literalFit:LiteralOrientedBoxFit = new LiteralOrientedBoxFit(cloud, 15);
-                var volume:Number = new OrientedBoxFitter(15).fit(cloud).volume;
-                assertTrue(volume + " instead of " + literalFit.volume, Math.abs(volume / literalFit.volume - 1) < 1e-6);
-            }
         }
 
         [Test]

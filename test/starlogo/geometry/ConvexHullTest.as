@@ -1,11 +1,9 @@
 package starlogo.geometry
 {
     import evaluation.pairs.SeededRandom;
-    import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
-    import support.Effort;
     import support.PointSets;
     import support.assertThrows;
     import support.create;
@@ -75,30 +73,6 @@ package starlogo.geometry
             assertNear(1, new ConvexHull(PointSets.box(0.5, 0.5, 0.5, 3)).volume, 1e-12);
             assertNear(1 / 6, new ConvexHull(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]).volume, 1e-12);
             assertEquals(0, new ConvexHull(PointSets.box(1, 1, 0)).volume);
-        }
-
-        [Test]
-        public function tensOfThousandsOfVertices():void
-        {
-            var random:SeededRandom = new SeededRandom(7);
-            var count:int = Effort.choose(30000, 100000);
-            var cloud:Vector.<Number> = PointSets.cloud(random, count);
-            var made:int = getTimer();
-            var hull:ConvexHull = new ConvexHull(cloud);
-            trace("hull of " + count + " in a cube: " + (getTimer() - made) + " ms, " + hull.indices.length + " corners");
-            checkMesh("a cloud", hull);
-            checkSupports("a cloud", hull, random);
-        }
-
-        [Test]
-        public function manyCorners():void
-        {
-            var shell:Vector.<Number> = PointSets.shell(new SeededRandom(9), 3000);
-            var start:int = getTimer();
-            var hull:ConvexHull = new ConvexHull(shell);
-            trace("hull of 3000 on a sphere: " + (getTimer() - start) + " ms, " + hull.indices.length + " corners");
-            assertEquals(3000, hull.indices.length);
-            checkMesh("a shell of 3000", hull);
         }
 
         // Twice as many vertices take at most two and a half times as many steps, which all have about the same work.

@@ -68,30 +68,6 @@ package starlogo.hierarchy
         }
 
         [Test]
-        public function enclosesWholeTriangles():void
-        {
-            // a fan whose triangles all reach from one end to the other
-            var vertices:Vector.<Number> = new <Number>[0, 0, 0];
-            var triangles:Vector.<uint> = new Vector.<uint>();
-            for (var i:int = 0; i <= 12; i++)
-            {
-                vertices.push(10, i - 6, 0);
-                if (i > 0)
-                {
-                    triangles.push(0, i, i + 1);
-                }
-            }
-            add("fan", vertices, triangles);
-            var root:HierarchyNode = _library.root("fan");
-            assertEquals(12, root.triangleCount);
-            assertEquals(14, root.vertexCount);
-            // x is the longest axis of the box, but there is no splitting by it
-            assertNear(5, Box(root.left.bounds).halfX, 3e-12);
-            assertEquals(6, root.left.triangleCount);
-            assertEquals("triangles name the vertices", 0, root.vertexIndices().length);
-        }
-
-        [Test]
         public function leavesOutVerticesThatNoTriangleUses():void
         {
             add("tetrahedron and a stray", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 50, 50, 50], new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
@@ -126,20 +102,6 @@ package starlogo.hierarchy
                 add("soup", vertices);
                 add("soup", vertices, triangles);
             }
-        }
-
-        [Test]
-        public function pileOfScalesIsWellFormed():void
-        {
-            // halving splits off one vertex a level
-            var vertices:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < 1000; i++)
-            {
-                vertices.push(Math.pow(2, -i), 0, 0);
-            }
-            _library.maxDepth = int.MAX_VALUE;
-            _library.minVerticesToSplit = 1;
-            add("scales", vertices);
         }
 
         private function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void

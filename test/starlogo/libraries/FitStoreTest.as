@@ -40,27 +40,6 @@ package starlogo.libraries
         }
 
         [Test]
-        public function nothingIsKeptWithoutAStore():void
-        {
-            newGame(null).addModel(BuiltInModel.cube());
-            newGame(null).addModel(BuiltInModel.cube());
-            assertEquals(2, _fitter.count);
-        }
-
-        [Test]
-        public function gamesWithOtherSettingsDoNotTakeFromEachOther():void
-        {
-            newGame(_store).addModel(BuiltInModel.cube());
-            var other:GreatLand = newGame(_store);
-            other.hierarchies.maxDepth = 3;
-            other.addModel(BuiltInModel.cube());
-            assertEquals(2, _storage.names.length);
-            newGame(_store).addModel(BuiltInModel.cube());
-            assertEquals("both are there", 2, _storage.names.length);
-            assertEquals("one fit for each", 2, _fitter.count);
-        }
-
-        [Test]
         public function itMayBeReadAndWrittenByHand():void
         {
             var settings:FitSettings = settingsOf(newGame(null));

@@ -16,7 +16,6 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.MinimalCapsuleFitter;
-    import starlogo.fitting.MinimalSphereFitter;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.VertexData;
     import starlogo.models.BuiltInModel;
@@ -65,17 +64,6 @@ package starlogo.libraries
         }
 
         [Test]
-        public function settingsThatChooseAmongWhatIsKept():void
-        {
-            var model:Model = bear();
-            for each (var all:Boolean in [true, false])
-            {
-                _greatLand.loadAllBoundingStructures = all;
-                assertReadAsComputed(model, String(all));
-            }
-        }
-
-        [Test]
         public function everySettingThatMattersCounts():void
         {
             var model:Model = bear();
@@ -97,14 +85,6 @@ package starlogo.libraries
             assertFalse("split elsewhere", isTaken(model, baked, false));
             _greatLand.hierarchies.splitByMean = false;
             assertTrue("the same again", isTaken(model, baked, true) && isTaken(model, baked, false));
-        }
-
-        [Test]
-        public function everyBuiltInFitterHasASignatureOfItsOwn():void
-        {
-            _greatLand.boundingStructures.fitters = new <Fitter>[new MinimalSphereFitter(), new MinimalCapsuleFitter()];
-            assertReadAsComputed(bear(), "minimal");
-            assertTrue(isTaken(bear(), _greatLand.bake(bear()), true));
         }
 
         [Test]

@@ -239,16 +239,6 @@ package starlogo.models
             }
         }
 
-        [Test]
-        public function cancellingClosesWhatIsFetched():void
-        {
-            _loader.load("bear", "bear.obj");
-            _loader.cancel("bear");
-            assertEquals(1, _loader.fetches[0].closeCount);
-            _loader.fetches[0].deliver(encoded(OBJ));
-            assertFalse(_greatLand.hasModel("bear"));
-        }
-
         private function askedFor():String
         {
             var addresses:Array = [];

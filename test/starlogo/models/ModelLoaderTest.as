@@ -8,7 +8,6 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
     import support.Collada;
-    import support.Fixtures;
     import support.SlowReceiver;
     import support.assertThrows;
     import support.encoded;
@@ -17,11 +16,6 @@ package starlogo.models
     {
         public static const FIXTURES:Array = ["/assimp/OBJ/spider.obj"];
 
-        private static const FILES:Array = ["OBJ/spider.obj", "OBJ/WusonOBJ.obj", "OBJ/regr01.obj", "OBJ/box.obj",
-                "Collada/duck.dae",
-                "Collada/duck.dae", "Collada/COLLADA.dae", "Collada/Cinema4D.dae", "Collada/sphere.dae",
-                "Collada/teapots.DAE",
-                "Collada/regr01.dae", "Collada/cube_tristrips.dae"];
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
         private static const DOCUMENT:String = Collada.document(Collada.geometry("a", "0 0 0 1 0 0 1 1 0",
                     Collada.triangles("0 1 2")));
@@ -153,26 +147,6 @@ package starlogo.models
                     assertEquals(12, _receiver.received.length);
                     assertTrue("several frames: " + progress.length, progress.length > 3);
                     assertEquals(1200, progress.pop());
-                });
-        }
-
-        [Test(async, timeout="150000")]
-        public function keepsToItsBudgetWithRealFiles():void
-        {
-            Fixtures.assume("/assimp/OBJ/spider.obj", "the package assimp-testmodels is not installed");
-            var loader:TestedLoader = new TestedLoader(_receiver, 10);
-            loader.fetches = null;
-            _loader = loader;
-            for each (var file:String in FILES)
-            {
-                _loader.load(file, "/assimp/" + file);
-            }
-            whenComplete(function():void
-                {
-                    assertEquals(12, _receiver.received.length);
-                    assertEquals("steps begun when the budget was spent", 0, loader.lateStepCount);
-                    assertTrue("in many frames: " + loader.frameCount, loader.frameCount > 12);
-                    assertTrue("in many steps: " + loader.stepCount, loader.stepCount > 12 * 12);
                 });
         }
 

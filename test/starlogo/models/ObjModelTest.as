@@ -1,10 +1,7 @@
 package starlogo.models
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertNull;
-    import org.flexunit.asserts.assertTrue;
     import support.Failures;
-    import support.Surfaces;
     import support.assertThrows;
     import support.create;
 
@@ -51,15 +48,6 @@ package starlogo.models
         }
 
         [Test]
-        public function readsTriangles():void
-        {
-            var model:ObjModel = new ObjModel("square", SQUARE + "f 1 2 3\nf 1 3 4\n");
-            assertEquals("square", model.name);
-            assertEquals("-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0,-0.5,0.5,0", model.vertices.join());
-            assertEquals("0,1,2,0,2,3", model.triangles.join());
-        }
-
-        [Test]
         public function readsEveryFormOfCorner():void
         {
             for each (var face:String in ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f 1/9/1 2/9/1 3/9/1",
@@ -68,14 +56,6 @@ package starlogo.models
             {
                 assertEquals(face, "0,1,2", new ObjModel("a", SQUARE + face).triangles.join());
             }
-        }
-
-        [Test]
-        public function countsNegativeIndicesFromTheLatestVertex():void
-        {
-            var model:ObjModel = new ObjModel("a",
-                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 0 1\nv 1 0 1\nv 1 1 1\nf -3 -2 -1");
-            assertEquals("0,1,2,3,4,5", model.triangles.join());
         }
 
         [Test]
@@ -97,23 +77,6 @@ package starlogo.models
                 assertEquals(text, "-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
                 assertEquals(text, "0,1,2", model.triangles.join());
             }
-        }
-
-        [Test]
-        public function readsLongTextsInPieces():void
-        {
-            // wherever the text is cut
-            for (var length:int = 29950; length < 30030; length++)
-            {
-                var start:String = "v 0 0 0\n" + new Array(length).join("#") + "\n";
-                var model:ObjModel = new ObjModel("a", start + "v 1 \\\n 0 0\r\nv \\\r\n1 1 0\nf 1 \\\r\n2 3");
-                assertEquals(length, "-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
-                assertEquals(length, "0,1,2", model.triangles.join());
-                fails("line 7", "not 0", start + "v 1 \\\n0 0\nv 1 1 0\nf 1 \\\n2 0");
-            }
-            var many:String = new Array(20000).join("v 1 2 3\n");
-            fails("line 20000", "no vertex 20000", many + "f 1 2 20000");
-            assertEquals(60000, new ObjModel("a", many + "v 0 0 0 \\").vertices.length);
         }
 
         [Test(timeout="600000")]
@@ -155,17 +118,6 @@ package starlogo.models
         }
 
         [Test]
-        public function cutsPolygons():void
-        {
-            assertArea("quad", 1, SQUARE + "f 1 2 3 4");
-            assertArea("quad, cut from its second corner", 0.25, "v 0 0 0\nv 1 0 0\nv 0.25 0.25 0\nv 0 1 0\nf 1 2 3 4");
-            assertArea("quad, cut from its first corner", 0.25, "v 0.25 0.25 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nf 1 2 3 4");
-            assertArea("L before its vertices", 0.75,
-                    "f 1 2 3 4 5 6\nv 0 0 0\nv 1 0 0\nv 1 0.5 0\nv 0.5 0.5 0\nv 0.5 1 0\nv 0 1 0\n");
-            assertArea("U", 0.75, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv .75 1 0\nv .75 .5 0\nv .25 .5 0\nv .25 1 0\nv 0 1 0\nf 1 2 3 4 5 6 7 8");
-        }
-
-        [Test]
         public function turnsTheUpAxis():void
         {
             const TEXT:String = "v 0 0 0\nv 2 4 8\n";
@@ -173,16 +125,6 @@ package starlogo.models
             assertEquals("-0.125,0.5,0,0.125,-0.5,0.5", new ObjModel("a", TEXT, "y").vertices.join());
             assertEquals("0.25,0.5,0,-0.25,-0.5,0.25", new ObjModel("a", TEXT, "x").vertices.join());
             Failures.assertFails("", "up axis", create, ObjModel, "a", TEXT, "w");
-        }
-
-        [Test]
-        public function keepsTheVerticesThatFacesUse():void
-        {
-            var model:ObjModel = new ObjModel("a", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 8 8 8\nv 1 1 0\nf 2 3 5\n");
-            assertEquals("-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
-            assertEquals("0,1,2", model.triangles.join());
-            assertNull(new ObjModel("a", SQUARE).triangles);
-            assertEquals(12, new ObjModel("a", SQUARE + "l 1 2").vertices.length);
         }
 
         [Test]
@@ -213,13 +155,6 @@ package starlogo.models
         private static function fails(place:String, words:String, text:String):void
         {
             Failures.assertFails(place, words, create, ObjModel, "a", text);
-        }
-
-        private static function assertArea(what:String, expected:Number, text:String):void
-        {
-            var model:ObjModel = new ObjModel(what, text);
-            var area:Number = Surfaces.area(model.vertices, model.triangles);
-            assertTrue(what + ": " + area, Math.abs(area - expected) < 1e-12);
         }
     }
 }

@@ -101,19 +101,6 @@ package starlogo.models
             }
         }
 
-        [Test]
-        public function manyFacetsAreReadInSteps():void
-        {
-            var facets:Array = [];
-            for (var i:int = 0; i < 2000; i++)
-            {
-                facets.push([i, 0, 0, i + 1, 0, 0, i, 1, 0]);
-            }
-            var model:Model = StlModel.fromBytes("a", binaryOf(facets));
-            assertEquals(2000, model.triangles.length / 3);
-            assertEquals(4001, model.vertices.length / 3);
-        }
-
         private static function binaryOf(facets:Array, header:String = ""):ByteArray
         {
             var bytes:ByteArray = new ByteArray();

@@ -238,30 +238,6 @@ package starlogo.queries
             }
         }
 
-        // A large triangle has no corner and no edge near a small structure, nor the other way round.
-        [Test]
-        public function structuresMeetFacesEdgesAndCorners():void
-        {
-            var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
-            var cube:Agent = new Agent("cube");
-            cube.size = 10;
-            queries.update(new <Agent>[cube]);
-            for each (var radius:Number in [1e-6, 0.001, 1, 30])
-            {
-                assertStops(queries, new Sphere(new Vector3D(1, 2, 60), radius), 0, 0, -100, (50 - radius) / 100, 0, 0, 1);
-                var up:Number = Math.sqrt(0.5);
-                assertStops(queries, new Sphere(new Vector3D(60, 1, 65), radius), -100, 0, -100, (60 - 5 - radius * up) / 100, up, 0, up);
-                var third:Number = Math.sqrt(1 / 3);
-                assertStops(queries, new Sphere(new Vector3D(60, 60, 65), radius), -100, -100, -100, (60 - 5 - radius * third) / 100, third, third, third);
-                assertStops(queries, new Capsule(new Vector3D(1, -40, 60), new Vector3D(1, 40, 60), radius), 0, 0, -100, (50 - radius) / 100, 0, 0, 1);
-            }
-            assertStops(queries, new Box(new Vector3D(0, 0, 100), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 20, 30, 40), 0, 0, -100, 0.5, 0, 0, 1);
-            assertStops(queries, new Box(new Vector3D(1, 2, 60), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.1, 0.1, 0.1), 0, 0, -100, 0.499, 0, 0, 1);
-            // inside of the closed surface
-            var inside:ShapeHit = queries.castShape(new Sphere(new Vector3D(0, 0, 7), 1), 0, 0, -1);
-            assertTrue("inside", inside != null && inside.time == 0);
-        }
-
         [Test]
         public function filtersAndQuestionsOfTheirOwn():void
         {
@@ -396,15 +372,6 @@ package starlogo.queries
             _wrong.addIf(queries.overlapping(deeper).indexOf(hit.agent) < 0, name + ": no touch", message);
             var apart:BoundingStructure = moved(there, hit.normal, 1e-7);
             _wrong.addIf(queries.overlapping(apart).indexOf(hit.agent) >= 0, name + ": normal does not separate", message);
-        }
-
-        private static function assertStops(queries:AgentQueries, structure:BoundingStructure, dx:Number, dy:Number, dz:Number, time:Number, x:Number, y:Number,
-                z:Number):void
-        {
-            var hit:ShapeHit = queries.castShape(structure, dx, dy, dz);
-            assertTrue(structure + ": met", hit != null);
-            assertTrue(structure + ": " + hit.time + " is not " + time, Math.abs(hit.time - time) < NEAR);
-            assertTrue(structure + ": normal " + hit.normal, Vector3D.distance(hit.normal, new Vector3D(x, y, z)) < 1e-6);
         }
 
         private static function moved(structure:BoundingStructure, way:Vector3D, share:Number):BoundingStructure

@@ -86,30 +86,6 @@ package starlogo.queries
         }
 
         [Test]
-        public function aUComesOnlyToThePost():void
-        {
-            for each (var system:String in SYSTEMS)
-            {
-                for each (var heading:Number in [0, 30, 90])
-                {
-                    var u:Agent = aroundAPost(system, heading, 1);
-                    var x:Number = Math.sin(heading * Math.PI / 180);
-                    var y:Number = -Math.cos(heading * Math.PI / 180);
-                    for (var i:int = 0; i < Effort.choose(10, 200); i++)
-                    {
-                        u.moveTo(3 * x, 3 * y, 0);
-                        _queries.moved(u);
-                        go(u, -3 * x, -3 * y, 0);
-                        expectAround(system, heading, u, HAIR);
-                        go(u, _random.between(-2, 2), _random.between(-2, 2), 0);
-                        expectAround(system, heading, u, HAIR);
-                    }
-                }
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
         public function withAMillionthOfRoomItLeavesAndComesBack():void
         {
             for each (var system:String in SYSTEMS)

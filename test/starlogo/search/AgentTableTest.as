@@ -30,32 +30,6 @@ package starlogo.search
         }
 
         [Test]
-        public function keepsTheRowsOfThoseThatStay():void
-        {
-            var row:int = _table.rowOf(_agents[7]);
-            _agents.reverse();
-            _table.read(_agents);
-            _agents.splice(2, 3);
-            _table.read(_agents);
-            assertEquals(row, _table.rowOf(_agents[9]));
-            assertHasOnly(_agents);
-        }
-
-        [Test]
-        public function freesTheRowsOfThoseThatLeave():void
-        {
-            var gone:Vector.<Agent> = _agents.splice(5, 10);
-            _table.read(_agents);
-            for each (var agent:Agent in gone)
-            {
-                assertEquals(-1, _table.rowOf(agent));
-            }
-            assertHasOnly(_agents);
-            _table.read(new Vector.<Agent>());
-            assertHasOnly(new Vector.<Agent>());
-        }
-
-        [Test]
         public function hasNoneOfAListThatIsRefused():void
         {
             for (var i:int = 0; i < 50; i++)

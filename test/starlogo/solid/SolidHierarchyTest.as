@@ -37,15 +37,6 @@ package starlogo.solid
             compareWithSolidAngles("/assets/seagull.dae", 153);
         }
 
-        [Test]
-        public function aHollowSolidHasAnOutsideInside():void
-        {
-            var model:Model = SolidModels.hollow();
-            var hierarchy:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("in the wall", hierarchy.solid.isInside(new Vector3D(0.4, 0, 0.5)));
-            assertTrue("in the hollow", !hierarchy.solid.isInside(new Vector3D(0, 0, 0.5)));
-        }
-
         // A point with an open side is outside. This is known without the surface.
         [Test]
         public function anOpenSideIsOutside():void

@@ -7,31 +7,9 @@ package starlogo.solid
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.steps.finish;
-    import support.SolidModels;
 
     public class SurfaceTopologyTest
     {
-        [Test]
-        public function theBuiltInModelsAreClosed():void
-        {
-            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
-            {
-                var surface:SurfaceTopology = surfaceOf(model.vertices, model.triangles);
-                assertEquals(model.name, "-1", surface.pieceStates.join());
-                assertEquals(model.name, 0, turnedIn(surface).length);
-                assertEquals("pieces", 1, surface.partNumberEnd);
-            }
-        }
-
-        [Test]
-        public function aMissingTriangleOpensIt():void
-        {
-            var cube:Model = BuiltInModel.cube();
-            var surface:SurfaceTopology = surfaceOf(cube.vertices, cube.triangles.slice(3));
-            assertFalse(surface.isClosed);
-            assertEquals("pieces", 1, surface.partNumberEnd);
-        }
-
         [Test]
         public function trianglesWithoutAreaDoNotMatter():void
         {
@@ -132,22 +110,6 @@ package starlogo.solid
                 vertices[i] = 1;
             }
             assertEquals(1, surfaceOf(vertices, triangles).partNumberEnd);
-        }
-
-        [Test]
-        public function trianglesTurnedRoundAreTurnedBack():void
-        {
-            // two cubes that cross, a fifth of each turned round: each keeps its front
-            var model:Model = SolidModels.crossed();
-            var triangles:Vector.<uint> = model.triangles.slice();
-            for (var i:int = 0; i < triangles.length; i += 15)
-            {
-                swap(triangles, i);
-            }
-            var surface:SurfaceTopology = surfaceOf(model.vertices, triangles);
-            assertEquals("-1,-1,-1", surface.pieceStates.join());
-            assertEquals("0,5,10,15,20,25,30,35", turnedIn(surface).join());
-            assertEquals(0, turnedIn(surfaceOf(model.vertices, model.triangles)).length);
         }
 
         [Test]

@@ -12,13 +12,11 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.collision.BaseCollider;
     import starlogo.collision.BinCollider;
-    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
-    import support.EachCollider;
     import support.agentAt;
     import support.assertThrows;
     import support.landOf;
@@ -38,27 +36,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function eachSystemCallsHandlersOfTheGround():void
-        {
-            for each (var name:String in EachCollider.ALL_NAMES)
-            {
-                _calls = [];
-                _collision = new Collision(EachCollider.make(name, _land));
-                _collision.terrain = _terrain;
-                _collision.onCollision("turtles", Collision.TERRAIN, note);
-                var on:Agent = agentAt("cube", 0, 0, 0);
-                var above:Agent = agentAt("cube", 2, 0, 0.01);
-                var under:Agent = agentAt("cube", 0, 3, -5);
-                var outside:Agent = agentAt("cube", 9, 0, -1);
-                var across:Agent = agentAt("cube", 5.4, 0, -3);
-                _collision.update(new <Agent>[on, above, under, outside, across]);
-                assertEquals(name, [on.id, under.id, across.id].join(), _calls.join());
-                assertEquals(3, _collision.statistics.collisions);
-                assertEquals(3, _collision.statistics.handlerCalls);
-            }
-        }
-
-        [Test]
         public function theGroundIsTheColliderOfItsOwnHandlers():void
         {
             var cube:Agent = agentAt("cube", 0, 0, 0);
@@ -74,36 +51,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function anyBreedIsAnyAgentsAndNotTheGround():void
-        {
-            _collision.onCollision("turtles", Collision.ANY_BREED, note);
-            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), agentAt("cube", 3, 0, 0)];
-            _collision.update(agents);
-            assertEquals(0, _calls.length);
-            _collision.onCollision(Collision.ANY_BREED, Collision.TERRAIN, note);
-            _collision.update(agents);
-            assertEquals(2, _calls.length);
-            agents[1].breed = "fish";
-            _collision.update(agents);
-            assertEquals("a breed without a handler of its own too", 4, _calls.length);
-        }
-
-        [Test]
-        public function onlyBreedsWithHandlersMeetTheGround():void
-        {
-            _collision.onCollision("fish", Collision.TERRAIN, note);
-            _collision.onCollision("turtles", "turtles", note);
-            var fish:Agent = agentAt("cube", 3, 0, 0);
-            fish.breed = "fish";
-            _collision.update(new <Agent>[agentAt("cube", 0, 0, 0), fish]);
-            assertEquals(fish.id, _calls.join());
-            assertEquals(1, _collision.statistics.collisions);
-            _collision.terrain = null;
-            _collision.update(new <Agent>[fish]);
-            assertEquals(1, _calls.length);
-        }
-
-        [Test]
         public function whatAFilterLeavesOutMeetsNoGround():void
         {
             var filter:AgentFilter = new AgentFilter();
@@ -114,62 +61,6 @@ package starlogo.terrain
             var cube:Agent = agentAt("cube", 2, 0, 0);
             _collision.update(new <Agent>[out, cube]);
             assertEquals(cube.id, _calls.join());
-        }
-
-        [Test]
-        public function touchesStartAndEnd():void
-        {
-            _collision.onCollisionStart("turtles", Collision.TERRAIN, noteAs("start"));
-            _collision.onCollision("turtles", Collision.TERRAIN, noteAs("on"));
-            _collision.onCollisionEnd("turtles", Collision.TERRAIN, noteAs("end"));
-            var cube:Agent = agentAt("cube", 0, 0, 0);
-            var agents:Vector.<Agent> = new <Agent>[cube];
-            _collision.update(agents);
-            _collision.update(agents);
-            cube.z = 1;
-            _collision.update(agents);
-            _collision.update(agents);
-            // it rises under the agent
-            _terrain.raiseMound(0, 0, 4, 1);
-            _collision.update(agents);
-            agents.length = 0;
-            _collision.update(agents);
-            assertEquals("start,on,on,end,start,on,end", _calls.join());
-        }
-
-        [Test]
-        public function anAgentThatWasTakenOutIsNotCalled():void
-        {
-            var first:Agent = agentAt("cube", 0, 0, 0);
-            var second:Agent = agentAt("cube", 3, 0, 0);
-            var agents:Vector.<Agent> = new <Agent>[first, second];
-            _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent):void
-                {
-                    _calls.push(collider.id);
-                    agents.pop();
-                });
-            _collision.update(agents);
-            assertEquals(first.id, _calls.join());
-        }
-
-        [Test]
-        public function aSweepingAgentMeetsWhatItFliesThrough():void
-        {
-            _terrain.isBlocky = true;
-            _terrain.raiseWall(0, 0, 10);
-            var cube:Agent = agentAt("cube", -4, 0, 3);
-            cube.sweeps = true;
-            _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
-                {
-                    _calls.push(contact.time);
-                    assertEquals(-1, contact.normal.x);
-                    assertTrue(Math.abs(contact.point.x + 0.5) < 1e-9);
-                });
-            _collision.update(new <Agent>[cube]);
-            cube.moveTo(4, 0, 3);
-            _collision.update(new <Agent>[cube]);
-            assertEquals(1, _calls.length);
-            assertTrue(Math.abs(_calls[0] - 3 / 8) < 1e-9);
         }
 
         [Test]
@@ -211,29 +102,6 @@ package starlogo.terrain
                 var across:Number = isFirst ? 0.6 : -0.6;
                 var expected:Vector3D = new Vector3D(isAlongX ? across : 0, isAlongX ? 0 : across, 0.8);
                 assertTrue(far + ", " + i + ": " + normal, Vector3D.distance(expected, normal) < 1e-9 + 1e-14 * Math.abs(far));
-            }
-        }
-
-        [Test]
-        public function anAgentInsideAColumnLeavesItByASide():void
-        {
-            _terrain = new Terrain(3, 3, 4, -4, -4);
-            _terrain.isBlocky = true;
-            _terrain.setHeight(1, 1, 10);
-            for each (var name:String in EachCollider.NAMES)
-            {
-                _collision = new Collision(EachCollider.make(name, _land));
-                _collision.terrain = _terrain;
-                var depth:Number = 0;
-                _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
-                    {
-                        depth = contact.depth;
-                    });
-                for (var i:int = 0; i < 9; i++)
-                {
-                    _collision.update(new <Agent>[agentAt("cube", 0.3 * (i % 3 - 1), 0.3 * (int(i / 3) - 1), 5)]);
-                    assertTrue(name + ": " + depth, depth > 1 && depth < 2.9);
-                }
             }
         }
 
@@ -407,28 +275,6 @@ package starlogo.terrain
             var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), _terrain.agent];
             assertThrows(ArgumentError, /agents\[1\]/, _collision.update, agents);
             assertThrows(ArgumentError, /agents\[1\]/, new BinCollider().findCollisions, agents);
-        }
-
-        // GroundQuestionsTest and test/fuzz check what a system tells.
-        [Test]
-        public function handlersGetTheContactThatTheSystemTells():void
-        {
-            _terrain.raiseMound(0, 0, 6, 2);
-            for each (var name:String in EachCollider.ALL_NAMES)
-            {
-                var system:Collider = EachCollider.make(name, _land);
-                var cube:Agent = agentAt("cube", 0.7, 0.3, 1.2);
-                _calls = [];
-                _collision = new Collision(system);
-                _collision.terrain = _terrain;
-                _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
-                    {
-                        _calls.push(contact.normal, contact.depth, contact.point, contact.time);
-                    });
-                _collision.update(new <Agent>[cube]);
-                var told:Contact = system.contactOf(cube, _terrain.agent);
-                assertEquals(name, [told.normal, told.depth, told.point, told.time].join(), _calls.join());
-            }
         }
 
         private function note(collider:Agent, collidee:Agent):void

@@ -244,29 +244,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function anAgentThatFallsOnTheGroundTouchesIt():void
-        {
-            for each (var name:String in EachCollider.ALL_NAMES)
-            {
-                for (var i:int = 0; i < 40; i++)
-                {
-                    var at:Number = i % 2 == 0 ? 0 : 30;
-                    var terrain:Terrain = new Terrain(20, 20, i % 3 == 0 ? 1 : 0.3, at, at);
-                    terrain.isBlocky = i % 4 < 2;
-                    terrain.raiseMound(at + 2, at + 2, 3, i < 20 ? 0 : 1);
-                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
-                    queries.terrain = terrain;
-                    queries.update(new <Agent>[]);
-                    var agent:Agent = agentAt("cube", at + _random.between(1, 4), at + _random.between(1, 4), 4);
-                    agent.heading = _random.between(0, 360);
-                    assertTrue(name, queries.moveUntilTouch(agent, 0, 0, -6) < 1);
-                    assertTrue(name + " " + i, queries.touchesAny(agent));
-                    assertEquals(name + " " + i, 0, queries.distance(agent, terrain.agent));
-                }
-            }
-        }
-
-        [Test]
         public function fallsAlongABorderEndInATouchOrNotAtAll():void
         {
             var stopped:int = 0;

@@ -4,8 +4,6 @@ package starlogo.terrain
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertNull;
-    import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.engine;
@@ -27,17 +25,6 @@ package starlogo.terrain
         {
             // 0 1 2 along x, 10 more each row
             _terrain.setHeights(0, 0, 3, 3, new <Number>[0, 1, 2, 10, 11, 12, 20, 21, 22]);
-        }
-
-        [Test]
-        public function beginsFlat():void
-        {
-            var terrain:Terrain = new Terrain(2, 3);
-            assertEquals(2, terrain.columns);
-            assertEquals(3, terrain.rows);
-            assertEquals(1, terrain.cellWidth);
-            assertEquals(0, terrain.heightAt(0.5, 2));
-            assertFalse(terrain.isBlocky);
         }
 
         [Test]
@@ -88,17 +75,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function thereIsNothingOutside():void
-        {
-            for each (var place:Array in [[-2.001, 0], [2.001, 0], [0, -2.001], [0, 2.001]])
-            {
-                assertTrue(place.join(), isNaN(_terrain.heightAt(place[0], place[1])));
-                assertNull(_terrain.normalAt(place[0], place[1]));
-            }
-            assertEquals(22, _terrain.heightAt(2, 2));
-        }
-
-        [Test]
         public function theLastHeightIsWithinTheTerrain():void
         {
             for each (var start:Number in [0.1, -7.3, 1 / 3, 1000.7])
@@ -123,22 +99,6 @@ package starlogo.terrain
         }
 
         [Test]
-        public function normalsPointOutOfTheGround():void
-        {
-            var out:Vector3D = new Vector3D();
-            assertStrictlyEquals(out, _terrain.normalAt(0.5, 0.25, out));
-            // 0.5 up along x, 5 up along y
-            var length:Number = Math.sqrt(0.25 + 25 + 1);
-            assertTrue(Math.abs(-0.5 / length - out.x) < 1e-15);
-            assertTrue(Math.abs(-5 / length - out.y) < 1e-15);
-            assertTrue(Math.abs(1 / length - out.z) < 1e-15);
-            _terrain.isBlocky = true;
-            assertEquals(1, _terrain.normalAt(0.5, 0.25).z);
-            _terrain.isBlocky = false;
-            assertTrue(_terrain.normalAt(2, 2).z > 0);
-        }
-
-        [Test]
         public function normalsAreThoseOfTheTriangles():void
         {
             var random:SeededRandom = new SeededRandom(5);
@@ -158,18 +118,6 @@ package starlogo.terrain
                     assertTrue("across y", Math.abs(normal.y + alongY * normal.z) < 1e-5);
                 }
             }
-        }
-
-        [Test]
-        public function anAgentIsUnderIfItsPlaceIs():void
-        {
-            var agent:Agent = new Agent("any");
-            agent.moveTo(0, 0, 10.9);
-            assertTrue(_terrain.isUnder(agent));
-            agent.z = 11;
-            assertFalse(_terrain.isUnder(agent));
-            agent.moveTo(5, 0, -1);
-            assertFalse("outside", _terrain.isUnder(agent));
         }
 
         [Test]

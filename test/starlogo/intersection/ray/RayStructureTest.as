@@ -59,26 +59,6 @@ package starlogo.intersection.ray
         }
 
         [Test]
-        public function meetsItAtOnceFromInside():void
-        {
-            var random:SeededRandom = new SeededRandom(2202);
-            for each (var structure:BoundingStructure in Structures.samples().slice(0, 3))
-            {
-                for (var i:int = 0; i < 100; i++)
-                {
-                    var direction:Vector3D = new RandomStructures(random).direction();
-                    var ray:Ray = rayOf(Structures.pointOf(structure, random, random.between(0, 0.99)), direction);
-                    assertTrue(String(structure), rayStructure(ray, structure));
-                    assertEquals(0, ray.from);
-                    assertEquals(-ray.directionX, ray.normalX);
-                    assertEquals(-ray.directionY, ray.normalY);
-                    assertEquals(-ray.directionZ, ray.normalZ);
-                    assertTrue("it leaves it", ray.to > 0 && ray.to < 10);
-                }
-            }
-        }
-
-        [Test]
         public function alongAxesAndFacesBordersCount():void
         {
             var box:Box = new Box(new Vector3D(1, 2, 3), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 0.5, 0);

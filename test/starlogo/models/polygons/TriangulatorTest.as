@@ -13,42 +13,6 @@ package starlogo.models.polygons
         private static const SQUARE:Array = [[0, 0], [4, 0], [4, 4], [0, 4]];
 
         [Test]
-        public function cutsConvexAndConcavePolygons():void
-        {
-            check("pentagon", 14, [[[0, 0], [4, 0], [4, 3], [2, 4], [0, 3]]]);
-            check("arrow", 9, [[[0, 0], [4, 0], [4, 4], [2, 2], [1, 1.5], [0, 1]]], false);
-            check("comb", 11, [[[0, 0], [5, 0], [5, 3], [4, 3], [4, 1], [3, 1], [3, 3], [2, 3], [2, 1], [1, 1], [1,
-                                3], [0, 3]]]);
-            check("spiral", 24, [[[0, 0], [7, 0], [7, 6], [1, 6], [1, 2], [5, 2], [5, 4], [4, 4], [4, 3], [2, 3], [2,
-                                5], [6, 5], [6, 1], [0, 1]]], false);
-        }
-
-        [Test]
-        public function leavesHolesOpen():void
-        {
-            check("one hole", 15, [SQUARE, [[1, 1], [2, 1], [2, 2], [1, 2]]]);
-            check("a hole turning the other way", 15, [SQUARE, [[1, 1], [1, 2], [2, 2], [2, 1]]]);
-            check("four holes", 12, [SQUARE, hole(0.5, 0.5), hole(2.5, 0.5), hole(2.5, 2.5), hole(0.5, 2.5)]);
-            check("holes in a row", 13, [SQUARE, hole(0.5, 1), hole(1.75, 1), hole(2.9, 1)]);
-            check("a hole behind a dent", 13.625, [[[0, 0], [4, 0], [4, 1.5], [2.5, 1.75], [4, 2], [4, 4], [0, 4]],
-                        hole(0.5, 1), hole(0.5, 2.5)], false);
-            check("a hole outside is no hole", 16, [SQUARE, hole(9, 1)]);
-        }
-
-        [Test]
-        public function survivesDegenerateOutlines():void
-        {
-            check("repeated corners", 16, [[[0, 0], [0, 0], [4, 0], [4, 4], [4, 4], [0, 4]]]);
-            check("corners in line", 16, [[[0, 0], [2, 0], [4, 0], [4, 2], [4, 4], [2, 4], [0, 4], [0, 2]]]);
-            check("a spike", 16, [[[0, 0], [4, 0], [4, 4], [8, 4], [4, 4], [0, 4]]]);
-            check("a line", 0, [[[0, 0], [1, 0], [2, 0], [3, 0], [2, 0]]]);
-            check("a point", 0, [[[1, 1], [1, 1], [1, 1], [1, 1], [1, 1]]]);
-            check("two corners", 0, [[[1, 1], [2, 1]]]);
-            run([[[0, 0], [4, 4], [4, 0], [0, 4], [2, 7]]], new TurnedPlane());
-            run([[[0, 3], [2, -3], [4, 3], [-1, -1], [5, -1]]], new TurnedPlane());
-        }
-
-        [Test]
         public function coversRandomStars():void
         {
             var random:SeededRandom = new SeededRandom(21);
@@ -102,26 +66,6 @@ package starlogo.models.polygons
                 star.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
             }
             return star;
-        }
-
-        [Test]
-        public function endsOnPolygonsOfManyCorners():void
-        {
-            var gear:Array = [];
-            var corners:int = Effort.choose(800, 2000);
-            for (var i:int = 0; i < corners; i++)
-            {
-                var radius:Number = (i & 2) == 0 ? 1 : 0.9;
-                gear.push([radius * Math.cos(2 * Math.PI * i / corners), radius * Math.sin(2 * Math.PI * i / corners)]);
-            }
-            check("gear", area(gear), [gear], false);
-            var random:SeededRandom = new SeededRandom(3);
-            var tangle:Array = [];
-            for (i = 0; i < Effort.choose(1500, 3000); i++)
-            {
-                tangle.push([random.next(), random.next()]);
-            }
-            run([tangle], new TurnedPlane());
         }
 
         [Test]

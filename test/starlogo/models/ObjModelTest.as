@@ -79,6 +79,23 @@ package starlogo.models
             }
         }
 
+        [Test]
+        public function readsLongTextsInPieces():void
+        {
+            // wherever the text is cut
+            for (var length:int = 29950; length < 30030; length++)
+            {
+                var start:String = "v 0 0 0\n" + new Array(length).join("#") + "\n";
+                var model:ObjModel = new ObjModel("a", start + "v 1 \\\n 0 0\r\nv \\\r\n1 1 0\nf 1 \\\r\n2 3");
+                assertEquals(length, "-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
+                assertEquals(length, "0,1,2", model.triangles.join());
+                fails("line 7", "not 0", start + "v 1 \\\n0 0\nv 1 1 0\nf 1 \\\n2 0");
+            }
+            var many:String = new Array(20000).join("v 1 2 3\n");
+            fails("line 20000", "no vertex 20000", many + "f 1 2 20000");
+            assertEquals(60000, new ObjModel("a", many + "v 0 0 0 \\").vertices.length);
+        }
+
         [Test(timeout="600000")]
         public function limitsVerticesAndTriangles():void
         {

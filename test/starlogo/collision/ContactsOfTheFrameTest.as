@@ -116,54 +116,6 @@ package starlogo.collision
         }
 
         [Test]
-        public function inHandlersTheyAreThoseOfTheFrameWhateverOtherHandlersDid():void
-        {
-            var allCalls:int = 0;
-            for each (var name:String in EachCollider.NAMES)
-            {
-                for (var round:int = 0; round < _rounds; round++)
-                {
-                    _isSwept = round % 2 == 1;
-                    var collider:Collider = EachCollider.make(name, sGreatLand);
-                    var twin:Collider = EachCollider.make(name, sGreatLand);
-                    var collision:Collision = new Collision(collider);
-                    makeAgents(_isSwept);
-                    collision.update(_agents);
-                    twin.findCollisions(_agents);
-                    if (_isSwept)
-                    {
-                        change("position", someOf(_agents));
-                        collision.update(_agents);
-                        twin.findCollisions(_agents);
-                    }
-                    var all:Vector.<Agent> = _agents.concat();
-                    var later:Vector.<Number> = null;
-                    var calls:int = 0;
-                    collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(a:Agent, b:Agent, contact:Contact):void
-                        {
-                            calls++;
-                            change("position", [a, b]);
-                            change("size", [a]);
-                            collider.areColliding(a, b);
-                            later = contactsOf(collider, all);
-                        });
-                    change("position", [_agents[0]]);
-                    twin.findCollisions(_agents);
-                    var expected:Vector.<Number> = contactsOf(twin, _agents);
-                    collision.update(_agents);
-                    allCalls += calls;
-                    if (calls == 0)
-                    {
-                        continue;
-                    }
-                    compare(name + (_isSwept ? ", swept" : ""), expected, later);
-                }
-            }
-            assertTrue(allCalls + " calls", allCalls > 2 * _rounds * EachCollider.NAMES.length);
-            _wrong.assertNone();
-        }
-
-        [Test]
         public function afterTheNextFrameTheyAreThatFrames():void
         {
             for each (var name:String in EachCollider.NAMES)

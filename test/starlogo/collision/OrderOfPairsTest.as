@@ -8,7 +8,6 @@ package starlogo.collision
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
-    import support.RandomWorlds;
     import support.landOf;
 
     /**
@@ -28,26 +27,6 @@ package starlogo.collision
 
         // pairs whose order is not that of the agents' ids
         private var _againstIds:int = 0;
-
-        [Test]
-        public function isOneInWorldsOfAllKinds():void
-        {
-            var count:int = Effort.choose(2, 20);
-            for each (var name:String in EachCollider.NAMES)
-            {
-                var kept:Collider = EachCollider.make(name, _greatLand);
-                for each (var kind:String in RandomWorlds.KINDS)
-                {
-                    for (var world:int = 0; world < count; world++)
-                    {
-                        _agents = RandomWorlds.make(kind, name == "bins" ? 80 : 40, _random.pick(SHAPES), _random);
-                        mix();
-                        check(name, kind, kept);
-                    }
-                }
-            }
-            assertEnough();
-        }
 
         [Test]
         public function isOneInLongGames():void

@@ -99,6 +99,49 @@ package starlogo.collision
         }
 
         [Test]
+        public function startsAndEndsFromBothSides():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var cube:Agent = new Agent("cube", "cubes");
+                var other:Agent = new Agent("cube", "others");
+                var agents:Vector.<Agent> = new <Agent>[other, cube];
+                var collision:Collision = new Collision(EachCollider.make(name, sGreatLand));
+                collision.bounds = _bounds = new WorldBounds(-Infinity, -Infinity, -Infinity, 5, Infinity, Infinity);
+                _calls = [];
+                collision.onCollisionStart("cubes", Collision.EDGE, note("start"));
+                collision.onCollisionEnd("cubes", Collision.EDGE, note("end"));
+                collision.onCollision(Collision.EDGE, "cubes", note("back"));
+                collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, note("any"));
+                other.x = 20;
+                assertCalls(name, collision, agents, "");
+                cube.x = 4.5;
+                assertCalls(name + ": touching counts", collision, agents, "start back");
+                cube.x = 7;
+                assertCalls(name, collision, agents, "back");
+                cube.breed = "others";
+                assertCalls(name, collision, agents, "end");
+                cube.breed = "cubes";
+                assertCalls(name, collision, agents, "start back");
+                collision.bounds = null;
+                assertCalls(name, collision, agents, "end");
+                collision.bounds = _bounds;
+                assertCalls(name, collision, agents, "start back");
+                _bounds.setTo(-Infinity, -Infinity, -Infinity, 9, Infinity, Infinity);
+                assertCalls(name, collision, agents, "end");
+                cube.x = 8.6;
+                collision.filter = new NoAgents();
+                assertCalls(name, collision, agents, "");
+                collision.filter = null;
+                assertCalls(name, collision, agents, "start back");
+                agents.pop();
+                assertCalls(name + ": out of the list", collision, agents, "end");
+                assertStrictlyEquals(_bounds.agent, _bounds.agent);
+                assertEquals(Collision.EDGE, _bounds.agent.breed);
+            }
+        }
+
+        [Test]
         public function aColliderTellsOfTheLastFramesEdges():void
         {
             for each (var name:String in EachCollider.NAMES)

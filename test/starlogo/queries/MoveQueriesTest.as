@@ -140,6 +140,28 @@ package starlogo.queries
         }
 
         [Test]
+        public function filtersLetThrough():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("hierarchies", sGreatLand));
+            var mover:Agent = agentAt("cube", 0, 0, 0);
+            var ghost:Agent = agentAt("cube", 2, 0, 0);
+            ghost.breed = "ghosts";
+            queries.update(new <Agent>[mover, ghost, agentAt("cube", 4, 0, 0)]);
+            var filter:AgentFilter = new AgentFilter();
+            filter.exceptBreeds = new <String>["ghosts"];
+            assertTrue(Math.abs(queries.moveUntilTouch(mover, 8, 0, 0, filter) - 3 / 8) < 1e-9);
+            mover.moveTo(0, 0, 0);
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                // a question of its own
+                queries.moveUntilTouch(agentAt("cube", 0, 50, 0), 1, 0, 0);
+                return agent.x < 0;
+            };
+            assertEquals(1, queries.moveUntilTouch(mover, 8, 0, 0, filter));
+            assertEquals(1, queries.countNear(agentAt("cube", 8, 0, 0), 0.1));
+        }
+
+        [Test]
         public function anAgentStaysIfAcceptsRemovesItsModel():void
         {
             for each (var name:String in ["moveUntilTouch", "slide", "walk"])

@@ -26,8 +26,11 @@ package starlogo.solid
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
 
-        /** The triangles' corners after seams were welded, for the inside. The same as <code>corners</code> if no seam has a gap. */
-        public var weldedCorners:Vector.<Number>;
+        /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
+        public var places:Vector.<Number> = new Vector.<Number>();
+
+        /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if no seam has a gap. */
+        public var placesAt:Vector.<int> = null;
 
         /** The surface that the triangles make, or null if it is not known. */
         public var surface:SurfaceTopology = null;
@@ -90,7 +93,7 @@ package starlogo.solid
             _axisC = (_axis + 2) % 3;
             _reach = root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z);
             flatness = Tolerances.PLANES * _reach;
-            corners = weldedCorners = new Vector.<Number>(9 * order.length, true);
+            corners = new Vector.<Number>(9 * order.length, true);
             least = Infinity;
         }
 
@@ -228,8 +231,13 @@ package starlogo.solid
         // Adds a triangle to its piece's winding number if the ray crosses it.
         private function cross(triangle:int):void
         {
-            var points:Vector.<Number> = weldedCorners;
+            var points:Vector.<Number> = corners;
             var at:int = 9 * triangle;
+            if (placesAt != null && placesAt[triangle] >= 0)
+            {
+                points = places;
+                at = placesAt[triangle];
+            }
             var b:Number = _b;
             var c:Number = _c;
             var pc:Number = points[int(at + _axisC)] - c;

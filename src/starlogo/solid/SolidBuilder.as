@@ -34,8 +34,9 @@ package starlogo.solid
         private var _sets:DisjointSets;
         private var _looks:int = 0;
 
-        // Null if no seam has a gap.
+        // Null if no seam has a gap. The number of entries of the moved triangles' places.
         private var _welding:Welding = null;
+        private var _placeCount:int = 0;
 
         /**
          * @param hierarchy of triangles; receives the solid and the surface
@@ -94,7 +95,7 @@ package starlogo.solid
             if (_surface.widestSeam > 0)
             {
                 _welding = new Welding(_hierarchy.vertices);
-                _solid.weldedCorners = new Vector.<Number>(9 * _order.length, true);
+                _solid.placesAt = new Vector.<int>(_order.length, true);
                 add(_welding);
                 sliced(weld);
             }
@@ -149,9 +150,21 @@ package starlogo.solid
             }
         }
 
+        // Writes all triangles after the moved ones, and keeps those that are elsewhere than their corners.
         private function weld(first:int, end:int):void
         {
-            _hierarchy.writeCorners(first, end, _welding.welded, _solid.weldedCorners, 9 * first);
+            var places:Vector.<Number> = _solid.places;
+            for (var i:int = first; i < end; i++)
+            {
+                _hierarchy.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
+                var same:int = 0;
+                while (same < 9 && places[_placeCount + same] == _solid.corners[9 * i + same])
+                {
+                    same++;
+                }
+                _solid.placesAt[i] = same < 9 ? _placeCount : -1;
+                _placeCount += same < 9 ? 9 : 0;
+            }
         }
 
         private function newCavities():Steps

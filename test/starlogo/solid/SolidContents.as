@@ -18,7 +18,7 @@ package starlogo.solid
                 return "none";
             }
             var solid:Solid = hierarchy.solid;
-            return [solid.isClosed, solid.surface.signedPieces, solid.surface.pieceStates, solid.surface.widestSeam, solid.weldedCorners, solid.leastPartExtent, solid.partPoints, solid.corners,
+            return [solid.isClosed, solid.surface.signedPieces, solid.surface.pieceStates, solid.surface.widestSeam, solid.places, solid.placesAt, solid.leastPartExtent, solid.partPoints, solid.corners,
                     solid.extents, solid.planes, axesUnder(hierarchy.root)].join("\n");
         }
 

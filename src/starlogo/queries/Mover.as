@@ -138,7 +138,8 @@ package starlogo.queries
         public function findLift(motion:Vector3D, out:Vector3D):Boolean
         {
             start(motion);
-            out.setTo(at.x - _before.x, at.y - _before.y, at.z - _before.z);
+            out.copyFrom(at);
+            out.decrementBy(_before);
             return isLifted;
         }
 
@@ -153,24 +154,17 @@ package starlogo.queries
         {
             if (!start(motion, lift))
             {
-                _rest.advance(at, 1);
                 return;
             }
             findTouch();
-            if (contactRow < 0 || fraction == 0)
-            {
-                at.copyFrom(_before);
-                _rest.advance(at, fraction);
-            }
-            else if (ending == TOUCH)
+            var isStopped:Boolean = contactRow >= 0 && fraction > 0;
+            if (isStopped && ending == TOUCH)
             {
                 endTouching();
+                return;
             }
-            else
-            {
-                at.copyFrom(_before);
-                _rest.advance(at, Math.max(0, fraction + _sweep.clearance / _along));
-            }
+            at.copyFrom(_before);
+            _rest.advance(at, isStopped ? Math.max(0, fraction + _sweep.clearance / _along) : fraction);
         }
 
         /**
@@ -185,17 +179,15 @@ package starlogo.queries
         {
             if (!start(motion, null, widest, steepness))
             {
-                _rest.advance(at, 1);
                 return;
             }
             var whole:Number = _rest.length;
-            var gone:Number = 0;
             floor.setNormal(0, 0, -2);
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
             {
                 if (!findFirst())
                 {
-                    gone += _rest.advance(at, 1);
+                    _rest.advance(at, 1);
                     break;
                 }
                 if (!isSoon())
@@ -203,7 +195,7 @@ package starlogo.queries
                     _rest.beginCorner();
                 }
                 _sweep.findWhole(contactRow, _along, contact);
-                gone += _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.clearance / _along, 0));
+                _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.clearance / _along, 0));
                 if (!_isNormalFallback && contact.normalZ > floor.normalZ)
                 {
                     floor.copyFrom(contact);
@@ -217,7 +209,7 @@ package starlogo.queries
                 dropNeedless();
             }
             contactRow = -1;
-            fraction = gone < whole ? gone / whole : 1;
+            fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
         /** Whether the body would go into a row on a straight way from a place. */
@@ -240,6 +232,7 @@ package starlogo.queries
             _before.copyFrom(at);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
+                _rest.advance(at, 1);
                 return false;
             }
             if (lift != null)

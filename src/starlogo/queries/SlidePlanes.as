@@ -26,8 +26,11 @@ package starlogo.queries
         /** The rest of the motion. */
         public var motion:Vector3D = new Vector3D();
 
-        /** The length of the rest. It is a field because V8 makes an object for each Number that is returned. */
+        /** The length of the rest. It and <code>gone</code> are fields because V8 makes an object for each Number that is returned. */
         public var length:Number = 0;
+
+        /** How far the motion has gone. */
+        public var gone:Number = 0;
 
         /** The number of planes. */
         public var count:int = 0;
@@ -65,6 +68,7 @@ package starlogo.queries
             _whole.copyFrom(whole);
             motion.copyFrom(whole);
             length = Math.sqrt(whole.x * whole.x + whole.y * whole.y + whole.z * whole.z);
+            gone = 0;
             count = 0;
             beginCorner();
         }
@@ -81,10 +85,10 @@ package starlogo.queries
             }
         }
 
-        /** Moves a place by a part of the rest, from 0 to 1, and takes this part off the rest. Returns the length of the part. */
-        public function advance(place:Vector3D, part:Number):Number
+        /** Moves a place by a part of the rest, from 0 to 1, and takes this part off the rest. */
+        public function advance(place:Vector3D, part:Number):void
         {
-            var gone:Number = part * length;
+            gone += part * length;
             _widest -= part * Math.sqrt(motion.x * motion.x + motion.y * motion.y);
             place.x += part * motion.x;
             place.y += part * motion.y;
@@ -92,7 +96,6 @@ package starlogo.queries
             motion.scaleBy(1 - part);
             _whole.scaleBy(1 - part);
             length *= 1 - part;
-            return gone;
         }
 
         /**

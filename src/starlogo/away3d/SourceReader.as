@@ -29,8 +29,8 @@ package starlogo.away3d
         private var _hasTriangles:Boolean = false;
         private var _points:PointTable;
 
-        // _part is the index of the present part. The others belong to it: its data, and for each vertex the index of
-        // its point, or -1 if it has none yet.
+        // _part is the index of the present part. The others belong to it: its data, and for each vertex the index of its point, or -1 if it
+        // has none yet.
         private var _part:int = -1;
         private var _geometry:ISubGeometry;
         private var _data:Vector.<Number>;

@@ -193,6 +193,7 @@ package starlogo.queries
             }
         }
 
+        // Does so with the body lifted, and notes whether a common lift of all rows could change the answer.
         private function collectLifted(wanted:int, ending:int):void
         {
             var rows:Vector.<int> = near.numbers;

@@ -41,11 +41,11 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
-            if (out == null || out.kind != kind)
-            {
-                out = newFor(out);
-            }
             var placed:AxialStructure = out as AxialStructure;
+            if (placed == null || placed.kind != kind)
+            {
+                placed = newFor(out) as AxialStructure;
+            }
             placement.place(start, placed.start);
             placement.place(end, placed.end);
             placed.radius = radius * placement.size;

@@ -11,8 +11,8 @@ package starlogo.bounding
     use namespace engine;
 
     /**
-     * A simple solid that encloses a model. The collision systems test it instead of the model (thesis §3.3). The subclasses are Sphere,
-     * Capsule, Box and Cylinder, and the pair tests know only these.
+     * A simple solid that encloses a model. The collision systems test it instead of the model (thesis §3.3). The pair tests know the
+     * subclasses Sphere, Capsule and Box. They refuse a Cylinder, which is fitted but never collided, and a subclass of your own.
      *
      * <p>A structure includes its surface: two structures that only touch collide, here and everywhere in the engine.</p>
      *
@@ -209,8 +209,9 @@ package starlogo.bounding
          * the lengths. They stay the same while an agent only moves. Allocates nothing.
          *
          * @param placement the model's placement; its position is ignored
-         * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. They are enlarged as in
-         *     extentsInto, except for the rounding of the position
+         * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. Those of a
+         *     capsule or a box are enlarged by the rounding error that extentsInto adds, without the part for the position. Those of a
+         *     sphere are its radius
          * @private
          */
         engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
@@ -302,10 +303,8 @@ package starlogo.bounding
             {
                 throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + rotation.rawData);
             }
-            // It is not an identity even if its diagonal is, because other numbers of it may be tiny.
             var turning:Placement = new Placement();
             turning.readRotation(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
-            turning.isIdentity = false;
             return turning;
         }
 

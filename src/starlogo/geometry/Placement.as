@@ -30,8 +30,8 @@ package starlogo.geometry
         public var size:Number = 1;
 
         /**
-         * A number that is increased with each change of the rotation or the size. Caches of results that do not depend on the position
-         * compare it.
+         * A number that counts changes of the rotation and the size. Caches of results that do not depend on the position compare it. The owner
+         * of the placement increases it, as an agent does. The methods of this class and <code>copyFrom()</code> leave it as it is.
          */
         public var extentsRevision:int = 0;
 
@@ -201,6 +201,7 @@ package starlogo.geometry
             r02 = data[8] / size;
             r12 = data[9] / size;
             r22 = data[10] / size;
+            isIdentity = hasIdentityNumbers();
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1 && isRotation;
         }
 
@@ -385,7 +386,12 @@ package starlogo.geometry
             r20 = from[int(at + 6)];
             r21 = from[int(at + 7)];
             r22 = from[int(at + 8)];
-            isIdentity = r00 == 1 && r11 == 1 && r22 == 1;
+            isIdentity = hasIdentityNumbers();
+        }
+
+        private function hasIdentityNumbers():Boolean
+        {
+            return r00 == 1 && r01 == 0 && r02 == 0 && r10 == 0 && r11 == 1 && r12 == 0 && r20 == 0 && r21 == 0 && r22 == 1;
         }
 
         // The comparison is false for NaN.

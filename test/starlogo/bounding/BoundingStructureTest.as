@@ -238,8 +238,13 @@ package starlogo.bounding
             {
                 var other:BoundingStructure = samples[(i + 1) % samples.length];
                 var before:String = String(Structures.numbersOf(other));
-                assertThrows(ArgumentError, /./, samples[i].place, new Placement(), other);
+                assertThrows(ArgumentError, /out must be .* of the same kind as a /, samples[i].place, new Placement(), other);
                 assertEquals(before, String(Structures.numbersOf(other)));
+            }
+            // a structure of a game's own has the kind of a Cylinder
+            for each (var structure:BoundingStructure in samples)
+            {
+                assertThrows(ArgumentError, /out must be .*: one of the game/, structure.place, new Placement(), new OwnStructure());
             }
         }
 
@@ -364,5 +369,21 @@ package starlogo.bounding
         {
             assertTrue(what + ": " + actual + " instead of " + expected, Math.abs(actual - expected) <= tolerance);
         }
+    }
+}
+
+import starlogo.bounding.BoundingStructure;
+
+/** Has no tests and no numbers. */
+class OwnStructure extends BoundingStructure
+{
+    public function OwnStructure()
+    {
+        super(OTHER);
+    }
+
+    override public function toString():String
+    {
+        return "one of the game's own";
     }
 }

@@ -5,6 +5,7 @@ package starlogo.geometry
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.Sphere;
     import starlogo.engine;
 
     use namespace engine;
@@ -64,6 +65,60 @@ package starlogo.geometry
                 assertTrue(to.hasRotationOf(from));
                 numbers = new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1];
             }
+        }
+
+        [Test]
+        public function aMatrixSaysWhetherItTurns():void
+        {
+            var numbers:Vector.<Number> = new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1];
+            var placement:Placement = new Placement();
+            var still:Placement = new Placement();
+            still.size = 3;
+            still.x = 5;
+            for each (var turn:Number in [90, 0, 30, 0, 1e-7])
+            {
+                var from:Placement = new Placement();
+                from.setRotation(turn, 0, 0);
+                from.writeMatrix(numbers);
+                placement.setMatrix(numbers);
+                assertEquals("turned by " + turn, turn == 0, placement.isIdentity);
+                var ball:Sphere = new Sphere(new Vector3D(1, 0, 0), 0.5);
+                assertTrue("turned by " + turn, Vector3D.distance(Sphere(ball.place(from)).center, Sphere(ball.place(placement)).center) < ROUNDING);
+            }
+            still.writeMatrix(numbers);
+            placement.setMatrix(numbers);
+            assertTrue("only scaled and moved", placement.isIdentity);
+        }
+
+        [Test]
+        public function aDiagonalOfOnesIsNoIdentityYet():void
+        {
+            var numbers:Vector.<Number> = new Vector.<Number>(9, true);
+            var placement:Placement = new Placement();
+            placement.writeRotation(numbers, 0);
+            placement.readRotation(numbers, 0);
+            assertTrue(placement.isIdentity);
+            for each (var at:int in [1, 2, 3, 5, 6, 7])
+            {
+                numbers[at] = 1e-9;
+                placement.readRotation(numbers, 0);
+                assertFalse("number " + at, placement.isIdentity);
+                var far:Vector3D = new Vector3D(1e6, 1e6, 1e6);
+                placement.place(far, far);
+                assertTrue("number " + at, Math.abs([far.x, far.y, far.z][int(at / 3)] - 1e6 - 1e-3) < 1e-6);
+                numbers[at] = 0;
+            }
+        }
+
+        [Test]
+        public function onlyTheOwnerCountsChanges():void
+        {
+            var placement:Placement = randomPlacement(1e-9);
+            var other:Placement = randomPlacement(1e-9);
+            other.extentsRevision = 7;
+            placement.copyFrom(other);
+            placement.setQuaternion(0, 0, 1, 0);
+            assertEquals(0, placement.extentsRevision);
         }
 
         [Test]

@@ -3,6 +3,7 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.moveToSurfaces;
 
     /**
      * Finds the point on the edges of one box that is nearest to another box, in the other box's axes. The point is a corner, unless the
@@ -108,11 +109,11 @@ package starlogo.intersection
             gapY = _fromOtherY;
             gapZ = _fromOtherZ;
             rotateGap(b);
-            out.gapX = gapX;
-            out.gapY = gapY;
-            out.gapZ = gapZ;
-            out.radiusA = out.radiusB = 0;
-            out.separate();
+            gap.x = gapX;
+            gap.y = gapY;
+            gap.z = gapZ;
+            gap.radiusA = gap.radiusB = 0;
+            moveToSurfaces(gap, out);
             if (isSwapped)
             {
                 out.swapShapes();

@@ -119,7 +119,7 @@ package starlogo.intersection
         {
             OVERLAP_KERNEL.findNormal(a, b, displacement, out);
             out.depth = radiusSum;
-            placeContact(a, displacement, out);
+            placeCapsule(a, displacement, out);
         }
     }
 }

@@ -12,7 +12,9 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.Zonotope;
     import starlogo.intersection.contact.findPairContact;
+    import starlogo.intersection.distance.CoreGap;
     import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.TriangleContactFinder;
     import starlogo.intersection.sweep.TriangleSweep;
@@ -82,6 +84,7 @@ package starlogo.intersection
 
         private var _box:TriangleBox = new TriangleBox();
         private var _closest:TrianglePairDistance = new TrianglePairDistance();
+        private var _core:CoreGap = new CoreGap();
         private var _sweep:TriangleSweep = new TriangleSweep();
         private var _overlap:TriangleContactFinder = new TriangleContactFinder();
         private var _displacement:RelativeMotion = new RelativeMotion(0);
@@ -275,12 +278,11 @@ package starlogo.intersection
         public function writeClosest(out:DistanceResult):void
         {
             out.copyPoints(_closest.points);
-            out.gapX = out.aX - out.bX;
-            out.gapY = out.aY - out.bY;
-            out.gapZ = out.aZ - out.bZ;
-            out.radiusA = radius;
-            out.radiusB = 0;
-            out.separate();
+            _core.x = out.aX - out.bX;
+            _core.y = out.aY - out.bY;
+            _core.z = out.aZ - out.bZ;
+            _core.radiusA = radius;
+            moveToSurfaces(_core, out);
         }
 
         private function beginMotion(motion:RelativeMotion):void

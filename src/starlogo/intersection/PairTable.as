@@ -1,5 +1,7 @@
 package starlogo.intersection
 {
+    import starlogo.intersection.sweep.RelativeMotion;
+
     /**
      * Finds the kernel of a pair of structures by their two kinds.
      *
@@ -7,6 +9,9 @@ package starlogo.intersection
      */
     public final class PairTable
     {
+        /** The motion of a pair in the other order. */
+        public static const REVERSED:RelativeMotion = new RelativeMotion();
+
         /**
          * The kernels, by three times the first structure's kind plus the second's. The first kind must not be higher than the second.
          */

@@ -8,7 +8,10 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.placeContact;
+    import starlogo.intersection.distance.CoreGap;
     import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
@@ -51,6 +54,9 @@ package starlogo.intersection
 
         /** The size of both structures together. The rounding error of the gap is relative to it. */
         protected var size:Number = 0;
+
+        /** What the shared functions get of the gap and the radii. */
+        protected var gap:CoreGap = new CoreGap();
 
         /** Prepares two structures: computes everything that does not depend on the time. */
         protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -194,7 +200,7 @@ package starlogo.intersection
                 out.setNormal(gapX, gapY, gapZ);
                 out.normalise();
                 out.depth = radiusSum - Math.sqrt(squared);
-                placeContact(a, displacement, out);
+                placeCapsule(a, displacement, out);
             }
             else
             {
@@ -215,7 +221,7 @@ package starlogo.intersection
                 out.aX = sphere.center.x;
                 out.aY = sphere.center.y;
                 out.aZ = sphere.center.z;
-                out.radiusA = sphere.radius;
+                gap.radiusA = sphere.radius;
             }
             else
             {
@@ -225,18 +231,18 @@ package starlogo.intersection
                 out.aX = start.x + share * (end.x - start.x);
                 out.aY = start.y + share * (end.y - start.y);
                 out.aZ = start.z + share * (end.z - start.z);
-                out.radiusA = capsule.radius;
+                gap.radiusA = capsule.radius;
             }
-            out.gapX = gapX;
-            out.gapY = gapY;
-            out.gapZ = gapZ;
+            gap.x = gapX;
+            gap.y = gapY;
+            gap.z = gapZ;
             var axial:AxialStructure = b as AxialStructure;
-            out.radiusB = axial == null ? 0 : axial.radius;
-            out.separate();
+            gap.radiusB = axial == null ? 0 : axial.radius;
+            moveToSurfaces(gap, out);
         }
 
         /** Places a capsule's contact once its normal and depth are known. The point lies behind a's closest point, against the normal. */
-        protected final function placeContact(a:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        protected final function placeCapsule(a:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             var x:Number = displacement.startX;
             var y:Number = displacement.startY;
@@ -247,8 +253,8 @@ package starlogo.intersection
             out.x = x + start.x + share * (end.x - start.x);
             out.y = y + start.y + share * (end.y - start.y);
             out.z = z + start.z + share * (end.z - start.z);
-            out.radius = capsule.radius;
-            out.place();
+            gap.radiusA = capsule.radius;
+            placeContact(gap, out);
         }
     }
 }

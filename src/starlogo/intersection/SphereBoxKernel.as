@@ -6,6 +6,7 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.placeContact;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a sphere and a box. It works in the box's axes. CapsuleBoxKernel extends it for capsules. */
@@ -93,7 +94,7 @@ package starlogo.intersection
             halfZ = box.halfZ;
             include "pointToBox.inc";
             var radius:Number = sphere.radius;
-            out.radius = radius;
+            gap.radiusA = radius;
             var squared:Number = x * x + y * y + z * z;
             var least:Number = Tolerances.DIRECTION * (halfX + halfY + halfZ + radius);
             if (squared > least * least)
@@ -108,7 +109,7 @@ package starlogo.intersection
                 pointThroughFace(box, out);
                 out.depth += radius;
             }
-            out.place();
+            placeContact(gap, out);
         }
 
         override protected function rotateGap(b:BoundingStructure):void

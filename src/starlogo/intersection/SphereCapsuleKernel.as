@@ -6,6 +6,7 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.placeContact;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a sphere and a capsule. */
@@ -77,7 +78,7 @@ package starlogo.intersection
             var z:Number = out.z - start.z;
             include "../geometry/pointToSegment.inc";
             var depth:Number = sphere.radius + capsule.radius;
-            out.radius = sphere.radius;
+            gap.radiusA = sphere.radius;
             out.depth = depth;
             var least:Number = Tolerances.DIRECTION * (Math.sqrt(lengthSquared) + depth);
             if (x * x + y * y + z * z > least * least)
@@ -91,7 +92,7 @@ package starlogo.intersection
                 out.setNormal(axisX, axisY, axisZ);
                 out.makePerpendicular();
             }
-            out.place();
+            placeContact(gap, out);
         }
     }
 }

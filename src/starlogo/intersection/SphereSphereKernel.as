@@ -4,7 +4,10 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.placeContact;
+    import starlogo.intersection.distance.CoreGap;
     import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
@@ -22,6 +25,8 @@ package starlogo.intersection
 
         /** Input of findEntry: the sum of the radii. */
         public var reach:Number = 0;
+
+        private var _gap:CoreGap = new CoreGap();
 
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -90,7 +95,7 @@ package starlogo.intersection
             out.x = displacement.startX + center.x;
             out.y = displacement.startY + center.y;
             out.z = displacement.startZ + center.z;
-            out.radius = sphere.radius;
+            _gap.radiusA = sphere.radius;
             var gapX:Number = out.x - middle.x;
             var gapY:Number = out.y - middle.y;
             var gapZ:Number = out.z - middle.z;
@@ -106,7 +111,7 @@ package starlogo.intersection
             {
                 out.setNormal(0, 0, 1);
             }
-            out.place();
+            placeContact(_gap, out);
         }
 
         /** @inheritDoc */
@@ -119,12 +124,12 @@ package starlogo.intersection
             out.aX = center.x;
             out.aY = center.y;
             out.aZ = center.z;
-            out.gapX = center.x - middle.x;
-            out.gapY = center.y - middle.y;
-            out.gapZ = center.z - middle.z;
-            out.radiusA = sphere.radius;
-            out.radiusB = other.radius;
-            out.separate();
+            _gap.x = center.x - middle.x;
+            _gap.y = center.y - middle.y;
+            _gap.z = center.z - middle.z;
+            _gap.radiusA = sphere.radius;
+            _gap.radiusB = other.radius;
+            moveToSurfaces(_gap, out);
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.BoxSweep;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findBoxImpact;
 
@@ -161,7 +162,7 @@ package starlogo.intersection
                 return true;
             }
             // The sweep's axes do not cancel.
-            var standing:RelativeMotion = RelativeMotion.reversed(RelativeMotion.NONE);
+            var standing:RelativeMotion = BoxSweep.STANDING;
             findBoxImpact(a, b, standing);
             return standing.time == 0;
         }

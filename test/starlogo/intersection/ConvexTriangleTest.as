@@ -78,7 +78,7 @@ package starlogo.intersection
                     continue;
                 }
                 sweep.writeClosest(closest);
-                var normal:Vector3D = new Vector3D(closest.gapX, closest.gapY, closest.gapZ);
+                var normal:Vector3D = new Vector3D(closest.aX - closest.bX, closest.aY - closest.bY, closest.aZ - closest.bZ);
                 normal.normalize();
                 var gap:Number = _random.logBetween(1e-7, 1e-3);
                 structure.translate(new Vector3D((gap - sweep.distance) * normal.x, (gap - sweep.distance) * normal.y, (gap - sweep.distance) * normal.z));

@@ -5,7 +5,7 @@ package starlogo.intersection.contact
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * The contact of two structures: the point, the normal and the depth. It has plain fields, so that it can be reused.
+     * The contact of two structures: the point, the normal and the depth.
      *
      * @private
      */
@@ -33,9 +33,6 @@ package starlogo.intersection.contact
         /** The least and the greatest component along the normal that <code>measure()</code> has found. */
         public var least:Number = 0;
         public var greatest:Number = 0;
-
-        /** Input of <code>place()</code>: how far the first structure's surface is from its core. */
-        public var radius:Number = 0;
 
         /** Copies all fields of another contact. */
         public function copyFrom(other:ContactPoint):void
@@ -161,19 +158,6 @@ package starlogo.intersection.contact
                 setNormal(1 - axisX * axisX / axisSquared, -axisX * axisY / axisSquared, -axisX * axisZ / axisSquared);
             }
             normalise();
-        }
-
-        /**
-         * Moves the point from the first structure's core to the middle of the overlap, against the normal. Normal, depth and radius must
-         * be set. A depth that rounding has made negative becomes 0.
-         */
-        public function place():void
-        {
-            depth = depth > 0 ? depth : 0;
-            var back:Number = radius - depth / 2;
-            x -= back * normalX;
-            y -= back * normalY;
-            z -= back * normalZ;
         }
     }
 }

@@ -31,7 +31,8 @@ package starlogo.intersection.contact
         if (a.kind > b.kind)
         {
             // The kernel takes the pair in the other order, so the contact is swapped back.
-            PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, RelativeMotion.reversed(displacement), out);
+            PairTable.REVERSED.setReversed(displacement);
+            PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, PairTable.REVERSED, out);
             out.swapBodies(displacement);
             return;
         }

@@ -4,8 +4,7 @@ package starlogo.intersection.distance
     import starlogo.geometry.Placement;
 
     /**
-     * The distance of two shapes, and their closest points. If the shapes touch, both points are one point of both shapes. It has plain
-     * fields, so that it can be reused, and the kernels put their input into it.
+     * The distance of two shapes, and their closest points. If the shapes touch, both points are one point of both shapes.
      *
      * @private
      */
@@ -23,53 +22,6 @@ package starlogo.intersection.distance
         public var bX:Number = 0;
         public var bY:Number = 0;
         public var bZ:Number = 0;
-
-        /** Input of separate: the vector from the second core's closest point to the first core's, which is aX, aY, aZ. */
-        public var gapX:Number = 0;
-        public var gapY:Number = 0;
-        public var gapZ:Number = 0;
-
-        /** Input of separate: how far the first shape's surface is from its core. */
-        public var radiusA:Number = 0;
-
-        /** Input of separate: how far the second shape's surface is from its core. */
-        public var radiusB:Number = 0;
-
-        /**
-         * Sets the distance and the points from the gap between the cores and from the radii. If the shapes overlap, both points lie on the
-         * line through the cores' closest points, in the middle of the part inside of both shapes. The inputs are fields, because V8 would
-         * allocate an object for each Number that is passed.
-         */
-        public function separate():void
-        {
-            var x:Number = gapX;
-            var y:Number = gapY;
-            var z:Number = gapZ;
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            var atA:Number = radiusA;
-            var atB:Number = length - radiusB;
-            distance = atB - atA;
-            if (!(distance > 0))
-            {
-                distance = 0;
-                var low:Number = atB > -radiusA ? atB : -radiusA;
-                var high:Number = length + radiusB;
-                high = high < radiusA ? high : radiusA;
-                atA = atB = (low + high) / 2;
-            }
-            if (length > 0)
-            {
-                x /= length;
-                y /= length;
-                z /= length;
-            }
-            bX = aX - atB * x;
-            bY = aY - atB * y;
-            bZ = aZ - atB * z;
-            aX -= atA * x;
-            aY -= atA * y;
-            aZ -= atA * z;
-        }
 
         /** Exchanges the two shapes. */
         public function swapShapes():void

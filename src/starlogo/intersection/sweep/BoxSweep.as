@@ -18,6 +18,9 @@ package starlogo.intersection.sweep
         /** For tests that end before the next one begins. */
         internal static const SCRATCH:BoxSweep = new BoxSweep();
 
+        /** The motion of a box that stands still. A test of it overwrites its time. */
+        public static const STANDING:RelativeMotion = new RelativeMotion();
+
         /** The motion of b from time 0 to 1 as seen from a, in a's axes. */
         public var motionX:Number = 0;
         public var motionY:Number = 0;

@@ -17,8 +17,6 @@ package starlogo.intersection.sweep
         /** The motion of a structure that stands still, at time 0. Nothing writes to it. */
         public static const NONE:RelativeMotion = new RelativeMotion(0);
 
-        private static const REVERSED:RelativeMotion = new RelativeMotion();
-
         /** The vector from the structure's stored place to its place at time 0. */
         public var startX:Number = 0;
         public var startY:Number = 0;
@@ -77,13 +75,6 @@ package starlogo.intersection.sweep
             startZ = -motion.startZ;
             time = motion.time;
             latest = motion.latest;
-        }
-
-        /** Returns the motion of the other structure while the first one stands still. The next call overwrites it. */
-        public static function reversed(motion:RelativeMotion):RelativeMotion
-        {
-            REVERSED.setReversed(motion);
-            return REVERSED;
         }
 
         /** Computes the rounding error of the motion. */

@@ -22,7 +22,8 @@ package starlogo.intersection.sweep
     {
         if (a.kind > b.kind)
         {
-            var reversed:RelativeMotion = RelativeMotion.reversed(motion);
+            var reversed:RelativeMotion = PairTable.REVERSED;
+            reversed.setReversed(motion);
             PairTable.KERNELS[3 * b.kind + a.kind].findTime(b, a, reversed);
             motion.time = reversed.time;
             return;

@@ -373,15 +373,18 @@ async function level() {
 		const [angle, rise] = [between(0, 2 * Math.PI), between(-0.3, 0.3)];
 		const flat = Math.sqrt(1 - rise * rise);
 		return { from: [between(-35, 35), between(-35, 35), between(2, 5)], to: [flat * Math.cos(angle), flat * Math.sin(angle), rise] };
-	}).filter(({ from }) => levels[0].isFree(from, 0.25));
+	}).filter(({ from }) => levels[0].isFree(from));
 	const starts = Array.from({ length: 20 }, (_, i) => [22 * Math.cos(2.4 * i) * Math.sqrt(i / 20), 22 * Math.sin(2.4 * i) * Math.sqrt(i / 20), 6]);
 	const prepare = (name) => ENGINES[name](mesh).ray([0, 0, 5], [0, 0, -1], 100);
 	const preparing = measure(names.map((name) => ({ run: () => prepare(name) })), 5);
 	const distances = levels.map(({ ray }) => aimed.map(({ from, to }) => ray(from, to, 60)));
 	const rays = measure(levels.map(({ ray }) => ({ run: () => aimed.forEach(({ from, to }) => ray(from, to, 60)) })), 5);
 	const ways = aimed.map(({ to }) => to.map((value) => 6 * value));
-	const cameras = levels.map(({ sphere }) => sphere && aimed.map(({ from }, i) => sphere(from, 0.25, ways[i])));
-	const casts = levels.map(({ sphere }) => sphere && measure([{ run: () => aimed.forEach(({ from }, i) => sphere(from, 0.25, ways[i])) }], 3)[0]);
+	const [cameras, pills] = [({ sphere }) => sphere && ((from, way) => sphere(from, 0.25, way)), ({ capsule }) => capsule].map((castOf) => {
+		const able = levels.map(castOf).map((cast) => cast && (() => aimed.map(({ from }, i) => cast(from, ways[i]))));
+		const times = measure(able.filter(Boolean).map((run) => ({ run })), 5);
+		return able.map((run) => run && { ms: times.shift(), found: run() });
+	});
 	const walks = levels.map(({ walker }) => {
 		if (!walker) return null;
 		const walkers = starts.map(walker);
@@ -394,10 +397,12 @@ async function level() {
 	print(`A level of ${mesh.triangles.length / 3} triangles`, ["", ...names], [
 		["preparing it and a first ray, ms", ...preparing],
 		["a ray, microseconds", ...rays.map((ms) => 1000 * ms / aimed.length)],
-		["a sphere's cast, microseconds", ...casts.map((ms) => (ms ? 1000 * ms / aimed.length : "-"))],
+		["a sphere's cast, microseconds", ...cameras.map((casts) => (casts ? 1000 * casts.ms / aimed.length : "-"))],
+		["a capsule's cast, microseconds", ...pills.map((casts) => (casts ? 1000 * casts.ms / aimed.length : "-"))],
 		["a capsule's walk, microseconds", ...walks.map((walk) => (walk ? 1000 * walk.ms / starts.length : "-"))],
 		[`of ${aimed.length} rays the same`, ...distances.map((all) => all.filter((value, i) => near(value, distances[0][i])).length)],
-		["casts the same", ...cameras.map((all) => (all ? all.filter((value, i) => near(value, cameras[0][i])).length : "-"))],
+		["a sphere's casts the same", ...cameras.map((casts) => (casts ? casts.found.filter((value, i) => near(value, cameras[0].found[i])).length : "-"))],
+		["a capsule's casts the same", ...pills.map((casts) => (casts ? casts.found.filter((value, i) => near(value, pills[0].found[i])).length : "-"))],
 		["fell through", ...walks.map((walk) => (walk ? walk.fell : "-"))],
 	]);
 }

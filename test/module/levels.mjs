@@ -1,14 +1,16 @@
 /**
  * A level as one mesh, in this engine and in others, each as its documentation says that it is fastest: z is up, and a level is what `prepare`
- * gives of a model's numbers, ready for its first ray. Each has `ray`, and where it can `sphere` and `walker`;
- * the first can say where a ball is free.
+ * gives of a model's numbers, ready for its first ray. Each has `ray`, and where it can `sphere`, `capsule` and `walker`;
+ * the first can say where there is room for the capsule. Box3D is among them if the variable BOX3D names the folder of its WebAssembly.
  */
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import { engine } from "./games.mjs";
 import { RAPIER, crashcat } from "./peers.mjs";
 import { makeBvh } from "./rays.mjs";
 
-const { Agent, AgentQueries, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
+const { Agent, AgentQueries, Capsule, CombinationCollider, Footing, GltfModel, GreatLand, Model, RayHit, ShapeHit, Sphere, Vector3D, WalkOptions } = engine;
 
 /** The capsule that walks: it is a person's size. */
 const RADIUS = 0.3;
@@ -16,6 +18,9 @@ const HEIGHT = 1.8;
 const STEP = 0.3;
 const SLOPE = 50;
 const FALL = 0.2;
+
+/** Half the length between the centres of the ends of a capsule that is cast. */
+const CORE = HEIGHT / 2 - RADIUS;
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
 /** The example's level: { vertices, triangles }, a unit a patch. */
@@ -56,6 +61,7 @@ function inEngine({ vertices, triangles }) {
 		origin.setTo(x, y, z);
 		return origin;
 	};
+	const standing = ([x, y, z]) => new Capsule(new Vector3D(x, y, z - CORE), new Vector3D(x, y, z + CORE), RADIUS);
 	return {
 		ray: (from, to, reach) => {
 			place(from);
@@ -63,7 +69,8 @@ function inEngine({ vertices, triangles }) {
 			return queries.cast(origin, direction, reach, null, hit)?.distance ?? Infinity;
 		},
 		sphere: (from, radius, way) => queries.castShape(new Sphere(place(from), radius), ...way, null, shapeHit)?.time ?? 1,
-		isFree: (from, radius) => queries.overlapping(new Sphere(place(from), radius)).length === 0,
+		capsule: (from, way) => queries.castShape(standing(from), ...way, null, shapeHit)?.time ?? 1,
+		isFree: (from) => queries.overlapping(standing(from)).length === 0,
 		walker: (from) => {
 			if (!land.hasModel("walker")) {
 				land.loadTightestFit = true;
@@ -105,6 +112,9 @@ function inRapier({ vertices, triangles }) {
 	const upright = { x: 0, y: 0, z: 0, w: 1 };
 	const balls = new Map();
 	const ballOf = (radius) => balls.get(radius) ?? balls.set(radius, new RAPIER.Ball(radius)).get(radius);
+	// Rapier's capsules stand along y
+	const stood = { x: Math.SQRT1_2, y: 0, z: 0, w: Math.SQRT1_2 };
+	const pill = new RAPIER.Capsule(CORE, RADIUS);
 	return {
 		ray: (from, to, reach) => {
 			ray.origin = vector(from);
@@ -112,6 +122,7 @@ function inRapier({ vertices, triangles }) {
 			return world.castRay(ray, reach, true)?.timeOfImpact ?? Infinity;
 		},
 		sphere: (from, radius, way) => world.castShape(vector(from), upright, vector(way), ballOf(radius), 0, 1, true)?.time_of_impact ?? 1,
+		capsule: (from, way) => world.castShape(vector(from), stood, vector(way), pill, 0, 1, true)?.time_of_impact ?? 1,
 		walker: (from) => {
 			const controller = world.createCharacterController(0.01);
 			controller.setUp({ x: 0, y: 0, z: 1 });
@@ -120,8 +131,7 @@ function inRapier({ vertices, triangles }) {
 			controller.setMaxSlopeClimbAngle(radians(SLOPE));
 			controller.setSlideEnabled(true);
 			const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased());
-			// Rapier's capsules stand along y
-			const capsule = RAPIER.ColliderDesc.capsule(HEIGHT / 2 - RADIUS, RADIUS).setRotation({ x: Math.SQRT1_2, y: 0, z: 0, w: Math.SQRT1_2 });
+			const capsule = RAPIER.ColliderDesc.capsule(CORE, RADIUS).setRotation(stood);
 			const collider = world.createCollider(capsule, body);
 			const at = vector([from[0], from[1], from[2] + HEIGHT / 2]);
 			const settle = () => {
@@ -159,23 +169,25 @@ function inCrashcat({ vertices, triangles }) {
 	const [upright, one] = [[0, 0, 0, 1], [1, 1, 1]];
 	const balls = new Map();
 	const ballOf = (radius) => balls.get(radius) ?? balls.set(radius, crashcat.sphere.create({ radius })).get(radius);
+	// its capsules stand along y
+	const stood = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
+	const pill = crashcat.capsule.create({ radius: RADIUS, halfHeightOfCylinder: CORE });
+	const cast = (shape, from, turn, way) => {
+		shapes.reset();
+		crashcat.castShape(world, shapes, shapeSettings, shape, from, turn, one, way, filter);
+		return shapes.hit.status === crashcat.CastShapeStatus.COLLIDING ? shapes.hit.fraction : 1;
+	};
 	return {
 		ray: (from, to, reach) => {
 			rays.reset();
 			crashcat.castRay(world, rays, raySettings, from, to, reach, filter);
 			return rays.hit.status === crashcat.CastRayStatus.COLLIDING ? rays.hit.fraction * reach : Infinity;
 		},
-		sphere: (from, radius, way) => {
-			shapes.reset();
-			crashcat.castShape(world, shapes, shapeSettings, ballOf(radius), from, upright, one, way, filter);
-			return shapes.hit.status === crashcat.CastShapeStatus.COLLIDING ? shapes.hit.fraction : 1;
-		},
+		sphere: (from, radius, way) => cast(ballOf(radius), from, upright, way),
+		capsule: (from, way) => cast(pill, from, stood, way),
 		walker: (from) => {
-			const capsule = crashcat.capsule.create({ radius: RADIUS, halfHeightOfCylinder: HEIGHT / 2 - RADIUS });
 			const { kcc } = crashcat;
-			// its capsules stand along y
-			const turn = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
-			const character = kcc.create({ shape: capsule, up: [0, 0, 1], maxSlopeAngle: radians(SLOPE) }, [from[0], from[1], from[2] + HEIGHT / 2], turn);
+			const character = kcc.create({ shape: pill, up: [0, 0, 1], maxSlopeAngle: radians(SLOPE) }, [from[0], from[1], from[2] + HEIGHT / 2], stood);
 			const options = { ...kcc.createDefaultUpdateSettings(), stickToFloorStepDown: [0, 0, -STEP], walkStairsStepUp: [0, 0, STEP] };
 			const [seconds, gravity] = [1 / 60, [0, 0, -9.81]];
 			return {
@@ -192,5 +204,38 @@ function inCrashcat({ vertices, triangles }) {
 	};
 }
 
+const BOX3D = process.env.BOX3D;
+const b3 = BOX3D && await (await import(pathToFileURL(join(BOX3D, "box3d.mjs")))).default();
+
+const POINT = [0, 0, 0];
+const SEGMENT = [0, 0, -CORE, 0, 0, CORE];
+
+/** Box3D's casts end at a slop before the touch, as crashcat's casts of capsules do: a few of them differ in the third digit. */
+function inBox3d({ vertices, triangles }) {
+	const world = b3.b3CreateWorld(b3.b3DefaultWorldDef());
+	const mesh = b3.b3CreateMesh(new Float32Array(vertices), new Uint32Array(triangles));
+	b3.b3CreateMeshShape(b3.b3CreateBody(world, b3.b3DefaultBodyDef()), b3.b3DefaultShapeDef(), mesh, { x: 1, y: 1, z: 1 });
+	const filter = b3.b3DefaultQueryFilter();
+	const vector = ([x, y, z]) => ({ x, y, z });
+	let nearest = 1;
+	const keep = (shape, point, normal, fraction) => {
+		nearest = fraction < nearest ? fraction : nearest;
+		return fraction;
+	};
+	const cast = (points, radius, from, way) => {
+		nearest = 1;
+		b3.b3World_CastShape(world, vector(from), points, radius, vector(way), filter, keep);
+		return nearest;
+	};
+	return {
+		ray: (from, to, reach) => {
+			const hit = b3.b3World_CastRayClosest(world, vector(from), vector(to.map((value) => reach * value)), filter);
+			return hit.hit ? hit.fraction * reach : Infinity;
+		},
+		sphere: (from, radius, way) => cast(POINT, radius, from, way),
+		capsule: (from, way) => cast(SEGMENT, RADIUS, from, way),
+	};
+}
+
 /** How each prepares a level, by its name. */
-export const ENGINES = { engine: inEngine, "three-mesh-bvh": inBvh, Rapier: inRapier, crashcat: inCrashcat };
+export const ENGINES = { engine: inEngine, "three-mesh-bvh": inBvh, Rapier: inRapier, crashcat: inCrashcat, ...(b3 ? { Box3D: inBox3d } : {}) };

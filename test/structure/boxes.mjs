@@ -15,8 +15,8 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 /** Packages and classes whose functions run every frame. */
-const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.geometry.Placement',
-	'starlogo.ground', 'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid', 'starlogo.terrain'];
+const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.convex', 'starlogo.geometry.Placement',
+	'starlogo.geometry.Touching', 'starlogo.ground', 'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid', 'starlogo.terrain'];
 
 /** Classes of those packages that do not, and why. */
 const COLD = {

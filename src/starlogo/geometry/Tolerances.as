@@ -138,6 +138,13 @@ package starlogo.geometry
         public static const SURFACES:Number = 1e-14;
 
         /**
+         * The rounding of the distance of two convex cores, as a fraction of the sum of their sizes. It is part of the distance at which they touch.
+         * Smaller than 4e-16: shapes that touch do not collide if one of them is much larger than the gaps of the two. Larger: shapes with a gap
+         * collide.
+         */
+        public static const CORES:Number = 1e-15;
+
+        /**
          * How far a triangle's corners may be off its plane by rounding, as a fraction of its model's distance from the origin. The plane of a
          * narrower triangle rules out nothing. Smaller: fewer triangles have planes. Larger: planes rule out fewer triangles.
          */

@@ -1,0 +1,283 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
+
+    /**
+     * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
+     * and how far they overlap. A shape is a core of points with a radius (ConvexShape); CoreDistance finds the distance of two cores with the help
+     * of Simplex, CoreOverlap the way out of an overlap, CommonPoint the point of a contact. Read ConvexShape first, then this class from the top,
+     * then CoreDistance.
+     *
+     * <p>All four agree about what touches: see Touching. The same two shapes in the other order get the same answer, to the last bit. Nothing
+     * is allocated.</p>
+     *
+     * @private
+     */
+    public final class ConvexPair
+    {
+        private static const MOST_STEPS:int = 80;
+
+        private var _distance:CoreDistance = new CoreDistance();
+        private var _overlap:CoreOverlap = new CoreOverlap();
+        private var _common:CommonPoint = new CommonPoint();
+        private var _cores:CorePair = new CorePair();
+        private var _gap:CoreGap = new CoreGap();
+
+        // Where the motion begins: the vector from b's origin to a's. The latest time at which the shapes touch within rounding.
+        private var _from:Vector3D = new Vector3D();
+        private var _touch:Number = 0;
+
+        /** Whether two shapes touch or overlap. */
+        public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
+        {
+            relate(a, b);
+            _cores.enough = _cores.reach;
+            _distance.find(_cores, _gap);
+            return _gap.distance <= _cores.reach;
+        }
+
+        /** Finds the distance and the closest points of two shapes. */
+        public function findClosest(a:ConvexShape, b:ConvexShape, out:ClosestPoints):void
+        {
+            out.distance = Infinity;
+            findCloser(a, b, out);
+        }
+
+        /**
+         * Finds the distance and the closest points of two shapes if they are closer than a pair before.
+         *
+         * @param out the distance and the points of the pair before; overwritten if this one is closer
+         * @return whether it is closer
+         */
+        public function findCloser(a:ConvexShape, b:ConvexShape, out:ClosestPoints):Boolean
+        {
+            relate(a, b);
+            _cores.enough = out.distance + (a.radius + b.radius);
+            _distance.find(_cores, _gap);
+            var distance:Number = _gap.distance - (a.radius + b.radius);
+            distance = distance > 0 ? distance : 0;
+            if (!(distance < out.distance))
+            {
+                return false;
+            }
+            out.distance = distance;
+            writePoints(out);
+            return true;
+        }
+
+        /**
+         * Finds when a moving shape first touches another one. The distance is a convex function of the time. So Newton's method from the left never
+         * steps over its first zero (van den Bergen, "Ray casting against general convex objects with application to continuous collision
+         * detection", 2004). A step ends when no gap is left along the line between the closest points.
+         *
+         * @param motion the motion of a, and the latest time that counts; receives the time: 0 if they touch at the beginning, or
+         *     ConvexMotion.NEVER
+         */
+        public function findTime(a:ConvexShape, b:ConvexShape, motion:ConvexMotion):void
+        {
+            relate(a, b);
+            setWay(motion);
+            _from.x = _cores.x;
+            _from.y = _cores.y;
+            _from.z = _cores.z;
+            _cores.reach += Touching.gapOfMotion(motion.startX, motion.startY, motion.startZ) + Touching.gapOfMotion(motion.x, motion.y, motion.z);
+            _touch = ConvexMotion.NEVER;
+            skipToBalls(motion);
+            for (var step:int = 0; step < MOST_STEPS && motion.time <= motion.latest; step++)
+            {
+                _cores.x = _from.x + motion.time * _cores.wayX;
+                _cores.y = _from.y + motion.time * _cores.wayY;
+                _cores.z = _from.z + motion.time * _cores.wayZ;
+                if (step == 0)
+                {
+                    _distance.find(_cores, _gap);
+                }
+                else
+                {
+                    _distance.findAgain(_cores, _gap);
+                }
+                if (isFirstTouch(motion))
+                {
+                    return;
+                }
+            }
+            if (motion.time > motion.latest)
+            {
+                motion.time = _touch;
+            }
+        }
+
+        /**
+         * Finds the contact of two shapes that touch or overlap: the shortest displacement of a that separates them, and the middle of what they have in
+         * common. If several displacements are equally short, CoreOverlap says which it is.
+         *
+         * @param motion the motion of a; a is where it is at the motion's time
+         * @param out receives the contact
+         */
+        public function findContact(a:ConvexShape, b:ConvexShape, motion:ConvexMotion, out:ConvexContact):void
+        {
+            relate(a, b);
+            setWay(motion);
+            var time:Number = motion.time;
+            _cores.x += time * _cores.wayX;
+            _cores.y += time * _cores.wayY;
+            _cores.z += time * _cores.wayZ;
+            if (!(time > 0))
+            {
+                _cores.wayX = _cores.wayY = _cores.wayZ = 0;
+            }
+            _distance.find(_cores, _gap);
+            if (_gap.distance > Tolerances.DIRECTION * (a.size + b.size))
+            {
+                out.normalX = _gap.x / _gap.distance;
+                out.normalY = _gap.y / _gap.distance;
+                out.normalZ = _gap.z / _gap.distance;
+                out.depth = -_gap.distance;
+            }
+            else
+            {
+                _overlap.find(_cores, out);
+            }
+            var depth:Number = out.depth + (a.radius + b.radius);
+            out.depth = depth > 0 ? depth : 0;
+            _common.find(_cores, out);
+            out.x += _cores.b.x;
+            out.y += _cores.b.y;
+            out.z += _cores.b.z;
+            if (_cores.isSwapped)
+            {
+                swapContact(motion, out);
+            }
+        }
+
+        // Puts the two in the order of their places, and sets how near they touch.
+        private function relate(a:ConvexShape, b:ConvexShape):void
+        {
+            var cores:CorePair = _cores;
+            var isSwapped:Boolean = a.x > b.x || a.x == b.x && (a.y > b.y || a.y == b.y && a.z > b.z);
+            var first:ConvexShape = isSwapped ? b : a;
+            var second:ConvexShape = isSwapped ? a : b;
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
+            if (cores.a !== first)
+            {
+                cores.a = first;
+            }
+            if (cores.b !== second)
+            {
+                cores.b = second;
+            }
+            cores.isSwapped = isSwapped;
+            cores.x = first.x - second.x;
+            cores.y = first.y - second.y;
+            cores.z = first.z - second.z;
+            cores.enough = Infinity;
+            cores.reach = (first.radius + second.radius) * Tolerances.TOUCHING + (first.gap + second.gap) + Tolerances.CORES * (first.size + second.size);
+        }
+
+        // Sets the motion of the first core, and moves it to where the motion begins.
+        private function setWay(motion:ConvexMotion):void
+        {
+            var cores:CorePair = _cores;
+            var side:int = cores.isSwapped ? -1 : 1;
+            cores.x += side * motion.startX;
+            cores.y += side * motion.startY;
+            cores.z += side * motion.startZ;
+            cores.wayX = side * motion.x;
+            cores.wayY = side * motion.y;
+            cores.wayZ = side * motion.z;
+        }
+
+        // Sets the motion's time to when balls around the two first meet.
+        private function skipToBalls(motion:ConvexMotion):void
+        {
+            var cores:CorePair = _cores;
+            var reach:Number = Tolerances.OUTER * (cores.reach + cores.a.size + cores.b.size);
+            var beyond:Number = cores.x * cores.x + cores.y * cores.y + cores.z * cores.z - reach * reach;
+            motion.time = 0;
+            if (beyond > 0)
+            {
+                var closing:Number = -(cores.x * cores.wayX + cores.y * cores.wayY + cores.z * cores.wayZ);
+                var left:Number = closing * closing - (cores.wayX * cores.wayX + cores.wayY * cores.wayY + cores.wayZ * cores.wayZ) * beyond;
+                motion.time = closing > 0 && left >= 0 ? beyond / (closing + Math.sqrt(left)) : ConvexMotion.NEVER;
+            }
+        }
+
+        // Whether the motion's time is that of the first touch. If not, sets the time of the next step.
+        private function isFirstTouch(motion:ConvexMotion):Boolean
+        {
+            var gap:CoreGap = _gap;
+            var cores:CorePair = _cores;
+            var radii:Number = cores.a.radius + cores.b.radius;
+            var areTouching:Boolean = gap.distance <= cores.reach;
+            if (_touch <= 1)
+            {
+                // the last step counts only if they still touch after it
+                motion.time = areTouching ? motion.time : _touch;
+                return true;
+            }
+            if (areTouching && (motion.time == 0 || gap.distance <= radii))
+            {
+                return true;
+            }
+            if (areTouching)
+            {
+                // one more step, to where they touch without the gap for rounding
+                _touch = motion.time;
+            }
+            var speed:Number = -(gap.normalX * cores.wayX + gap.normalY * cores.wayY + gap.normalZ * cores.wayZ);
+            var next:Number = speed > 0 ? motion.time + (gap.separation - radii) / speed : ConvexMotion.NEVER;
+            if (!(next > motion.time))
+            {
+                return true;
+            }
+            motion.time = next;
+            return false;
+        }
+
+        // Writes the points of the surfaces from the gap between the cores. If the shapes overlap, both are in the middle of the part of the line
+        // through the cores' closest points that is inside of both.
+        private function writePoints(out:ClosestPoints):void
+        {
+            var gap:CoreGap = _gap;
+            var a:ConvexShape = _cores.a;
+            var b:ConvexShape = _cores.b;
+            var length:Number = gap.distance;
+            // how far the two points are from a's core, along the gap
+            var atA:Number = a.radius;
+            var atB:Number = length - b.radius;
+            if (!(atB > atA))
+            {
+                var low:Number = atB > -a.radius ? atB : -a.radius;
+                var high:Number = length + b.radius < a.radius ? length + b.radius : a.radius;
+                atA = atB = (low + high) / 2;
+            }
+            var first:Number = _cores.isSwapped ? atB : atA;
+            var second:Number = _cores.isSwapped ? atA : atB;
+            out.aX = out.bX = a.x + gap.pointX;
+            out.aY = out.bY = a.y + gap.pointY;
+            out.aZ = out.bZ = a.z + gap.pointZ;
+            if (length > 0)
+            {
+                out.aX -= first * (gap.x / length);
+                out.aY -= first * (gap.y / length);
+                out.aZ -= first * (gap.z / length);
+                out.bX -= second * (gap.x / length);
+                out.bY -= second * (gap.y / length);
+                out.bZ -= second * (gap.z / length);
+            }
+        }
+
+        // Makes the contact that of the shapes in their own order: the second one moves out of the first, and is where the motion brings it.
+        private static function swapContact(motion:ConvexMotion, out:ConvexContact):void
+        {
+            out.x += motion.startX + motion.time * motion.x;
+            out.y += motion.startY + motion.time * motion.y;
+            out.z += motion.startZ + motion.time * motion.z;
+            out.normalX = -out.normalX;
+            out.normalY = -out.normalY;
+            out.normalZ = -out.normalZ;
+        }
+    }
+}

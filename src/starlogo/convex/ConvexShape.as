@@ -1,0 +1,244 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * A convex shape where it stands: a core and a radius around it. The core is the convex hull of points: one for a sphere, two for a capsule,
+     * three for a triangle, eight for a box. Any number of points is a hull. A shape is set once for a body, and then takes part in any number of
+     * questions. Its fields are read only.
+     *
+     * <p>The points are relative to an origin near them, so nothing is lost far from the origin of the world.</p>
+     *
+     * @private
+     */
+    public final class ConvexShape
+    {
+        // A list for shapes without faces, or without edges.
+        private static const NONE:Vector.<int> = new Vector.<int>(0);
+
+        private static const SEGMENT_EDGES:Vector.<int> = new <int>[0, 3, 0, 0];
+        private static const TRIANGLE_FACES:Vector.<int> = new <int>[0, 3, 6];
+        private static const TRIANGLE_EDGES:Vector.<int> = new <int>[0, 3, 0, 0, 3, 6, 3, 3, 6, 0, 6, 6];
+
+        // A box's points have a bit for each axis, times 3.
+        private static const BOX_FACES:Vector.<int> = new <int>[0, 3, 6, 0, 6, 12, 0, 12, 3];
+        private static const BOX_EDGES:Vector.<int> = new <int>[0, 3, 0, 0, 0, 6, 0, 0, 0, 12, 0, 0];
+
+        /** The origin of the points. */
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+
+        /** The radius around the core. */
+        public var radius:Number = 0;
+
+        /** How far beyond its surface other shapes still touch it, because its place or its surface is rounded. Distances do not include it. */
+        public var gap:Number = 0;
+
+        /** An upper bound for the core's diameter, at most 4 times as large. Rounding is relative to it. */
+        public var size:Number = 0;
+
+        /** The points: x, y, z of each. The list may be longer than <code>end</code>, the count of these numbers. */
+        public var points:Vector.<Number>;
+        public var end:int = 0;
+
+        /** Three points of each of the core's faces, as indices of their first numbers. Of two opposite faces of a box there is one. */
+        public var faces:Vector.<int> = NONE;
+
+        /**
+         * The core's edges, as four indices each: both ends, and one more point of each of the two faces. Where a face is missing, the edge's start
+         * stands for its point. Of parallel edges of a box there is one, with its start in place of both points.
+         */
+        public var edges:Vector.<int> = NONE;
+
+        /** Whether the core is a box. */
+        public var isBox:Boolean = false;
+
+        // The list of points for all shapes but hulls.
+        private var _own:Vector.<Number> = new Vector.<Number>(24, true);
+
+        public function ConvexShape()
+        {
+            points = _own;
+        }
+
+        /** Sets a Sphere, Capsule or Box. */
+        public function setStructure(structure:BoundingStructure):void
+        {
+            if (structure.kind == BoundingStructure.BOX)
+            {
+                setBox(structure as Box);
+            }
+            else if (structure.kind == BoundingStructure.CAPSULE)
+            {
+                setCapsule(structure as Capsule);
+            }
+            else
+            {
+                setSphere(structure as Sphere);
+            }
+        }
+
+        /** Sets a sphere. */
+        public function setSphere(sphere:Sphere):void
+        {
+            setOrigin(sphere.center);
+            begin(3, NONE, NONE);
+            points[0] = points[1] = points[2] = 0;
+            radius = sphere.radius;
+            size = 0;
+        }
+
+        /** Sets a capsule. */
+        public function setCapsule(capsule:Capsule):void
+        {
+            setOrigin(capsule.start);
+            begin(6, NONE, SEGMENT_EDGES);
+            points[0] = points[1] = points[2] = 0;
+            points[3] = capsule.end.x - x;
+            points[4] = capsule.end.y - y;
+            points[5] = capsule.end.z - z;
+            radius = capsule.radius;
+            measure();
+        }
+
+        /** Sets a box. */
+        public function setBox(box:Box):void
+        {
+            setOrigin(box.center);
+            begin(24, BOX_FACES, BOX_EDGES);
+            isBox = true;
+            size = 2 * (box.halfX + box.halfY + box.halfZ);
+            writeCorners(0, box.halfX * box.axisX.x, box.halfY * box.axisY.x, box.halfZ * box.axisZ.x);
+            writeCorners(1, box.halfX * box.axisX.y, box.halfY * box.axisY.y, box.halfZ * box.axisZ.y);
+            writeCorners(2, box.halfX * box.axisX.z, box.halfY * box.axisY.z, box.halfZ * box.axisZ.z);
+        }
+
+        /** Sets a triangle: nine numbers of a list, from an index on. */
+        public function setTriangle(corners:Vector.<Number>, at:int):void
+        {
+            x = corners[at];
+            y = corners[int(at + 1)];
+            z = corners[int(at + 2)];
+            begin(9, TRIANGLE_FACES, TRIANGLE_EDGES);
+            var p:Vector.<Number> = points;
+            p[0] = p[1] = p[2] = 0;
+            p[3] = corners[int(at + 3)] - x;
+            p[4] = corners[int(at + 4)] - y;
+            p[5] = corners[int(at + 5)] - z;
+            p[6] = corners[int(at + 6)] - x;
+            p[7] = corners[int(at + 7)] - y;
+            p[8] = corners[int(at + 8)] - z;
+            measure();
+        }
+
+        /**
+         * Sets a hull: points relative to a center, which may be in one plane, on a line or in one place. The list of points is kept, not copied.
+         *
+         * @param faces three points of each face, counter-clockwise as seen from outside, as indices of their first numbers
+         * @param edges of each edge both ends, and one more point of each of its two faces
+         */
+        public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>):void
+        {
+            setOrigin(center);
+            begin(points.length, faces, edges);
+            this.points = points;
+            measure();
+            gap = (Tolerances.TOUCHING - 1) * size / 2;
+        }
+
+        /** Enlarges the gap by what the shape's place and its surface are rounded by. See Touching. */
+        public function addGap(by:Number):void
+        {
+            gap += by;
+        }
+
+        /** Returns the index of the first number of the core's point that is farthest along a direction, or against it if the side is -1. */
+        public function farthest(along:Vector3D, side:int):int
+        {
+            var p:Vector.<Number> = points;
+            var alongX:Number = side * along.x;
+            var alongY:Number = side * along.y;
+            var alongZ:Number = side * along.z;
+            var best:int = 0;
+            if (isBox)
+            {
+                // the edges along the three axes decide one by one
+                var firstX:Number = p[0];
+                var firstY:Number = p[1];
+                var firstZ:Number = p[2];
+                if (alongX * (p[3] - firstX) + alongY * (p[4] - firstY) + alongZ * (p[5] - firstZ) > 0)
+                {
+                    best = 3;
+                }
+                if (alongX * (p[6] - firstX) + alongY * (p[7] - firstY) + alongZ * (p[8] - firstZ) > 0)
+                {
+                    best += 6;
+                }
+                if (alongX * (p[12] - firstX) + alongY * (p[13] - firstY) + alongZ * (p[14] - firstZ) > 0)
+                {
+                    best += 12;
+                }
+                return best;
+            }
+            var most:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
+            for (var i:int = 3; i < end; i += 3)
+            {
+                var reach:Number = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
+                if (reach > most)
+                {
+                    most = reach;
+                    best = i;
+                }
+            }
+            return best;
+        }
+
+        private function setOrigin(at:Vector3D):void
+        {
+            x = at.x;
+            y = at.y;
+            z = at.z;
+        }
+
+        private function begin(end:int, faces:Vector.<int>, edges:Vector.<int>):void
+        {
+            points = _own;
+            this.end = end;
+            this.faces = faces;
+            this.edges = edges;
+            isBox = false;
+            radius = gap = 0;
+        }
+
+        // Writes a coordinate of a box's corners, from that of half its edges.
+        private function writeCorners(at:int, alongX:Number, alongY:Number, alongZ:Number):void
+        {
+            var p:Vector.<Number> = points;
+            p[int(at + 21)] = alongX + alongY + alongZ;
+            p[int(at + 18)] = alongY + alongZ - alongX;
+            p[int(at + 15)] = alongX + alongZ - alongY;
+            p[int(at + 12)] = alongZ - alongX - alongY;
+            p[int(at + 9)] = -p[int(at + 12)];
+            p[int(at + 6)] = -p[int(at + 15)];
+            p[int(at + 3)] = -p[int(at + 18)];
+            p[at] = -p[int(at + 21)];
+        }
+
+        private function measure():void
+        {
+            var most:Number = 0;
+            for (var i:int = 0; i < end; i++)
+            {
+                var along:Number = points[i] < 0 ? -points[i] : points[i];
+                most = along > most ? along : most;
+            }
+            size = 2 * most;
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+
+    /**
+     * Finds the closest points of two cores (Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
+     * three-dimensional space", 1988). All differences of a point of a and a point of b form a convex set, and the cores' distance is the set's
+     * distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it drops the
+     * corners that the simplex does not need for its point nearest to the origin.
+     *
+     * <p>The result is exact except for rounding, which is 1e-15 of the sizes, however small the distance is.</p>
+     */
+    internal final class CoreDistance
+    {
+        private static const MOST_STEPS:int = 40;
+
+        private var _simplex:Simplex = new Simplex();
+
+        // The direction in which a corner is looked for: from the origin to the nearest point so far.
+        private var _along:Vector3D = new Vector3D();
+
+        // The least squared distance of all steps.
+        private var _least:Number = 0;
+
+        /** Finds the closest points. */
+        public function find(cores:CorePair, out:CoreGap):void
+        {
+            _simplex.begin(cores);
+            _along.x = cores.x;
+            _along.y = cores.y;
+            _along.z = cores.z;
+            begin(out);
+            search(cores, out);
+        }
+
+        /** Finds the closest points after a has moved. The last call must have been about the same two cores. It goes on from their simplex. */
+        public function findAgain(cores:CorePair, out:CoreGap):void
+        {
+            _simplex.move(cores);
+            begin(out);
+            keep(cores, out);
+            search(cores, out);
+        }
+
+        private function begin(out:CoreGap):void
+        {
+            _least = Infinity;
+            out.overlaps = false;
+            out.separation = -Infinity;
+        }
+
+        private function search(cores:CorePair, out:CoreGap):void
+        {
+            for (var step:int = 0; step < MOST_STEPS; step++)
+            {
+                if (!addFarthest(cores, out))
+                {
+                    return;
+                }
+                if (_simplex.reduce(out.separation > _simplex.rounding))
+                {
+                    out.overlaps = true;
+                    keep(cores, out);
+                    return;
+                }
+                // If rounding hides which part of the simplex is nearest, no step can come nearer.
+                if (_simplex.squared == Infinity)
+                {
+                    return;
+                }
+                keep(cores, out);
+                if (_least <= _simplex.rounding * _simplex.rounding)
+                {
+                    return;
+                }
+            }
+        }
+
+        // Adds the corner that is farthest towards the origin. Returns false if it does not bring the simplex nearer.
+        private function addFarthest(cores:CorePair, out:CoreGap):Boolean
+        {
+            var along:Vector3D = _along;
+            var x:Number = along.x;
+            var y:Number = along.y;
+            var z:Number = along.z;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            if (!(length > 0))
+            {
+                return _simplex.count == 0 && _simplex.add(cores, 0, 0);
+            }
+            x /= length;
+            y /= length;
+            z /= length;
+            var i:int = cores.a.farthest(along, -1);
+            var k:int = cores.b.farthest(along, 1);
+            var p:Vector.<Number> = cores.a.points;
+            var q:Vector.<Number> = cores.b.points;
+            var gap:Number = x * (p[i] - q[k] + cores.x) + y * (p[int(i + 1)] - q[int(k + 1)] + cores.y) + z * (p[int(i + 2)] - q[int(k + 2)] + cores.z);
+            if (gap > out.separation)
+            {
+                out.separation = gap;
+                out.normalX = x;
+                out.normalY = y;
+                out.normalZ = z;
+                if (gap > cores.enough)
+                {
+                    out.distance = gap;
+                    return false;
+                }
+            }
+            // The simplex is in the plane through its nearest point. No corner is beyond that plane if this one is not.
+            var w:Vector.<Number> = _simplex.corners;
+            if (_simplex.count > 0 && gap >= x * w[0] + y * w[1] + z * w[2] - _simplex.rounding)
+            {
+                return false;
+            }
+            return _simplex.add(cores, i, k);
+        }
+
+        // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step.
+        private function keep(cores:CorePair, out:CoreGap):void
+        {
+            var simplex:Simplex = _simplex;
+            _along.x = simplex.alongX;
+            _along.y = simplex.alongY;
+            _along.z = simplex.alongZ;
+            if (simplex.squared < _least)
+            {
+                _least = simplex.squared;
+                out.x = simplex.x;
+                out.y = simplex.y;
+                out.z = simplex.z;
+                out.distance = Math.sqrt(_least);
+                simplex.writePoint(cores, out);
+            }
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package starlogo.convex
+{
+    /** The closest points of two cores, as a record. The shapes' radii do not count. */
+    internal final class CoreGap
+    {
+        /** Whether the cores overlap. Then the distance is 0, and the vector means nothing. */
+        public var overlaps:Boolean = false;
+
+        /** The vector from b's closest point to a's, and its length. If the search ended early, the length is only more than enough. */
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+        public var distance:Number = 0;
+
+        /** The closest point of a, relative to its origin. */
+        public var pointX:Number = 0;
+        public var pointY:Number = 0;
+        public var pointZ:Number = 0;
+
+        /** A unit vector from b to a along which the cores are apart, and how far they are apart along it: at most the distance. */
+        public var normalX:Number = 0;
+        public var normalY:Number = 0;
+        public var normalZ:Number = 1;
+        public var separation:Number = 0;
+    }
+}

@@ -1,0 +1,309 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Finds the shortest displacement that separates two cores that touch or overlap. Its direction is the normal of a face of one, or
+     * perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both (Gregorius, "The
+     * separating axis test between convex polyhedra", 2013). Flat cores and segments need no special case.
+     *
+     * <p>If two displacements are equally short, the first one is taken that is tried: faces of b, faces of a, edges. Of two opposite ones, it is
+     * the one against the motion. Points and parallel segments move upwards as far as possible.</p>
+     */
+    internal final class CoreOverlap
+    {
+        // How many numbers describe an edge: its vector; two vectors across it, in the planes of its faces, turned by a right angle; its start.
+        private static const PER_EDGE:int = 12;
+
+        private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
+        private var _edges:Vector.<Number> = new Vector.<Number>();
+
+        // The direction to try, of any length. How far a core extends along it.
+        private var _along:Vector3D = new Vector3D();
+        private var _low:Number = 0;
+        private var _high:Number = 0;
+
+        /** Finds the displacement of a. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
+        public function find(cores:CorePair, out:ConvexContact):void
+        {
+            out.depth = Infinity;
+            tryFaces(cores.b, cores, out);
+            tryFaces(cores.a, cores, out);
+            if (cores.a.edges.length > 0 && cores.b.edges.length > 0)
+            {
+                tryEdges(cores, out);
+            }
+            if (out.depth == Infinity)
+            {
+                // points and parallel segments
+                _along.x = _along.y = 0;
+                _along.z = 1;
+                setAcross(cores.b);
+                setAcross(cores.a);
+                tryUpwards(cores, out);
+            }
+        }
+
+        private function tryFaces(shape:ConvexShape, cores:CorePair, out:ConvexContact):void
+        {
+            var p:Vector.<Number> = shape.points;
+            var faces:Vector.<int> = shape.faces;
+            for (var f:int = 0; f < faces.length; f += 3)
+            {
+                var i:int = faces[f];
+                var j:int = faces[int(f + 1)];
+                var k:int = faces[int(f + 2)];
+                var ux:Number = p[j] - p[i];
+                var uy:Number = p[int(j + 1)] - p[int(i + 1)];
+                var uz:Number = p[int(j + 2)] - p[int(i + 2)];
+                var vx:Number = p[k] - p[i];
+                var vy:Number = p[int(k + 1)] - p[int(i + 1)];
+                var vz:Number = p[int(k + 2)] - p[int(i + 2)];
+                var x:Number = uy * vz - uz * vy;
+                var y:Number = uz * vx - ux * vz;
+                var z:Number = ux * vy - uy * vx;
+                // a face without area has no normal
+                if (x * x + y * y + z * z > Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz))
+                {
+                    _along.x = x;
+                    _along.y = y;
+                    _along.z = z;
+                    tryDirection(cores, out);
+                }
+            }
+        }
+
+        private function tryEdges(cores:CorePair, out:ConvexContact):void
+        {
+            var a:ConvexShape = cores.a;
+            var end:int = readEdges(cores.b);
+            for (var i:int = 0; i < a.edges.length; i += 4)
+            {
+                readEdge(a, i, _edge, 0);
+                for (var k:int = 0; k < end; k += PER_EDGE)
+                {
+                    if (arePeak(k))
+                    {
+                        tryAcross(k, cores, out);
+                    }
+                }
+            }
+        }
+
+        // Whether the perpendicular of a's edge and one of b's points out of both cores: all of each core is on one side of its edge.
+        private function arePeak(k:int):Boolean
+        {
+            var u:Vector.<Number> = _edge;
+            var v:Vector.<Number> = _edges;
+            var x:Number = v[k];
+            var y:Number = v[int(k + 1)];
+            var z:Number = v[int(k + 2)];
+            var one:Number = x * u[3] + y * u[4] + z * u[5];
+            var other:Number = x * u[6] + y * u[7] + z * u[8];
+            if (one * other < 0)
+            {
+                return false;
+            }
+            var sum:Number = one + other;
+            x = u[0];
+            y = u[1];
+            z = u[2];
+            one = x * v[int(k + 3)] + y * v[int(k + 4)] + z * v[int(k + 5)];
+            other = x * v[int(k + 6)] + y * v[int(k + 7)] + z * v[int(k + 8)];
+            return one * other >= 0 && sum * (one + other) >= 0;
+        }
+
+        // Tries the perpendicular of a's edge and one of b's.
+        private function tryAcross(k:int, cores:CorePair, out:ConvexContact):void
+        {
+            var u:Vector.<Number> = _edge;
+            var v:Vector.<Number> = _edges;
+            var ux:Number = u[0];
+            var uy:Number = u[1];
+            var uz:Number = u[2];
+            var vx:Number = v[k];
+            var vy:Number = v[int(k + 1)];
+            var vz:Number = v[int(k + 2)];
+            var x:Number = uy * vz - uz * vy;
+            var y:Number = uz * vx - ux * vz;
+            var z:Number = ux * vy - uy * vx;
+            var squared:Number = x * x + y * y + z * z;
+            if (squared <= Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz))
+            {
+                return;
+            }
+            // The cores overlap along it by at least as much as the two edges do. On which side is known unless both cores end at their edges.
+            var side:Number = vx * (u[3] + u[6]) + vy * (u[4] + u[7]) + vz * (u[5] + u[8])
+                + ux * (v[int(k + 3)] + v[int(k + 6)]) + uy * (v[int(k + 4)] + v[int(k + 7)]) + uz * (v[int(k + 5)] + v[int(k + 8)]);
+            if (side != 0)
+            {
+                var least:Number = x * (v[int(k + 9)] - u[9] - cores.x) + y * (v[int(k + 10)] - u[10] - cores.y) + z * (v[int(k + 11)] - u[11] - cores.z);
+                least = side < 0 ? -least : least;
+                if (least > 0 && least * least >= out.depth * out.depth * squared)
+                {
+                    return;
+                }
+            }
+            _along.x = x;
+            _along.y = y;
+            _along.z = z;
+            tryDirection(cores, out);
+        }
+
+        // Reads all edges of b. Returns how many numbers they are.
+        private function readEdges(b:ConvexShape):int
+        {
+            var count:int = b.edges.length >> 2;
+            while (_edges.length < PER_EDGE * count)
+            {
+                _edges.push(0);
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                readEdge(b, 4 * i, _edges, PER_EDGE * i);
+            }
+            return PER_EDGE * count;
+        }
+
+        private static function readEdge(shape:ConvexShape, edge:int, out:Vector.<Number>, to:int):void
+        {
+            var p:Vector.<Number> = shape.points;
+            var edges:Vector.<int> = shape.edges;
+            var from:int = edges[edge];
+            var end:int = edges[int(edge + 1)];
+            var x:Number = p[end] - p[from];
+            var y:Number = p[int(end + 1)] - p[int(from + 1)];
+            var z:Number = p[int(end + 2)] - p[int(from + 2)];
+            out[to] = x;
+            out[int(to + 1)] = y;
+            out[int(to + 2)] = z;
+            out[int(to + 9)] = p[from];
+            out[int(to + 10)] = p[int(from + 1)];
+            out[int(to + 11)] = p[int(from + 2)];
+            for (var side:int = 2; side < 4; side++)
+            {
+                var across:int = edges[int(edge + side)];
+                var toX:Number = p[across] - p[from];
+                var toY:Number = p[int(across + 1)] - p[int(from + 1)];
+                var toZ:Number = p[int(across + 2)] - p[int(from + 2)];
+                to += 3;
+                out[to] = toY * z - toZ * y;
+                out[int(to + 1)] = toZ * x - toX * z;
+                out[int(to + 2)] = toX * y - toY * x;
+            }
+        }
+
+        // Sets the direction across a segment that points upwards as far as possible. Across an upright one it points along x.
+        private function setAcross(shape:ConvexShape):void
+        {
+            var p:Vector.<Number> = shape.points;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
+            var squared:Number = 0;
+            for (var i:int = 0; i < shape.end; i += 3)
+            {
+                var toX:Number = p[i] - p[0];
+                var toY:Number = p[int(i + 1)] - p[1];
+                var toZ:Number = p[int(i + 2)] - p[2];
+                var length:Number = toX * toX + toY * toY + toZ * toZ;
+                if (length > squared)
+                {
+                    x = toX;
+                    y = toY;
+                    z = toZ;
+                    squared = length;
+                }
+            }
+            if (x * x + y * y > Tolerances.UPRIGHT * squared)
+            {
+                _along.x = -x * z / squared;
+                _along.y = -y * z / squared;
+                _along.z = 1 - z * z / squared;
+            }
+            else if (squared > 0)
+            {
+                _along.x = 1 - x * x / squared;
+                _along.y = -x * y / squared;
+                _along.z = -x * z / squared;
+            }
+        }
+
+        private function tryUpwards(cores:CorePair, out:ConvexContact):void
+        {
+            // up for the shape that was asked about first
+            var side:int = cores.isSwapped ? -1 : 1;
+            _along.x *= side;
+            _along.y *= side;
+            _along.z *= side;
+            tryDirection(cores, out);
+        }
+
+        // Tries a displacement along the direction, and the one against it.
+        private function tryDirection(cores:CorePair, out:ConvexContact):void
+        {
+            var along:Vector3D = _along;
+            var length:Number = Math.sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
+            along.x /= length;
+            along.y /= length;
+            along.z /= length;
+            project(cores.a);
+            var lowA:Number = _low;
+            var highA:Number = _high;
+            project(cores.b);
+            var from:Number = along.x * cores.x + along.y * cores.y + along.z * cores.z;
+            var forth:Number = _high - lowA - from;
+            var back:Number = highA - _low + from;
+            var rounding:Number = Tolerances.ROUNDING * (cores.a.size + cores.b.size);
+            var side:int = back < forth ? -1 : 1;
+            if (back - forth <= rounding && forth - back <= rounding)
+            {
+                // rounding would decide
+                side = along.x * cores.wayX + along.y * cores.wayY + along.z * cores.wayZ > 0 ? -1 : 1;
+            }
+            var depth:Number = side < 0 ? back : forth;
+            if (depth < out.depth - rounding)
+            {
+                out.depth = depth;
+                out.normalX = side * along.x;
+                out.normalY = side * along.y;
+                out.normalZ = side * along.z;
+            }
+        }
+
+        // Finds how far a core extends along the direction, which has a length of 1.
+        private function project(shape:ConvexShape):void
+        {
+            var p:Vector.<Number> = shape.points;
+            var x:Number = _along.x;
+            var y:Number = _along.y;
+            var z:Number = _along.z;
+            var low:Number = x * p[0] + y * p[1] + z * p[2];
+            var high:Number = low;
+            if (shape.isBox)
+            {
+                // its origin is its middle
+                var alongX:Number = x * p[3] + y * p[4] + z * p[5] - low;
+                var alongY:Number = x * p[6] + y * p[7] + z * p[8] - low;
+                var alongZ:Number = x * p[12] + y * p[13] + z * p[14] - low;
+                alongX = alongX < 0 ? -alongX : alongX;
+                alongY = alongY < 0 ? -alongY : alongY;
+                alongZ = alongZ < 0 ? -alongZ : alongZ;
+                high = (alongX + alongY + alongZ) / 2;
+                low = -high;
+            }
+            else
+            {
+                for (var i:int = 3; i < shape.end; i += 3)
+                {
+                    var place:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
+                    low = place < low ? place : low;
+                    high = place > high ? place : high;
+                }
+            }
+            _low = low;
+            _high = high;
+        }
+    }
+}

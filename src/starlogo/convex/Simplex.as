@@ -1,0 +1,417 @@
+package starlogo.convex
+{
+    /**
+     * The simplex of CoreDistance: a point, segment, triangle or tetrahedron of differences of two cores' points, and its place nearest to the
+     * origin.
+     *
+     * <p>The nearest place in a triangle is located along its longest edge first and then across it. The next direction is the triangle's own
+     * normal where that is more precise than the vector to the place. So needles and tiny distances lose no digits. Its fields are read
+     * only.</p>
+     */
+    internal final class Simplex
+    {
+        // Rounding, as a fraction of the sizes: about four units in the last place.
+        private static const ROUNDING:Number = 4e-16;
+
+        // The squared ratio of height to base below which a triangle counts as its edges.
+        private static const FLAT:Number = 1e-28;
+
+        /** How many corners there are, and their coordinates. */
+        public var count:int = 0;
+        public var corners:Vector.<Number> = new Vector.<Number>(12, true);
+
+        /** The place nearest to the origin, and its squared distance: Infinity if there is none. */
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+        public var squared:Number = 0;
+
+        /** The direction from the origin to that place, of any length. It may be more precise than the place itself. */
+        public var alongX:Number = 0;
+        public var alongY:Number = 0;
+        public var alongZ:Number = 0;
+
+        /** The rounding error of a corner. */
+        public var rounding:Number = 0;
+
+        // For each corner, the points of both cores that it is the difference of, and its share of the nearest place.
+        private var _ofA:Vector.<int> = new Vector.<int>(4, true);
+        private var _ofB:Vector.<int> = new Vector.<int>(4, true);
+        private var _shares:Vector.<Number> = new Vector.<Number>(4, true);
+
+        // The corner that was added last: the nearest place includes it. -1 if any part may be the nearest.
+        private var _newest:int = -1;
+
+        /** Begins without corners. */
+        public function begin(cores:CorePair):void
+        {
+            rounding = ROUNDING * (cores.a.size + cores.b.size + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
+            count = 0;
+        }
+
+        /** Computes all corners again, after a has moved, and the nearest place. */
+        public function move(cores:CorePair):void
+        {
+            // A simplex around the origin says nothing about where the cores are nearest once they are apart.
+            var kept:int = count > 3 ? 1 : count;
+            begin(cores);
+            for (; count < kept; count++)
+            {
+                writeCorner(cores, count);
+            }
+            _newest = -1;
+            reduce(false);
+        }
+
+        /** Adds the difference of two points, given as the indices of their first numbers. Returns false if it is a corner already. */
+        public function add(cores:CorePair, ofA:int, ofB:int):Boolean
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                if (_ofA[i] == ofA && _ofB[i] == ofB)
+                {
+                    return false;
+                }
+            }
+            _ofA[count] = ofA;
+            _ofB[count] = ofB;
+            writeCorner(cores, count);
+            _newest = count;
+            count++;
+            return true;
+        }
+
+        /**
+         * Finds the place nearest to the origin, and drops the corners that have no share of it.
+         *
+         * @param isApart whether it is known that the cores are apart
+         * @return whether the origin is inside of the simplex
+         */
+        public function reduce(isApart:Boolean):Boolean
+        {
+            squared = Infinity;
+            if (count == 1)
+            {
+                tryCorner(0);
+            }
+            else if (count == 2)
+            {
+                tryEdge(0, 1);
+            }
+            else if (count == 3)
+            {
+                tryTriangle(0, 1, 2);
+            }
+            else if (isInside(isApart))
+            {
+                return true;
+            }
+            if (squared == Infinity)
+            {
+                // rounding hides which part is nearest
+                count--;
+            }
+            else
+            {
+                dropCorners();
+            }
+            return false;
+        }
+
+        /** Writes a's point at the nearest place. */
+        public function writePoint(cores:CorePair, out:CoreGap):void
+        {
+            var p:Vector.<Number> = cores.a.points;
+            var pointX:Number = 0;
+            var pointY:Number = 0;
+            var pointZ:Number = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var share:Number = _shares[i];
+                var at:int = _ofA[i];
+                pointX += share * p[at];
+                pointY += share * p[int(at + 1)];
+                pointZ += share * p[int(at + 2)];
+            }
+            out.pointX = pointX;
+            out.pointY = pointY;
+            out.pointZ = pointZ;
+        }
+
+        private function writeCorner(cores:CorePair, corner:int):void
+        {
+            var p:Vector.<Number> = cores.a.points;
+            var q:Vector.<Number> = cores.b.points;
+            var i:int = _ofA[corner];
+            var k:int = _ofB[corner];
+            var at:int = 3 * corner;
+            corners[at] = p[i] - q[k] + cores.x;
+            corners[int(at + 1)] = p[int(i + 1)] - q[int(k + 1)] + cores.y;
+            corners[int(at + 2)] = p[int(i + 2)] - q[int(k + 2)] + cores.z;
+        }
+
+        // Keeps the corners that have a share of the nearest place.
+        private function dropCorners():void
+        {
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (_shares[i] > 0)
+                {
+                    if (kept < i)
+                    {
+                        _shares[kept] = _shares[i];
+                        _ofA[kept] = _ofA[i];
+                        _ofB[kept] = _ofB[i];
+                        for (var c:int = 0; c < 3; c++)
+                        {
+                            corners[int(3 * kept + c)] = corners[int(3 * i + c)];
+                        }
+                    }
+                    kept++;
+                }
+            }
+            count = kept;
+        }
+
+        // Whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three corners
+        // is none of them, because the fourth corner was nearer.
+        private function isInside(isApart:Boolean):Boolean
+        {
+            findShare(3, 0, 1, 2);
+            findShare(3, 1, 2, 0);
+            findShare(3, 2, 0, 1);
+            var isFirst:Boolean = _shares[2] < 0;
+            var isSecond:Boolean = _shares[0] < 0;
+            var isThird:Boolean = _shares[1] < 0;
+            var isNone:Boolean = !isFirst && !isSecond && !isThird;
+            var last:Number = 1 - _shares[0] - _shares[1] - _shares[2];
+            if (isNone && last >= 0 && !isApart)
+            {
+                _shares[3] = last;
+                squared = x = y = z = 0;
+                return true;
+            }
+            if (isFirst || isNone)
+            {
+                tryTriangle(3, 0, 1);
+            }
+            if (isSecond || isNone)
+            {
+                tryTriangle(3, 1, 2);
+            }
+            if (isThird || isNone)
+            {
+                tryTriangle(3, 2, 0);
+            }
+            return false;
+        }
+
+        // Finds a corner's share of the origin, from its distance to the tetrahedron's face i, j, k and that of the origin. It is -1 if the
+        // tetrahedron is flat.
+        private function findShare(i:int, j:int, k:int, corner:int):void
+        {
+            var w:Vector.<Number> = corners;
+            i *= 3;
+            j *= 3;
+            k *= 3;
+            var l:int = 3 * corner;
+            var atX:Number = w[i];
+            var atY:Number = w[int(i + 1)];
+            var atZ:Number = w[int(i + 2)];
+            var ux:Number = w[j] - atX;
+            var uy:Number = w[int(j + 1)] - atY;
+            var uz:Number = w[int(j + 2)] - atZ;
+            var vx:Number = w[k] - atX;
+            var vy:Number = w[int(k + 1)] - atY;
+            var vz:Number = w[int(k + 2)] - atZ;
+            var nx:Number = uy * vz - uz * vy;
+            var ny:Number = uz * vx - ux * vz;
+            var nz:Number = ux * vy - uy * vx;
+            var height:Number = nx * (w[l] - atX) + ny * (w[int(l + 1)] - atY) + nz * (w[int(l + 2)] - atZ);
+            var isFlat:Boolean = height * height <= 4 * rounding * rounding * (nx * nx + ny * ny + nz * nz);
+            _shares[corner] = isFlat ? -1 : -(nx * atX + ny * atY + nz * atZ) / height;
+        }
+
+        private function tryCorner(i:int):void
+        {
+            var at:int = 3 * i;
+            var toX:Number = corners[at];
+            var toY:Number = corners[int(at + 1)];
+            var toZ:Number = corners[int(at + 2)];
+            var length:Number = toX * toX + toY * toY + toZ * toZ;
+            if (length < squared)
+            {
+                squared = length;
+                clearShares();
+                _shares[i] = 1;
+                x = alongX = toX;
+                y = alongY = toY;
+                z = alongZ = toZ;
+            }
+        }
+
+        private function tryEdge(i:int, j:int):void
+        {
+            var w:Vector.<Number> = corners;
+            var from:int = 3 * i;
+            var to:int = 3 * j;
+            var toX:Number = w[from];
+            var toY:Number = w[int(from + 1)];
+            var toZ:Number = w[int(from + 2)];
+            var ux:Number = w[to] - toX;
+            var uy:Number = w[int(to + 1)] - toY;
+            var uz:Number = w[int(to + 2)] - toZ;
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var along:Number = -(toX * ux + toY * uy + toZ * uz);
+            if (!(along > 0) || along >= uu)
+            {
+                var end:int = along > 0 ? j : i;
+                if (_newest < 0 || _newest == end)
+                {
+                    tryCorner(end);
+                }
+                return;
+            }
+            var share:Number = along / uu;
+            toX += share * ux;
+            toY += share * uy;
+            toZ += share * uz;
+            var length:Number = toX * toX + toY * toY + toZ * toZ;
+            if (length < squared)
+            {
+                squared = length;
+                clearShares();
+                _shares[i] = 1 - share;
+                _shares[j] = share;
+                x = toX;
+                y = toY;
+                z = toZ;
+                // A short vector is not quite perpendicular to the edge.
+                var off:Number = (toX * ux + toY * uy + toZ * uz) / uu;
+                alongX = toX - off * ux;
+                alongY = toY - off * uy;
+                alongZ = toZ - off * uz;
+            }
+        }
+
+        // Tries a triangle. The edge between its first two corners becomes the longest one.
+        private function tryTriangle(i:int, j:int, k:int):void
+        {
+            var ij:Number = squaredEdge(i, j);
+            var jk:Number = squaredEdge(j, k);
+            var ki:Number = squaredEdge(k, i);
+            if (jk >= ij && jk >= ki)
+            {
+                tryOverLongest(j, k, i);
+            }
+            else if (ki > ij)
+            {
+                tryOverLongest(k, i, j);
+            }
+            else
+            {
+                tryOverLongest(i, j, k);
+            }
+        }
+
+        // Tries a triangle whose longest edge goes from i to j. If the origin is not over its inside, tries its edges.
+        private function tryOverLongest(i:int, j:int, k:int):void
+        {
+            var w:Vector.<Number> = corners;
+            var from:int = 3 * i;
+            var to:int = 3 * j;
+            var apex:int = 3 * k;
+            var toX:Number = w[from];
+            var toY:Number = w[int(from + 1)];
+            var toZ:Number = w[int(from + 2)];
+            var ux:Number = w[to] - toX;
+            var uy:Number = w[int(to + 1)] - toY;
+            var uz:Number = w[int(to + 2)] - toZ;
+            var hx:Number = w[apex] - toX;
+            var hy:Number = w[int(apex + 1)] - toY;
+            var hz:Number = w[int(apex + 2)] - toZ;
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            // the height, from its foot on the longest edge
+            var foot:Number = (hx * ux + hy * uy + hz * uz) / uu;
+            hx -= foot * ux;
+            hy -= foot * uy;
+            hz -= foot * uz;
+            var hh:Number = hx * hx + hy * hy + hz * hz;
+            var along:Number = -(toX * ux + toY * uy + toZ * uz) / uu;
+            toX += along * ux;
+            toY += along * uy;
+            toZ += along * uz;
+            var up:Number = -(toX * hx + toY * hy + toZ * hz) / hh;
+            var low:Number = along - foot * up;
+            if (!(hh > FLAT * uu && up > 0 && low > 0 && low < 1 - up))
+            {
+                tryEdges(i, j, k);
+                return;
+            }
+            toX += up * hx;
+            toY += up * hy;
+            toZ += up * hz;
+            var length:Number = toX * toX + toY * toY + toZ * toZ;
+            if (length < squared)
+            {
+                squared = length;
+                clearShares();
+                _shares[i] = 1 - up - low;
+                _shares[j] = low;
+                _shares[k] = up;
+                x = toX;
+                y = toY;
+                z = toZ;
+                if (length < hh)
+                {
+                    // the triangle's normal is more precise than the vector
+                    alongX = uy * hz - uz * hy;
+                    alongY = uz * hx - ux * hz;
+                    alongZ = ux * hy - uy * hx;
+                    var side:int = alongX * x + alongY * y + alongZ * z < 0 ? -1 : 1;
+                    alongX *= side;
+                    alongY *= side;
+                    alongZ *= side;
+                    return;
+                }
+                var off:Number = (toX * ux + toY * uy + toZ * uz) / uu;
+                alongX = toX - off * ux;
+                alongY = toY - off * uy;
+                alongZ = toZ - off * uz;
+            }
+        }
+
+        // Tries a triangle's edges, but not the one without the newest corner: the simplex before was nearer than that.
+        private function tryEdges(i:int, j:int, k:int):void
+        {
+            if (_newest != k)
+            {
+                tryEdge(i, j);
+            }
+            if (_newest != i)
+            {
+                tryEdge(j, k);
+            }
+            if (_newest != j)
+            {
+                tryEdge(k, i);
+            }
+        }
+
+        private function squaredEdge(i:int, j:int):Number
+        {
+            i *= 3;
+            j *= 3;
+            var toX:Number = corners[j] - corners[i];
+            var toY:Number = corners[int(j + 1)] - corners[int(i + 1)];
+            var toZ:Number = corners[int(j + 2)] - corners[int(i + 2)];
+            return toX * toX + toY * toY + toZ * toZ;
+        }
+
+        private function clearShares():void
+        {
+            _shares[0] = _shares[1] = _shares[2] = _shares[3] = 0;
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package starlogo.geometry
+{
+    /**
+     * How near two shapes have to be to touch. This is the one rule of all tests: of shapes that stand, that move and that are asked about; of
+     * structures, hierarchies, triangles and the ground.
+     *
+     * <p>Two shapes touch if the distance of their cores is at most the sum of these lengths. A core is a sphere's centre, a capsule's axis, a whole
+     * box, triangle or hull.</p>
+     *
+     * <ul>
+     * <li>the two radii, times Tolerances.TOUCHING. For two boxes and for hulls, half-extents count as radii</li>
+     * <li>for each of the two, the gap of its place (<code>gapOfPlace()</code>)</li>
+     * <li>for each of the two that is a model's triangle or node, the gap of its surface (<code>gapOfSurface()</code>)</li>
+     * <li>while one of the two moves, the gap of its motion (<code>gapOfMotion()</code>). The time of impact does not include any gap: the gaps decide
+     *     whether two shapes touch at all</li>
+     * </ul>
+     *
+     * @private
+     */
+    public final class Touching
+    {
+        /** The gap that rounding a place causes. */
+        public static function gapOfPlace(x:Number, y:Number, z:Number):Number
+        {
+            return Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        }
+
+        /**
+         * The gap that rounding a surface causes.
+         *
+         * @param radius of a sphere around the model
+         */
+        public static function gapOfSurface(radius:Number):Number
+        {
+            return Tolerances.SURFACES * radius;
+        }
+
+        /** The gap that rounding a motion causes, from the vector of its way or to its start. */
+        public static function gapOfMotion(x:Number, y:Number, z:Number):Number
+        {
+            return Tolerances.ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        }
+    }
+}

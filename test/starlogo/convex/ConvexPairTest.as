@@ -1,0 +1,409 @@
+package starlogo.convex
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.Box;
+    import support.Complaints;
+    import support.Effort;
+    import support.RandomConvex;
+
+    /**
+     * The four questions about convex shapes of all kinds and families. Distances prove themselves: both points are in their shapes, and a plane
+     * between them keeps the shapes apart.
+     */
+    public class ConvexPairTest
+    {
+        // of the sizes and the distance
+        private static const PRECISION:Number = 2e-14;
+
+        private var _random:SeededRandom = new SeededRandom(7101);
+        private var _draw:RandomConvex = new RandomConvex(_random);
+        private var _structures:RandomStructures = new RandomStructures(_random);
+        private var _pair:ConvexPair = new ConvexPair();
+        private var _points:ClosestPoints = new ClosestPoints();
+        private var _contact:ConvexContact = new ConvexContact();
+        private var _wrong:Complaints = new Complaints();
+
+        private var _a:ConvexShape;
+        private var _b:ConvexShape;
+
+        // The sum of the sizes, and the text of the pair.
+        private var _size:Number;
+        private var _what:String;
+
+        [Test]
+        public function distancesProveThemselves():void
+        {
+            var apart:int = 0;
+            var overlapping:int = 0;
+            forAll(Effort.choose(40, 2000), function():void
+                {
+                    _pair.findClosest(_a, _b, _points);
+                    provePoints();
+                    apart += _points.distance > 0 ? 1 : 0;
+                    overlapping += _points.distance > 0 ? 0 : 1;
+                });
+            _wrong.assertNone();
+            assertTrue(apart + " apart, " + overlapping + " overlap", apart > overlapping / 4 && overlapping > apart / 4);
+        }
+
+        [Test]
+        public function tinyGapsProveThemselves():void
+        {
+            var small:int = 0;
+            forAll(Effort.choose(40, 2000), function():void
+                {
+                    if (!approach(_random.logBetween(1e-15, 1e-6)))
+                    {
+                        return;
+                    }
+                    _pair.findClosest(_a, _b, _points);
+                    provePoints();
+                    small += _points.distance > 0 && _points.distance < 1e-6 * _size ? 1 : 0;
+                });
+            _wrong.assertNone();
+            assertTrue(small + " with a small gap", small > 300);
+        }
+
+        [Test]
+        public function shapesTouchUpToTheSameGapStandingAndMoving():void
+        {
+            var touching:int = 0;
+            var count:int = 0;
+            var motion:ConvexMotion = new ConvexMotion();
+            forAll(Effort.choose(40, 2000), function():void
+                {
+                    if (_random.chance(0.3))
+                    {
+                        _a.addGap(_random.logBetween(1e-14, 1e-12) * _size);
+                    }
+                    approach(_random.logBetween(1e-17, 1e-11));
+                    motion.startX = motion.startY = motion.startZ = motion.x = motion.y = motion.z = 0;
+                    _pair.findTime(_a, _b, motion);
+                    var areTouching:Boolean = _pair.areTouching(_a, _b);
+                    _wrong.addIf(areTouching != (motion.time == 0), "standing and moving", _what + ": " + motion.time);
+                    _pair.findClosest(_a, _b, _points);
+                    var reach:Number = 4e-14 * (_a.radius + _b.radius) + _a.gap + _b.gap + 1e-15 * (_a.size + _b.size);
+                    _wrong.addIf(!areTouching && _points.distance < reach - 1e-15 * _size, "apart", _what + ": " + _points.distance);
+                    _wrong.addIf(areTouching && _points.distance > reach + 1e-15 * _size, "touching", _what + ": " + _points.distance);
+                    touching += areTouching ? 1 : 0;
+                    count++;
+                });
+            _wrong.assertNone();
+            assertTrue(touching + " touch of " + count, touching > count / 5 && touching < count * 0.9);
+        }
+
+        [Test]
+        public function theOtherOrderGivesTheSameBits():void
+        {
+            var other:ClosestPoints = new ClosestPoints();
+            var swapped:ConvexContact = new ConvexContact();
+            var motion:ConvexMotion = new ConvexMotion();
+            var back:ConvexMotion = new ConvexMotion();
+            var hits:int = 0;
+            forAll(Effort.choose(40, 1000), function():void
+                {
+                    approach((_random.chance() ? 1 : -1) * _random.logBetween(1e-16, 1e-2));
+                    _wrong.addIf(_pair.areTouching(_a, _b) != _pair.areTouching(_b, _a), "verdict", _what);
+                    _pair.findClosest(_a, _b, _points);
+                    _pair.findClosest(_b, _a, other);
+                    _wrong.addIf(_points.distance != other.distance || _points.aX != other.bX || _points.aY != other.bY || _points.aZ != other.bZ
+                            || _points.bX != other.aX || _points.bY != other.aY || _points.bZ != other.aZ, "points", _what);
+                    setMotion(motion, _random.between(0, 3), _random.between(-1, 2));
+                    back.startX = -motion.startX;
+                    back.startY = -motion.startY;
+                    back.startZ = -motion.startZ;
+                    back.x = -motion.x;
+                    back.y = -motion.y;
+                    back.z = -motion.z;
+                    _pair.findTime(_a, _b, motion);
+                    _pair.findTime(_b, _a, back);
+                    _wrong.addIf(motion.time != back.time, "time", _what + ": " + motion.time + " and " + back.time);
+                    hits += motion.time <= 1 ? 1 : 0;
+                    motion.time = back.time = Math.min(1, motion.time);
+                    _pair.findContact(_a, _b, motion, _contact);
+                    _pair.findContact(_b, _a, back, swapped);
+                    var isSame:Boolean = _contact.depth == swapped.depth && _contact.normalX == -swapped.normalX && _contact.normalY == -swapped.normalY
+                        && _contact.normalZ == -swapped.normalZ;
+                    _wrong.addIf(!isSame && !isConcentric(), "contact", _what + ": " + _contact.depth + " and " + swapped.depth);
+                });
+            _wrong.assertNone();
+            assertTrue(hits + " hits", hits > 200);
+        }
+
+        [Test]
+        public function timesAreThoseOfTheFirstTouch():void
+        {
+            var motion:ConvexMotion = new ConvexMotion();
+            var hits:int = 0;
+            var misses:int = 0;
+            forAll(Effort.choose(40, 1000), function():void
+                {
+                    setMotion(motion, _random.between(0, 3), _random.between(-1, 2));
+                    if (!(gapAt(motion, 0) > 1e-9 * _size))
+                    {
+                        return;
+                    }
+                    _pair.findTime(_a, _b, motion);
+                    var time:Number = motion.time;
+                    var what:String = _what + ", time " + time;
+                    if (time <= 1)
+                    {
+                        hits++;
+                        _wrong.addIf(!(time > 0), "too early", what);
+                        _wrong.addIf(!(gapAt(motion, time) <= 1e-9 * _size), "not yet", what + ": " + gapAt(motion, time));
+                        _wrong.addIf(gapAt(motion, time * (1 - 1e-7)) <= 0 && signedGapAt(motion, time * (1 - 1e-7)) < -1e-12 * _size, "through", what);
+                    }
+                    else
+                    {
+                        misses++;
+                        _wrong.addIf(time != ConvexMotion.NEVER, "never", what);
+                        _wrong.addIf(leastGap(motion) < -1e-12 * _size, "missed", what);
+                    }
+                    motion.latest = time / 2 < 1 ? time / 2 : 1;
+                    _pair.findTime(_a, _b, motion);
+                    _wrong.addIf(motion.time != ConvexMotion.NEVER, "latest", what + ": " + motion.time);
+                    motion.latest = 1;
+                });
+            _wrong.assertNone();
+            assertTrue(hits + " hits, " + misses + " misses", hits > 200 && misses > 200);
+        }
+
+        /** Moved by the depth and a little more they are apart, by a little less they are not. */
+        [Test]
+        public function contactsSeparate():void
+        {
+            var still:ConvexMotion = new ConvexMotion();
+            var deep:int = 0;
+            forAll(Effort.choose(40, 1000), function():void
+                {
+                    if (_random.chance(0.4))
+                    {
+                        approach(-_random.logBetween(1e-12, 1e-2));
+                    }
+                    _pair.findClosest(_a, _b, _points);
+                    if (_points.distance > 0)
+                    {
+                        return;
+                    }
+                    _pair.findContact(_a, _b, still, _contact);
+                    var normal:Vector3D = new Vector3D(_contact.normalX, _contact.normalY, _contact.normalZ);
+                    _wrong.addIf(Math.abs(normal.length - 1) > 1e-12, "unit", _what);
+                    // far away, places are rounded
+                    var extent:Number = Math.max(_a.size / 2 + _a.radius, _b.size / 2 + _b.radius) + 1e-6 * Math.abs(_b.x);
+                    if (extent == 0)
+                    {
+                        return;
+                    }
+                    _wrong.addIf(distanceAfter(normal, _contact.depth + 1e-9 * extent) <= 0, "still touch", _what + ": " + _contact.depth);
+                    if (_contact.depth > 1e-9 * extent)
+                    {
+                        deep++;
+                        _wrong.addIf(distanceAfter(normal, _contact.depth - 1e-9 * extent) > 0, "too deep", _what + ": " + _contact.depth);
+                    }
+                    var point:Vector3D = new Vector3D(_contact.x, _contact.y, _contact.z);
+                    var off:Number = Math.max(_draw.outside(_a, point), _draw.outside(_b, point));
+                    _wrong.addIf(off > _contact.depth + 1e-8 * extent, "point", _what + ": " + off + " of depth " + _contact.depth);
+                });
+            _wrong.assertNone();
+            assertTrue(deep + " deep", deep > 150);
+        }
+
+        /** Boxes along the axes, with corners at integers: everything about them is known. Each is a box, or a hull of its corners. */
+        [Test]
+        public function boxesOfIntegersAreExact():void
+        {
+            var still:ConvexMotion = new ConvexMotion();
+            var touching:int = 0;
+            var corners:int = 0;
+            for (var i:int = Effort.choose(2000, 100000); i > 0; i--)
+            {
+                var middle:Array = [_random.integer(-6, 6), _random.integer(-6, 6), _random.integer(-6, 6)];
+                var halvesA:Array = [_random.integer(0, 3), _random.integer(0, 3), _random.integer(0, 3)];
+                var halvesB:Array = [_random.integer(0, 3), _random.integer(0, 3), _random.integer(0, 3)];
+                _a = integerBox(middle, halvesA, _random.chance());
+                _b = integerBox([0, 0, 0], halvesB, _random.chance());
+                var squared:Number = 0;
+                var depth:Number = Infinity;
+                var level:int = 0;
+                for (var k:int = 0; k < 3; k++)
+                {
+                    var overlap:Number = halvesA[k] + halvesB[k] - Math.abs(middle[k]);
+                    squared += overlap < 0 ? overlap * overlap : 0;
+                    depth = Math.min(depth, overlap);
+                    level += overlap == 0 ? 1 : 0;
+                }
+                _what = "boxes " + [middle, halvesA, halvesB].join("; ");
+                _wrong.addIf(_pair.areTouching(_a, _b) != (squared == 0), "verdict", _what);
+                _pair.findClosest(_a, _b, _points);
+                _wrong.addIf(Math.abs(_points.distance - Math.sqrt(squared)) > 1e-14, "distance", _what + ": " + _points.distance);
+                if (squared == 0)
+                {
+                    touching++;
+                    corners += level > 1 ? 1 : 0;
+                    _pair.findContact(_a, _b, still, _contact);
+                    _wrong.addIf(Math.abs(_contact.depth - depth) > 1e-14, "depth", _what + ": " + _contact.depth + " for " + depth);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(touching + " touch, " + corners + " at corners or edges", touching > 200 && corners > 20);
+        }
+
+        private static function integerBox(middle:Array, halves:Array, isHull:Boolean):ConvexShape
+        {
+            var shape:ConvexShape = new ConvexShape();
+            var center:Vector3D = new Vector3D(middle[0], middle[1], middle[2]);
+            shape.setBox(new Box(center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halves[0], halves[1], halves[2]));
+            if (isHull)
+            {
+                var box:ConvexShape = shape;
+                shape = new ConvexShape();
+                shape.setHull(center, box.points.concat(), box.faces, box.edges);
+            }
+            return shape;
+        }
+
+        // Calls a function for pairs of all kinds and families.
+        private function forAll(count:int, check:Function):void
+        {
+            for (var kindA:int = 0; kindA < RandomConvex.KINDS; kindA++)
+            {
+                for (var kindB:int = kindA; kindB < RandomConvex.KINDS; kindB++)
+                {
+                    for (var i:int = 0; i < count; i++)
+                    {
+                        var family:int = i % RandomConvex.FAMILIES;
+                        var isLattice:Boolean = family == RandomConvex.LATTICE;
+                        var far:Number = _random.chance(0.2) ? 1e4 : 0;
+                        var origin:Vector3D = new Vector3D(far, -far, far);
+                        _b = _draw.shape(kindB, family, origin);
+                        _a = _draw.shape(kindA, family, origin);
+                        var reach:Number = sizeOf(_a) + sizeOf(_b);
+                        var way:Vector3D = _structures.direction();
+                        way.scaleBy(_random.between(0, 1) * reach);
+                        if (isLattice)
+                        {
+                            way.setTo(_random.integer(-4, 4), _random.integer(-4, 4), _random.integer(-4, 4));
+                        }
+                        _a = RandomConvex.moved(_a, way.x, way.y, way.z);
+                        _size = reach + way.length + 0.1 * far;
+                        _what = "kinds " + kindA + " and " + kindB + ", family " + family + ", number " + i;
+                        check();
+                    }
+                }
+            }
+        }
+
+        private static function sizeOf(shape:ConvexShape):Number
+        {
+            return shape.size + shape.radius;
+        }
+
+        // Moves a along the line between the closest points until the gap is a fraction of the sizes, if the two are apart.
+        private function approach(gap:Number):Boolean
+        {
+            _pair.findClosest(_a, _b, _points);
+            var way:Vector3D = new Vector3D(_points.aX - _points.bX, _points.aY - _points.bY, _points.aZ - _points.bZ);
+            if (!(_points.distance > 0) || !(way.normalize() > 0))
+            {
+                return false;
+            }
+            var by:Number = gap * (sizeOf(_a) + sizeOf(_b)) - _points.distance;
+            _a = RandomConvex.moved(_a, by * way.x, by * way.y, by * way.z);
+            return true;
+        }
+
+        private function provePoints():void
+        {
+            var pointA:Vector3D = new Vector3D(_points.aX, _points.aY, _points.aZ);
+            var pointB:Vector3D = new Vector3D(_points.bX, _points.bY, _points.bZ);
+            var way:Vector3D = pointA.subtract(pointB);
+            var slack:Number = PRECISION * _size;
+            var text:String = _what + ": distance " + _points.distance;
+            _wrong.addIf(_draw.outside(_a, pointA) > slack, "first point", text + ", off by " + _draw.outside(_a, pointA));
+            _wrong.addIf(_draw.outside(_b, pointB) > slack, "second point", text + ", off by " + _draw.outside(_b, pointB));
+            _wrong.addIf(Math.abs(way.length - _points.distance) > slack, "as far apart as the points", text);
+            if (_points.distance > slack)
+            {
+                way.normalize();
+                var back:Vector3D = way.clone();
+                back.negate();
+                var between:Number = -(RandomConvex.support(_a, back) + RandomConvex.support(_b, way));
+                // rounding turns a short line between two points
+                var unsure:Number = slack + 2 * PRECISION * _size * _size / _points.distance;
+                _wrong.addIf(_points.distance - between > unsure, "nothing is nearer", text + ", plane " + between);
+            }
+        }
+
+        // A motion that comes from a multiple of the sizes away to a place beside b, and as far again.
+        private function setMotion(motion:ConvexMotion, from:Number, aside:Number):void
+        {
+            var way:Vector3D = _structures.direction();
+            var beside:Vector3D = _structures.direction();
+            beside.scaleBy(aside * _size / 2);
+            way.scaleBy((0.5 + from) * _size);
+            motion.startX = _b.x - _a.x - way.x;
+            motion.startY = _b.y - _a.y - way.y;
+            motion.startZ = _b.z - _a.z - way.z;
+            motion.x = 2 * way.x + beside.x;
+            motion.y = 2 * way.y + beside.y;
+            motion.z = 2 * way.z + beside.z;
+        }
+
+        private function there(motion:ConvexMotion, time:Number):ConvexShape
+        {
+            return RandomConvex.moved(_a, motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+        }
+
+        private function gapAt(motion:ConvexMotion, time:Number):Number
+        {
+            _pair.findClosest(there(motion, time), _b, _points);
+            return _points.distance;
+        }
+
+        // Less than 0 if the two overlap.
+        private function signedGapAt(motion:ConvexMotion, time:Number):Number
+        {
+            var gap:Number = gapAt(motion, time);
+            if (gap > 0)
+            {
+                return gap;
+            }
+            _pair.findContact(there(motion, time), _b, new ConvexMotion(), _contact);
+            return -_contact.depth;
+        }
+
+        // The distance is a convex function of time.
+        private function leastGap(motion:ConvexMotion):Number
+        {
+            var low:Number = 0;
+            var high:Number = 1;
+            for (var i:int = 0; i < 100; i++)
+            {
+                var third:Number = (high - low) / 3;
+                if (signedGapAt(motion, low + third) < signedGapAt(motion, high - third))
+                {
+                    high -= third;
+                }
+                else
+                {
+                    low += third;
+                }
+            }
+            return signedGapAt(motion, (low + high) / 2);
+        }
+
+        private function distanceAfter(normal:Vector3D, by:Number):Number
+        {
+            _pair.findClosest(RandomConvex.moved(_a, by * normal.x, by * normal.y, by * normal.z), _b, _points);
+            return _points.distance;
+        }
+
+        private function isConcentric():Boolean
+        {
+            return _a.x == _b.x && _a.y == _b.y && _a.z == _b.z;
+        }
+    }
+}

@@ -177,12 +177,12 @@ package starlogo.queries
          */
         public function slide(motion:Vector3D, steepest:Number = -2, widest:Number = Infinity, steepness:Number = -1):void
         {
+            floor.setNormal(0, 0, -2);
             if (!start(motion, null, widest, steepness))
             {
                 return;
             }
             var whole:Number = _rest.length;
-            floor.setNormal(0, 0, -2);
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
             {
                 if (!findFirst())

@@ -44,9 +44,9 @@ package starlogo.debug
         }
 
         /**
-         * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, there are none. The lines
-         * of a model are computed on the first call, and after a call with another system. Other calls take a time proportional to the
-         * number of lines.
+         * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, and if it was removed, there are
+         * none. The lines of a model are computed on the first call, and after a call with another system. Other calls take a time proportional
+         * to the number of lines.
          *
          * @param agent any agent
          * @param system one of the engine's systems, or a Collider with a ShapeChoice of the game's own, with the same GreatLand
@@ -57,13 +57,19 @@ package starlogo.debug
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
             var collider:Collider = BaseCollider.of(system).collider;
+            var all:Vector.<Number> = out || new Vector.<Number>();
+            // a BinCollider may be without models, and its agents have any shapes
+            var models:GreatLand = collider == null ? _greatLand : collider.choice.greatLand;
+            if (models != null && !models.hasModel(agent.shape))
+            {
+                return all;
+            }
             if (collider is BinCollider)
             {
                 var radius:Number = agent.size / 2;
-                return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), out);
+                return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), all);
             }
-            var all:Vector.<Number> = out || new Vector.<Number>();
-            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, collider), agent.worldPlacement(), all) : all;
+            return placed(linesOfModel(agent, collider), agent.worldPlacement(), all);
         }
 
         private function linesOfModel(agent:Agent, collider:Collider):Vector.<Number>

@@ -121,7 +121,7 @@ package starlogo.search
                 shapes[row] = null;
                 if (agent != null)
                 {
-                    setShape(row, _modelShapes.shapeOf(agent));
+                    setShape(row, ModelShapes.newShapeOfFixture(WorldAgent(agent)));
                     findExtents(row);
                     now.put(row, agent);
                     last.put(row, agent);

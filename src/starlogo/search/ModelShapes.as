@@ -34,6 +34,9 @@ package starlogo.search
         private var _ofModels:Object = {};
         private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
 
+        // The shapes of the ground and of the edges that were needed last.
+        private var _ofFixtures:Vector.<ModelShape> = new <ModelShape>[null, null];
+
         /** @param choice chooses the shapes */
         public function ModelShapes(choice:AgentShapes)
         {
@@ -52,7 +55,7 @@ package starlogo.search
         {
             if (Breeds.isReserved(agent.breedNumber))
             {
-                return shapeOfFixture(agent);
+                return shapeOfFixture(WorldAgent(agent));
             }
             var kind:int = _choice.kindOf(agent);
             for (var i:int = 0; i < _recent.length; i++)
@@ -106,12 +109,25 @@ package starlogo.search
             requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
         }
 
-        // The shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a point.
-        private static function shapeOfFixture(agent:Agent):ModelShape
+        private function shapeOfFixture(fixture:WorldAgent):ModelShape
         {
-            var fixture:WorldAgent = WorldAgent(agent);
+            var row:int = fixture.grid != null ? RowList.GROUND : RowList.EDGES;
+            var shape:ModelShape = _ofFixtures[row];
+            if (shape == null || shape.fixture !== fixture)
+            {
+                shape = _ofFixtures[row] = newShapeOfFixture(fixture);
+            }
+            return shape;
+        }
+
+        /**
+         * Makes a shape for the ground or the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a point. A
+         * table's row has a shape of its own, because it may be held (HeldWorld).
+         */
+        public static function newShapeOfFixture(fixture:WorldAgent):ModelShape
+        {
             var isGround:Boolean = fixture.grid != null;
-            var shape:ModelShape = new ModelShape(agent.shape, Agent.ANY_KIND, 0);
+            var shape:ModelShape = new ModelShape(fixture.shape, Agent.ANY_KIND, 0);
             shape.structure = new Sphere(new Vector3D(), isGround ? fixture.grid.cellWidth / 2 : 0);
             shape.form = isGround ? ModelShape.GROUND : ModelShape.EDGES;
             shape.fixture = fixture;

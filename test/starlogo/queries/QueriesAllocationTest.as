@@ -9,6 +9,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.EachCollider;
     import support.Garbage;
     import support.MemoryGrowth;
@@ -30,6 +31,7 @@ package starlogo.queries
         private var _queries:AgentQueries;
         private var _filter:AgentFilter;
         private var _ground:Terrain;
+        private var _bounds:WorldBounds = new WorldBounds(-6, -6, -6, 6, 6, 6);
         private var _capsule:Agent;
         private var _guests:Vector.<Agent>;
         private var _out:Vector.<Agent> = new Vector.<Agent>();
@@ -58,6 +60,7 @@ package starlogo.queries
                 assertAllocatesNothing(name + ", rays", askWhatRaysMeet);
                 assertAllocatesNothing(name + ", motions", askHowFar);
                 assertAllocatesNothing(name + ", distances", askHowFarApart);
+                assertAllocatesNothing(name + ", the ground and the edges", askHowFarFromTheWorld);
                 _queries.terrain = _ground;
                 assertAllocatesNothing(name + ", distances to points", askHowFarFromAPoint);
                 // Among triangles, an interpreter takes a minute for them.
@@ -244,6 +247,22 @@ package starlogo.queries
             }
             _point.setTo(0, 0, 0);
             _answers += _queries.distanceToPoint(agent, _point, _direction) < 20 ? 1 : 0;
+        }
+
+        // The queries have neither in their list.
+        private function askHowFarFromTheWorld(agent:Agent):void
+        {
+            askAboutTheWorld(agent, _ground.agent);
+            askAboutTheWorld(agent, _bounds.agent);
+            _answers += _queries.touchesEdge(agent, _bounds) ? 1 : 0;
+            _point.setTo(0, 0, 0);
+        }
+
+        private function askAboutTheWorld(agent:Agent, world:Agent):void
+        {
+            _answers += _queries.distance(agent, world, _point, _direction) < 20 ? 1 : 0;
+            _answers += _queries.distance(world, agent) < 20 ? 1 : 0;
+            _answers += _queries.touching(world, null, _out).length;
         }
 
         private function askHowFarFromAPoint(agent:Agent):void

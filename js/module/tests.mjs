@@ -41,5 +41,5 @@ ${text}
 export const CLASSES = [
 	${classes.join(",\n\t")}
 ];
-export { ${program.names.map((qname) => program.shortName(qname)).join(", ")} };
+export { flexunit, ${program.names.map((qname) => program.shortName(qname)).join(", ")} };
 `);

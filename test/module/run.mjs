@@ -11,7 +11,6 @@ import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { choose, readTests } from "../chosen.mjs";
-import { AssumptionViolatedException, waiting } from "./flexunit.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 
@@ -21,6 +20,8 @@ const { values: options, positionals } = parseArgs({
 });
 
 const tests = await import(pathToFileURL(path.resolve(positionals[0])));
+// the one that the tests call. The file may be from another folder, and then a second one would never hear what a test waits for
+const { AssumptionViolatedException, waiting } = tests.flexunit;
 tests.Effort.isFull = options.full;
 mount(tests, options.mount);
 

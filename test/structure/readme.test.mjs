@@ -72,6 +72,13 @@ function isDefined(name, member) {
 	return new RegExp(`(?:var|const|function(?: get| set)?) ${member}\\b`).test(text) || (base !== undefined && isDefined(base, member));
 }
 
+test('the members of classes that the pages name are there', () => {
+	const named = PAGES.flatMap((page) => [...read(page).matchAll(/`([A-Z]\w*)\.(\w+)(?:\([^`]*)?`/g)].map(([, name, member]) => [page, name, member]))
+		.filter(([, name, member]) => definitions.has(name) && member !== 'as');
+	assert.ok(named.length > 100, 'there are some');
+	assert.deepEqual(named.filter(([, name, member]) => !isDefined(name, member)), []);
+});
+
 /** Where the pages about the thesis name classes: in the last cell of a row, and in brackets at the end of an entry. */
 const NAMED = { 'docs/terms.md': /^\| \d.*\|([^|]*)\|$/gm, 'docs/departures.md': /\((`[^)]*`)\)\.$/gm };
 

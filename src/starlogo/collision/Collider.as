@@ -44,6 +44,10 @@ package starlogo.collision
         private var _owner:Object = null;
         private var _extraSearch:CollisionSearch = null;
 
+        // The search whose contacts contactOf gives: the last one. While a frame's handlers run, the frame is held, and it is the frame's.
+        private var _seen:CollisionSearch;
+        private var _isFrameHeld:Boolean = false;
+
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
         private var _contactPoint:ContactPoint = new ContactPoint();
@@ -59,6 +63,7 @@ package starlogo.collision
             narrowPhase = new NarrowPhase(choice);
             search = new CollisionSearch(choice, narrowPhase);
             this.choice = choice;
+            _seen = search;
         }
 
         /** @inheritDoc */
@@ -96,6 +101,10 @@ package starlogo.collision
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             measure(asked, agents, interests, null, null, _found, found);
+            if (!_isFrameHeld)
+            {
+                _seen = asked;
+            }
             if (found.length > 2 * _found.count)
             {
                 found.length = 2 * _found.count;
@@ -105,8 +114,11 @@ package starlogo.collision
 
         /**
          * Computes how two agents touch. If both were in the last search, it takes them as they were then. Otherwise it takes them as they are now.
-         * If the collider belongs to a Collision, the last search is the search of its last frame. The ground and the edges of the world count as
-         * they are now. In a handler they count as the frame has seen them, also after a handler has changed them.
+         * The last search is a frame of the collider's Collision, or a call of <code>findCollisions</code>. While handlers run, and after them until
+         * the next search, it is the frame's, even if a handler has called <code>findCollisions</code>.
+         *
+         * <p>The ground and the edges of the world count as they are now. In a handler they count as the frame has seen them, also after a handler
+         * has changed them.</p>
          *
          * @param collider the normal points to it
          * @param collidee another agent
@@ -119,9 +131,9 @@ package starlogo.collision
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
             var contactPoint:ContactPoint = _contactPoint;
-            contact.time = search.findContact(collider, collidee, contactPoint);
+            contact.time = _seen.findContact(collider, collidee, contactPoint);
             contact.depth = contactPoint.depth;
-            contact.approachSpeed = search.approachSpeed;
+            contact.approachSpeed = _seen.approachSpeed;
             contact.normal.setTo(contactPoint.normalX, contactPoint.normalY, contactPoint.normalZ);
             contact.point.setTo(contactPoint.x, contactPoint.y, contactPoint.z);
             return contact;
@@ -152,6 +164,27 @@ package starlogo.collision
                 search.table.forgetMotions();
             }
             _owner = value;
+        }
+
+        /** @private From now on contactOf sees the last frame. */
+        engine function seeFrame():void
+        {
+            _seen = search;
+        }
+
+        /** @private Keeps the frame for contactOf while its handlers run, whatever they search, and whatever they do to the ground or the edges. */
+        engine function holdFrame():void
+        {
+            seeFrame();
+            _isFrameHeld = true;
+            search.holdWorld();
+        }
+
+        /** @private The frame is over. */
+        engine function releaseFrame():void
+        {
+            _isFrameHeld = false;
+            search.releaseWorld();
         }
 
         /** @private */

@@ -48,7 +48,8 @@ package starlogo.collision
 
         /**
          * The ground, or null for none. Agents collide with it if their breeds have handlers together with <code>TERRAIN</code>. Other
-         * agents cost nothing. You may exchange the ground between frames. It needs one of the engine's collision systems.
+         * agents cost nothing. You may exchange the ground. If the filter or a handler does so, this counts from the next frame on. The ground
+         * needs one of the engine's collision systems.
          */
         public var terrain:Terrain = null;
 
@@ -60,7 +61,7 @@ package starlogo.collision
 
         /**
          * The edges of the world, or null for none. Agents collide with them if their breeds have handlers together with <code>EDGE</code>.
-         * Other agents cost nothing. You may exchange the edges between frames. They need one of the engine's collision systems.
+         * Other agents cost nothing. You may exchange the edges, as the ground. They need one of the engine's collision systems.
          */
         public var bounds:WorldBounds = null;
 
@@ -272,6 +273,7 @@ package starlogo.collision
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
             var touches:TouchTracker = _touches;
+            var fixtures:Vector.<Agent> = findFixtures();
             _handlers.begin();
             var asked:AgentPredicate = filter;
             var collider:Collider = system.ownedCollider;
@@ -280,12 +282,11 @@ package starlogo.collision
             {
                 var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
                 _hasFailed = true;
-                findPairs(system, collider, listed, asked == null ? null : _filteredList.takePart);
+                findPairs(system, collider, listed, asked == null ? null : _filteredList.takePart, fixtures);
                 keepList(listed, system.collider);
                 if (collider != null)
                 {
-                    // contacts that handlers ask for are contacts of the frame, also after a handler has changed the ground or the edges
-                    collider.search.holdWorld();
+                    collider.holdFrame();
                 }
                 _calls.make(system, _handlers, touches, _lastAgents, agents, _handlerErrors);
                 _hasFailed = false;
@@ -296,7 +297,7 @@ package starlogo.collision
                 if (collider != null)
                 {
                     collider.isInFrame = false;
-                    collider.search.releaseWorld();
+                    collider.releaseFrame();
                 }
                 release(system);
             }
@@ -359,6 +360,7 @@ package starlogo.collision
             }
             var collider:Collider = _system.collider;
             _touches = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
+            collider.seeFrame();
             keepList(agents, collider);
             _hasFailed = false;
         }
@@ -410,7 +412,8 @@ package starlogo.collision
             return _calls.fixtures;
         }
 
-        private function findPairs(system:BaseCollider, collider:Collider, agents:Vector.<Agent>, takePart:Vector.<Boolean>):void
+        private function findPairs(system:BaseCollider, collider:Collider, agents:Vector.<Agent>, takePart:Vector.<Boolean>,
+                fixtures:Vector.<Agent>):void
         {
             var start:Number = getTimer();
             // a game's own BaseCollider may call findCollisions of the collider in it
@@ -418,7 +421,7 @@ package starlogo.collision
             {
                 collider.isInFrame = true;
             }
-            system.findPairs(agents, _handlers.interests, takePart, findFixtures(), _calls.pairs);
+            system.findPairs(agents, _handlers.interests, takePart, fixtures, _calls.pairs);
             if (collider != null)
             {
                 collider.isInFrame = false;

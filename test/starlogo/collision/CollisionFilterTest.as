@@ -8,8 +8,11 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.EachCollider;
     import support.RandomWorlds;
+    import support.agentAt;
     import support.assertThrows;
     import support.landOf;
 
@@ -97,6 +100,57 @@ package starlogo.collision
             assertEquals(2, _calls.length);
             agents[1] = null;
             assertThrows(ArgumentError, /null/, collision.update, agents);
+        }
+
+        [Test]
+        public function theGroundAndTheEdgesThatItExchangesCountFromTheNextFrameOn():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var agent:Agent = agentAt("cube", 0, 0, 0.5);
+                var grounds:Array = [groundAt(-1), groundAt(1), null];
+                var worlds:Array = [new WorldBounds(0, -9, -9, 9, 9, 9), null, new WorldBounds(-9, -9, 0.5, 9, 9, 9)];
+                var collision:Collision = new Collision(EachCollider.make(name, _greatLand));
+                var frame:int = 0;
+                var filter:AgentFilter = new AgentFilter();
+                filter.accepts = function(agent:Agent):Boolean
+                {
+                    frame++;
+                    collision.terrain = grounds[frame % 3];
+                    collision.bounds = worlds[frame % 3];
+                    return true;
+                };
+                collision.terrain = grounds[0];
+                collision.bounds = worlds[0];
+                collision.filter = filter;
+                _calls = [];
+                for each (var breed:String in [Collision.TERRAIN, Collision.EDGE])
+                {
+                    collision.onCollision("turtles", breed, function(collider:Agent, collidee:Agent, contact:Contact):void
+                        {
+                            _calls.push(frame + (collidee.breed == Collision.TERRAIN ? " ground " : " edge ") + contact.depth.toFixed(1));
+                        });
+                }
+                var expected:Array = ["1 edge 0.5", "2 ground 0.5", "3 edge 0.0", "4 edge 0.5", "5 ground 0.5", "6 edge 0.0"];
+                for (var i:int = 0; i < 6; i++)
+                {
+                    collision.update(new <Agent>[agent]);
+                }
+                assertEquals(name, expected.join(), _calls.join());
+            }
+        }
+
+        private static function groundAt(height:Number):Terrain
+        {
+            var ground:Terrain = new Terrain(5, 5, 1, -2, -2);
+            for (var column:int = 0; column < 5; column++)
+            {
+                for (var row:int = 0; row < 5; row++)
+                {
+                    ground.setHeight(column, row, height);
+                }
+            }
+            return ground;
         }
 
         private function collisionOf(name:String):Collision

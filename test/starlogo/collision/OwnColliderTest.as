@@ -1,5 +1,6 @@
 package starlogo.collision
 {
+    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
@@ -147,6 +148,66 @@ package starlogo.collision
         }
 
         [Test]
+        public function contactsAreThoseOfTheLastSearch():void
+        {
+            for each (var isWrapped:Boolean in [false, true])
+            {
+                makeGame();
+                _ball.sweeps = false;
+                var collider:Collider = new BinCollider();
+                var system:BaseCollider = isWrapped ? new BaseCollider(collider) : collider;
+                var collision:Collision = new Collision(system);
+                collision.onCollision("balls", "walls", hit);
+                _ball.moveTo(4.5, 0, 0);
+                collision.update(_agents);
+                _ball.moveTo(4.25, 0, 0);
+                assertDepth("the frame", 0.5, system);
+                system.findCollisions(_agents);
+                _ball.moveTo(4.75, 0, 0);
+                assertDepth("a search of the game", 0.25, system);
+                assertThrows(ArgumentError, /twice/, system.findCollisions, new <Agent>[_ball, _ball]);
+                assertDepth("a search that threw", 0.25, system);
+                system.findCollisions(new <Agent>[_ball]);
+                assertDepth("not both were in the search", 0.75, system);
+                system.findCollisions(_agents);
+                collision.update(_agents);
+                _ball.moveTo(4.5, 0, 0);
+                assertDepth("the next frame", 0.75, system);
+            }
+        }
+
+        [Test]
+        public function afterAFrameContactsAreItsOwnWhateverHandlersHaveSearched():void
+        {
+            var collider:Collider = new BinCollider();
+            var collision:Collision = new Collision(collider);
+            _ball.moveTo(4.5, 0, 0);
+            collision.onCollision("balls", "walls", function(ball:Agent, wall:Agent):void
+                {
+                    ball.moveTo(4.25, 0, 0);
+                    assertEquals(1, collider.findCollisions(_agents).length / 2);
+                    _hits++;
+                });
+            collision.update(_agents);
+            assertEquals(1, _hits);
+            assertDepth("its own", 0.5, collider);
+        }
+
+        [Test]
+        public function afterRestoreContactsAreThoseOfItsFrame():void
+        {
+            var collider:Collider = new BinCollider();
+            var collision:Collision = watched(collider);
+            _ball.moveTo(4.5, 0, 0);
+            collision.update(_agents);
+            var bytes:ByteArray = collision.snapshot();
+            _ball.moveTo(4.25, 0, 0);
+            collider.findCollisions(_agents);
+            collision.restore(bytes, _agents);
+            assertDepth("its own", 0.5, collider);
+        }
+
+        [Test]
         public function resetForgetsMotionsAndARefusedList():void
         {
             var collision:Collision = watched(new BinCollider());
@@ -214,6 +275,12 @@ package starlogo.collision
                 collision.reset();
             }
             assertThrows(ArgumentError, /kind must be "collision", "start", "end" or null, not "begin"/, collision.removeHandler, "balls", "walls", hit, "begin");
+        }
+
+        private function assertDepth(message:String, expected:Number, system:BaseCollider):void
+        {
+            var depth:Number = system.contactOf(_ball, _wall).depth;
+            assertTrue(message + ": " + depth + ", not " + expected, Math.abs(depth - expected) < 1e-9);
         }
 
         private function watched(system:CollisionSystem):Collision

@@ -703,20 +703,26 @@ export class Program {
 		return mayRun(node) ? `/* @__PURE__ */ (() => (${text}))()` : text;
 	}
 
-	// The definitions that run when an expression does: those that it names, and those that their constructors name.
-	#needed(node, unit, found = new Set()) {
+	// The definitions that run when an expression does: those that it names, and those that their constructors and its static methods name.
+	#needed(node, unit, found = new Set(), methods = new Set()) {
 		this.#unit = unit;
 		const path = node.type === "MemberExpression" ? pathOf(node) : "";
-		const known = path === "" ? null : this.#units.get(this.#resolve(path)?.qname);
+		const resolved = path === "" ? null : this.#resolve(path);
+		const known = this.#units.get(resolved?.qname);
 		if (known) {
+			const method = known.members.find((member) => member.isStatic && member.kind === "method" && member.name === resolved.rest[0]);
+			if (method && !methods.has(method)) {
+				methods.add(method);
+				this.#needed(method.node.body, known, found, methods);
+			}
 			if (!found.has(known)) {
 				found.add(known);
-				if (known.main) this.#needed(known.main.body, known, found);
-				this.#unit = unit;
+				if (known.main) this.#needed(known.main.body, known, found, methods);
 			}
+			this.#unit = unit;
 			return found;
 		}
-		for (const child of childrenOf(node)) this.#needed(child, unit, found);
+		for (const child of childrenOf(node)) this.#needed(child, unit, found, methods);
 		return found;
 	}
 }

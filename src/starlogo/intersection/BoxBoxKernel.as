@@ -1,34 +1,21 @@
 package starlogo.intersection
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactFeature;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.contact.Zonotope;
+    import starlogo.intersection.contact.LeastOverlap;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findBoxImpact;
 
     /**
      * The kernel of two boxes. It uses separating axes. The sweep finds when no axis separates the boxes. The contact finds the axis along
      * which they overlap least.
-     *
-     * <p>The contact works for any two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest
-     * displacement that separates them is perpendicular to two of the segments' directions. So it is perpendicular to a face of one
-     * structure, or to an edge of each.</p>
      */
     internal final class BoxBoxKernel extends PairKernel
     {
-        private var _a:Zonotope = new Zonotope();
-        private var _b:Zonotope = new Zonotope();
-        private var _featureA:ContactFeature = new ContactFeature();
-        private var _featureB:ContactFeature = new ContactFeature();
-
-        // The axis to try next, and the shortest separating displacement so far.
-        private var _direction:Vector3D = new Vector3D();
-        private var _depth:Number = Infinity;
-        private var _best:Vector3D = new Vector3D();
+        private var _overlap:LeastOverlap = new LeastOverlap();
+        private var _distance:BoxDistance = new BoxDistance();
 
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -36,119 +23,16 @@ package starlogo.intersection
             findBoxImpact(a as Box, b as Box, motion);
         }
 
-        /**
-         * Finds the contact of two boxes, or of a capsule and a box if the capsule's axis passes through the box.
-         *
-         * @param a a Box or a Capsule
-         * @param b a Box
-         * @param displacement moves a from its stored place
-         * @param out receives the contact
-         */
+        /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            findNormal(a, b, displacement, out);
-            var normal:Vector3D = _best;
-            _b.supportInto(_featureB, normal);
-            normal.negate();
-            _a.supportInto(_featureA, normal);
-            _featureA.findCommonPoint(_featureB, out);
-            // halfway between the two surfaces
-            var radius:Number = _a.radius;
-            out.x = _featureA.x - radius / 2 * out.normalX;
-            out.y = _featureA.y - radius / 2 * out.normalY;
-            out.z = _featureA.z - radius / 2 * out.normalZ;
-            var depth:Number = _depth + radius;
-            out.depth = depth > 0 ? depth : 0;
+            _overlap.findContact(a, b, displacement, out);
         }
 
-        /**
-         * Finds the normal of the contact of two structures. Each is a Box, or a Capsule whose axis is tested. If the two axes are
-         * parallel, the normal points upwards as far as possible.
-         */
-        public function findNormal(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
         {
-            _a.setTo(a, displacement);
-            _b.setTo(b, RelativeMotion.NONE);
-            _depth = Infinity;
-            tryAll(_b, _b);
-            tryAll(_a, _a);
-            tryAll(_a, _b);
-            if (_depth == Infinity)
-            {
-                tryAcross(_a, out);
-                tryAcross(_b, out);
-            }
-            out.setNormal(_best.x, _best.y, _best.z);
-        }
-
-        private function tryAcross(axis:Zonotope, out:ContactPoint):void
-        {
-            out.setNormal(axis.directions[0], axis.directions[1], axis.directions[2]);
-            out.makePerpendicular();
-            _direction.setTo(out.normalX, out.normalY, out.normalZ);
-            tryDirection();
-        }
-
-        private function tryAll(first:Zonotope, second:Zonotope):void
-        {
-            var u:Vector.<Number> = first.directions;
-            var v:Vector.<Number> = second.directions;
-            var direction:Vector3D = _direction;
-            for (var i:int = 0; i < first.end; i += 3)
-            {
-                var ux:Number = u[i];
-                var uy:Number = u[int(i + 1)];
-                var uz:Number = u[int(i + 2)];
-                for (var k:int = first === second ? i + 3 : 0; k < second.end; k += 3)
-                {
-                    var vx:Number = v[k];
-                    var vy:Number = v[int(k + 1)];
-                    var vz:Number = v[int(k + 2)];
-                    direction.x = uy * vz - uz * vy;
-                    direction.y = uz * vx - ux * vz;
-                    direction.z = ux * vy - uy * vx;
-                    tryDirection();
-                }
-            }
-        }
-
-        // The length of the direction is the sine of the angle between the two segments.
-        private function tryDirection():void
-        {
-            var direction:Vector3D = _direction;
-            var x:Number = direction.x;
-            var y:Number = direction.y;
-            var z:Number = direction.z;
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (length < Tolerances.DIRECTION)
-            {
-                return;
-            }
-            x /= length;
-            y /= length;
-            z /= length;
-            var along:Number = (_a.x - _b.x) * x + (_a.y - _b.y) * y + (_a.z - _b.z) * z;
-            if (along < 0)
-            {
-                along = -along;
-                x = -x;
-                y = -y;
-                z = -z;
-            }
-            direction.x = x;
-            direction.y = y;
-            direction.z = z;
-            _a.measure(direction);
-            _b.measure(direction);
-            var reach:Number = _a.reach + _b.reach;
-            // A difference as small as the rounding error does not count as shorter.
-            if (reach - along < _depth - Tolerances.ROUNDING * reach)
-            {
-                _depth = reach - along;
-                _best.x = x;
-                _best.y = y;
-                _best.z = z;
-            }
+            _distance.findClosest(a as Box, b as Box, out);
         }
     }
 }

@@ -2,6 +2,7 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.intersection.distance.CoreGap;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
 
@@ -14,7 +15,7 @@ package starlogo.intersection
      * moved together until one reaches the rim of its face. If two boxes overlap, an edge of one reaches into the other, or one box is
      * inside of the other.</p>
      */
-    internal final class BoxEdgeDistance extends CapsuleBoxKernel
+    internal final class BoxEdgeDistance
     {
         // Two distances count as equal if they differ by less than this fraction of the box or the distance.
         private static const NEARER:Number = 1e-15;
@@ -39,6 +40,10 @@ package starlogo.intersection
         private var _fromOtherY:Number;
         private var _fromOtherZ:Number;
 
+        // The edge that is tried, in the other box's axes, and its gap.
+        private var _edge:BoxSegment = new BoxSegment();
+        private var _gap:CoreGap = new CoreGap();
+
         // In the other box's axes: half of the edges along axisX, then axisY, then axisZ, and the box's middle.
         private var _halves:Vector.<Number> = new Vector.<Number>(12, true);
 
@@ -49,9 +54,9 @@ package starlogo.intersection
         /** Finds the point of a's edges that is nearest to b. */
         public function findNearest(a:Box, b:Box):void
         {
-            halfX = b.halfX;
-            halfY = b.halfY;
-            halfZ = b.halfZ;
+            _edge.halfX = b.halfX;
+            _edge.halfY = b.halfY;
+            _edge.halfZ = b.halfZ;
             rotateInto(a.axisX, a.halfX, b, 0);
             rotateInto(a.axisY, a.halfY, b, 3);
             rotateInto(a.axisZ, a.halfZ, b, 6);
@@ -98,22 +103,18 @@ package starlogo.intersection
          */
         public function write(b:Box, isSwapped:Boolean, out:DistanceResult):void
         {
-            gapX = _pointX;
-            gapY = _pointY;
-            gapZ = _pointZ;
-            rotateGap(b);
-            out.aX = b.center.x + gapX;
-            out.aY = b.center.y + gapY;
-            out.aZ = b.center.z + gapZ;
-            gapX = _fromOtherX;
-            gapY = _fromOtherY;
-            gapZ = _fromOtherZ;
-            rotateGap(b);
-            gap.x = gapX;
-            gap.y = gapY;
-            gap.z = gapZ;
-            gap.radiusA = gap.radiusB = 0;
-            moveToSurfaces(gap, out);
+            _gap.x = _pointX;
+            _gap.y = _pointY;
+            _gap.z = _pointZ;
+            rotateFromBox(b, _gap);
+            out.aX = b.center.x + _gap.x;
+            out.aY = b.center.y + _gap.y;
+            out.aZ = b.center.z + _gap.z;
+            _gap.x = _fromOtherX;
+            _gap.y = _fromOtherY;
+            _gap.z = _fromOtherZ;
+            rotateFromBox(b, _gap);
+            moveToSurfaces(_gap, out);
             if (isSwapped)
             {
                 out.swapShapes();
@@ -133,6 +134,9 @@ package starlogo.intersection
 
         private function findCorners():void
         {
+            var halfX:Number = _edge.halfX;
+            var halfY:Number = _edge.halfY;
+            var halfZ:Number = _edge.halfZ;
             var halves:Vector.<Number> = _halves;
             var corners:Vector.<Number> = _corners;
             for (var corner:int = 0; corner < 8; corner++)
@@ -183,25 +187,23 @@ package starlogo.intersection
             var signX:int = x < 0 ? -1 : 1;
             var signY:int = y < 0 ? -1 : 1;
             var signZ:int = z < 0 ? -1 : 1;
-            alongX = signX * x;
-            alongY = signY * y;
-            alongZ = signZ * z;
-            fromX = signX * _corners[start];
-            fromY = signY * _corners[int(start + 1)];
-            fromZ = signZ * _corners[int(start + 2)];
-            motionX = motionY = motionZ = 0;
-            timeParameter = 0;
-            find();
-            var length:Number = gapX * gapX + gapY * gapY + gapZ * gapZ;
+            _edge.alongX = signX * x;
+            _edge.alongY = signY * y;
+            _edge.alongZ = signZ * z;
+            _edge.x = signX * _corners[start];
+            _edge.y = signY * _corners[int(start + 1)];
+            _edge.z = signZ * _corners[int(start + 2)];
+            findBoxSegmentGap(_edge, _gap);
+            var length:Number = _gap.x * _gap.x + _gap.y * _gap.y + _gap.z * _gap.z;
             if (length < squared)
             {
                 squared = length;
-                _pointX = _corners[start] + share * x;
-                _pointY = _corners[int(start + 1)] + share * y;
-                _pointZ = _corners[int(start + 2)] + share * z;
-                _fromOtherX = signX * gapX;
-                _fromOtherY = signY * gapY;
-                _fromOtherZ = signZ * gapZ;
+                _pointX = _corners[start] + _gap.share * x;
+                _pointY = _corners[int(start + 1)] + _gap.share * y;
+                _pointZ = _corners[int(start + 2)] + _gap.share * z;
+                _fromOtherX = signX * _gap.x;
+                _fromOtherY = signY * _gap.y;
+                _fromOtherZ = signZ * _gap.z;
             }
         }
     }

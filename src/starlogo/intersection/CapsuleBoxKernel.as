@@ -4,28 +4,90 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.LeastOverlap;
+    import starlogo.intersection.contact.placeContact;
+    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.moveToSurfaces;
+    import starlogo.intersection.sweep.NewtonSteps;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a capsule and a box. It works in the box's axes, mirrored so that no component of the capsule's axis is negative. */
-    internal class CapsuleBoxKernel extends SphereBoxKernel
+    internal final class CapsuleBoxKernel extends PairKernel
     {
-        private static const OVERLAP_KERNEL:BoxBoxKernel = new BoxBoxKernel();
+        // The motion of the start of the capsule's axis as seen from the box's middle, in the mirrored axes.
+        private var _way:RelativeMotion = new RelativeMotion();
+        private var _axis:BoxSegment = new BoxSegment();
+        private var _gap:CoreGap = new CoreGap();
+        private var _steps:NewtonSteps = new NewtonSteps();
+        private var _overlap:LeastOverlap = new LeastOverlap();
 
-        /** The vector from the segment's start to its end, in these axes. Not negative. */
-        protected var alongX:Number;
-        protected var alongY:Number;
-        protected var alongZ:Number;
+        /** @inheritDoc */
+        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        {
+            relate(a as Capsule, b as Box, motion);
+            if (_steps.begin(motion, _way, _gap))
+            {
+                measure();
+                do
+                {
+                    findGap();
+                }
+                while (_steps.next(_way, _gap));
+            }
+            motion.time = _way.time;
+        }
 
-        // -1 if the box's axis is mirrored, otherwise 1.
-        private var _signX:Number = 1;
-        private var _signY:Number = 1;
-        private var _signZ:Number = 1;
-
-        override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        /** @inheritDoc */
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             var capsule:Capsule = a as Capsule;
             var box:Box = b as Box;
+            relate(capsule, box, displacement);
+            measure();
+            var gap:CoreGap = _gap;
+            var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+            // If the gap is longer than this, it has a direction in spite of rounding.
+            var least:Number = Tolerances.DIRECTION * gap.size;
+            if (!(squared > least * least))
+            {
+                _overlap.findContact(a, b, displacement, out);
+                return;
+            }
+            rotateGap(box);
+            out.setNormal(gap.x, gap.y, gap.z);
+            out.normalise();
+            out.depth = gap.radiusA - Math.sqrt(squared);
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            out.x = displacement.startX + start.x + gap.share * (end.x - start.x);
+            out.y = displacement.startY + start.y + gap.share * (end.y - start.y);
+            out.z = displacement.startZ + start.z + gap.share * (end.z - start.z);
+            placeContact(gap, out);
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        {
+            var capsule:Capsule = a as Capsule;
+            var box:Box = b as Box;
+            relate(capsule, box, RelativeMotion.NONE);
+            rotateGap(box);
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            out.aX = start.x + _gap.share * (end.x - start.x);
+            out.aY = start.y + _gap.share * (end.y - start.y);
+            out.aZ = start.z + _gap.share * (end.z - start.z);
+            moveToSurfaces(_gap, out);
+        }
+
+        // Sets the way and the gap at time 0, and the radius.
+        private function relate(capsule:Capsule, box:Box, motion:RelativeMotion):void
+        {
+            var way:RelativeMotion = _way;
+            var segment:BoxSegment = _axis;
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
             var middle:Vector3D = box.center;
@@ -38,78 +100,57 @@ package starlogo.intersection
             var axis:Vector3D = box.axisX;
             var along:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
             var sign:Number = along < 0 ? -1 : 1;
-            alongX = sign * along;
-            fromX = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
-            motionX = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            _signX = sign;
+            segment.alongX = sign * along;
+            way.startX = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
+            way.x = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            segment.signX = sign;
             axis = box.axisY;
             along = axis.x * toX + axis.y * toY + axis.z * toZ;
             sign = along < 0 ? -1 : 1;
-            alongY = sign * along;
-            fromY = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
-            motionY = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            _signY = sign;
+            segment.alongY = sign * along;
+            way.startY = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
+            way.y = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            segment.signY = sign;
             axis = box.axisZ;
             along = axis.x * toX + axis.y * toY + axis.z * toZ;
             sign = along < 0 ? -1 : 1;
-            alongZ = sign * along;
-            fromZ = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
-            motionZ = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            _signZ = sign;
-            halfX = box.halfX;
-            halfY = box.halfY;
-            halfZ = box.halfZ;
-            radiusSum = capsule.radius;
+            segment.alongZ = sign * along;
+            way.startZ = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
+            way.z = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            segment.signZ = sign;
+            segment.halfX = box.halfX;
+            segment.halfY = box.halfY;
+            segment.halfZ = box.halfZ;
+            way.time = 0;
+            _gap.radiusA = capsule.radius;
+            findGap();
         }
 
-        override protected function find():void
+        // Finds the gap at the way's time, in the mirrored axes.
+        private function findGap():void
         {
-            var time:Number = timeParameter;
-            var px:Number = fromX + time * motionX;
-            var py:Number = fromY + time * motionY;
-            var pz:Number = fromZ + time * motionZ;
-            var halfX:Number = this.halfX;
-            var halfY:Number = this.halfY;
-            var halfZ:Number = this.halfZ;
-            var dx:Number = alongX;
-            var dy:Number = alongY;
-            var dz:Number = alongZ;
-            include "segmentToBox.inc";
-            if (lastIn <= firstOut)
-            {
-                // If several points are nearest, take the one in the middle of them.
-                lastIn = lastIn > 0 ? (lastIn < 1 ? lastIn : 1) : 0;
-                firstOut = firstOut > 0 ? (firstOut < 1 ? firstOut : 1) : 0;
-                t = (lastIn + firstOut) / 2;
-            }
-            // The comparison is false for NaN too.
-            t = t > 0 ? (t < 1 ? t : 1) : 0;
-            share = t;
-            var x:Number = px + t * dx;
-            var y:Number = py + t * dy;
-            var z:Number = pz + t * dz;
-            include "pointToBox.inc";
-            gapX = x;
-            gapY = y;
-            gapZ = z;
+            var way:RelativeMotion = _way;
+            var segment:BoxSegment = _axis;
+            var time:Number = way.time;
+            segment.x = way.startX + time * way.x;
+            segment.y = way.startY + time * way.y;
+            segment.z = way.startZ + time * way.z;
+            findBoxSegmentGap(segment, _gap);
         }
 
-        override protected function measure():void
+        private function measure():void
         {
-            size = alongX + alongY + alongZ + halfX + halfY + halfZ + radiusSum;
+            var segment:BoxSegment = _axis;
+            _gap.size = segment.alongX + segment.alongY + segment.alongZ + segment.halfX + segment.halfY + segment.halfZ + _gap.radiusA;
         }
 
-        override protected function rotateGap(b:BoundingStructure):void
+        // Rotates the gap from the mirrored axes into those of the structures' space.
+        private function rotateGap(box:Box):void
         {
-            gapX *= _signX;
-            gapY *= _signY;
-            gapZ *= _signZ;
-            super.rotateGap(b);
-        }
-
-        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
-        {
-            OVERLAP_KERNEL.findContact(a, b, displacement, out);
+            _gap.x *= _axis.signX;
+            _gap.y *= _axis.signY;
+            _gap.z *= _axis.signZ;
+            rotateFromBox(box, _gap);
         }
     }
 }

@@ -5,121 +5,145 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.LeastOverlap;
+    import starlogo.intersection.contact.placeContact;
+    import starlogo.intersection.distance.CoreGap;
     import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.moveToSurfaces;
+    import starlogo.intersection.sweep.NewtonSteps;
     import starlogo.intersection.sweep.RelativeMotion;
 
-    /** The kernel of two capsules (Ericson, "Real-Time Collision Detection", §5.1.9). */
-    internal final class CapsuleCapsuleKernel extends RoundPairKernel
+    /** The kernel of two capsules. */
+    internal final class CapsuleCapsuleKernel extends PairKernel
     {
-        private static const OVERLAP_KERNEL:BoxBoxKernel = new BoxBoxKernel();
+        // The motion of the first axis's start as seen from the second's.
+        private var _way:RelativeMotion = new RelativeMotion();
+        private var _axes:SegmentPair = new SegmentPair();
+        private var _gap:CoreGap = new CoreGap();
+        private var _steps:NewtonSteps = new NewtonSteps();
+        private var _overlap:LeastOverlap = new LeastOverlap();
 
-        // The two segments, u and v.
-        private var _ux:Number;
-        private var _uy:Number;
-        private var _uz:Number;
-        private var _vx:Number;
-        private var _vy:Number;
-        private var _vz:Number;
-
-        override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        /** @inheritDoc */
+        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            var capsule:Capsule = a as Capsule;
-            var other:Capsule = b as Capsule;
-            var startA:Vector3D = capsule.start;
-            var startB:Vector3D = other.start;
-            var end:Vector3D = capsule.end;
-            fromX = startA.x - startB.x + motion.startX;
-            fromY = startA.y - startB.y + motion.startY;
-            fromZ = startA.z - startB.z + motion.startZ;
-            motionX = motion.x;
-            motionY = motion.y;
-            motionZ = motion.z;
-            radiusSum = capsule.radius + other.radius;
-            _ux = end.x - startA.x;
-            _uy = end.y - startA.y;
-            _uz = end.z - startA.z;
-            end = other.end;
-            _vx = end.x - startB.x;
-            _vy = end.y - startB.y;
-            _vz = end.z - startB.z;
+            relate(a as Capsule, b as Capsule, motion);
+            if (_steps.begin(motion, _way, _gap))
+            {
+                measure();
+                do
+                {
+                    findGap();
+                }
+                while (_steps.next(_way, _gap));
+            }
+            motion.time = _way.time;
         }
 
         /**
-         * Finds the closest points of two segments. It sets the gap, and the share of the first segment at which its closest point lies.
+         * If the axes cross, the normal is perpendicular to both, and points to the side of a's middle. If they are parallel too, it points
+         * upwards as far as possible.
          *
-         * @param a x, y, z of each end of the first segment
-         * @param startA index of its start in a
-         * @param endA index of its end in a
-         * @param b x, y, z of each end of the second segment
-         * @param startB index of its start in b
-         * @param endB index of its end in b
+         * @inheritDoc
          */
-        public function findEdges(a:Vector.<Number>, startA:int, endA:int, b:Vector.<Number>, startB:int, endB:int):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            fromX = a[startA] - b[startB];
-            fromY = a[int(startA + 1)] - b[int(startB + 1)];
-            fromZ = a[int(startA + 2)] - b[int(startB + 2)];
-            motionX = motionY = motionZ = 0;
-            _ux = a[endA] - a[startA];
-            _uy = a[int(endA + 1)] - a[int(startA + 1)];
-            _uz = a[int(endA + 2)] - a[int(startA + 2)];
-            _vx = b[endB] - b[startB];
-            _vy = b[int(endB + 1)] - b[int(startB + 1)];
-            _vz = b[int(endB + 2)] - b[int(startB + 2)];
-            timeParameter = 0;
-            find();
-        }
-
-        override protected function find():void
-        {
-            var time:Number = timeParameter;
-            var x:Number = fromX + time * motionX;
-            var y:Number = fromY + time * motionY;
-            var z:Number = fromZ + time * motionZ;
-            var ux:Number = _ux;
-            var uy:Number = _uy;
-            var uz:Number = _uz;
-            var vx:Number = _vx;
-            var vy:Number = _vy;
-            var vz:Number = _vz;
-            include "segmentToSegment.inc";
-            share = s;
-            gapX = x + s * ux - t * vx;
-            gapY = y + s * uy - t * vy;
-            gapZ = z + s * uz - t * vz;
+            var capsule:Capsule = a as Capsule;
+            relate(capsule, b as Capsule, displacement);
+            measure();
+            var gap:CoreGap = _gap;
+            var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+            // If the gap is longer than this, it has a direction in spite of rounding.
+            var least:Number = Tolerances.DIRECTION * gap.size;
+            var depth:Number = gap.radiusA + gap.radiusB;
+            if (squared > least * least)
+            {
+                var length:Number = Math.sqrt(squared);
+                out.setNormal(gap.x / length, gap.y / length, gap.z / length);
+                depth -= length;
+            }
+            else
+            {
+                _overlap.findNormal(a, b, displacement, out);
+            }
+            out.depth = depth;
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            out.x = displacement.startX + start.x + gap.share * (end.x - start.x);
+            out.y = displacement.startY + start.y + gap.share * (end.y - start.y);
+            out.z = displacement.startZ + start.z + gap.share * (end.z - start.z);
+            placeContact(gap, out);
         }
 
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
         {
             // The order is always the same, so that rounding is the same for (a, b) and (b, a).
-            var capsuleA:Capsule = Capsule(a);
-            var capsuleB:Capsule = Capsule(b);
-            var startA:Vector3D = capsuleA.start;
-            var startB:Vector3D = capsuleB.start;
-            if (startA.x > startB.x || (startA.x == startB.x && isAfter(startA, startB)))
+            var capsule:Capsule = a as Capsule;
+            var other:Capsule = b as Capsule;
+            var start:Vector3D = capsule.start;
+            var isSwapped:Boolean = start.x > other.start.x || (start.x == other.start.x && isAfter(start, other.start));
+            if (isSwapped)
             {
-                super.findClosest(b, a, out);
+                capsule = other;
+                other = a as Capsule;
+                start = capsule.start;
+            }
+            relate(capsule, other, RelativeMotion.NONE);
+            var end:Vector3D = capsule.end;
+            out.aX = start.x + _gap.share * (end.x - start.x);
+            out.aY = start.y + _gap.share * (end.y - start.y);
+            out.aZ = start.z + _gap.share * (end.z - start.z);
+            moveToSurfaces(_gap, out);
+            if (isSwapped)
+            {
                 out.swapShapes();
             }
-            else
-            {
-                super.findClosest(a, b, out);
-            }
         }
 
-        override protected function measure():void
+        // Sets the way and the gap at time 0, and the radii.
+        private function relate(capsule:Capsule, other:Capsule, motion:RelativeMotion):void
         {
-            size = Math.sqrt(_ux * _ux + _uy * _uy + _uz * _uz) + Math.sqrt(_vx * _vx + _vy * _vy + _vz * _vz) + radiusSum;
+            var startA:Vector3D = capsule.start;
+            var startB:Vector3D = other.start;
+            var way:RelativeMotion = _way;
+            way.startX = startA.x - startB.x + motion.startX;
+            way.startY = startA.y - startB.y + motion.startY;
+            way.startZ = startA.z - startB.z + motion.startZ;
+            way.x = motion.x;
+            way.y = motion.y;
+            way.z = motion.z;
+            way.time = 0;
+            var axes:SegmentPair = _axes;
+            var end:Vector3D = capsule.end;
+            axes.ux = end.x - startA.x;
+            axes.uy = end.y - startA.y;
+            axes.uz = end.z - startA.z;
+            end = other.end;
+            axes.vx = end.x - startB.x;
+            axes.vy = end.y - startB.y;
+            axes.vz = end.z - startB.z;
+            _gap.radiusA = capsule.radius;
+            _gap.radiusB = other.radius;
+            findGap();
         }
 
-        // The normal is perpendicular to both segments, and points to the side of a's middle. If the segments are parallel, it points
-        // upwards as far as possible.
-        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        // Finds the gap at the way's time.
+        private function findGap():void
         {
-            OVERLAP_KERNEL.findNormal(a, b, displacement, out);
-            out.depth = radiusSum;
-            placeCapsule(a, displacement, out);
+            var way:RelativeMotion = _way;
+            var axes:SegmentPair = _axes;
+            var time:Number = way.time;
+            axes.x = way.startX + time * way.x;
+            axes.y = way.startY + time * way.y;
+            axes.z = way.startZ + time * way.z;
+            findSegmentGap(axes, _gap);
+        }
+
+        private function measure():void
+        {
+            var axes:SegmentPair = _axes;
+            _gap.size = Math.sqrt(axes.ux * axes.ux + axes.uy * axes.uy + axes.uz * axes.uz)
+                + Math.sqrt(axes.vx * axes.vx + axes.vy * axes.vy + axes.vz * axes.vz) + (_gap.radiusA + _gap.radiusB);
         }
     }
 }

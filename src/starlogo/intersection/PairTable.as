@@ -1,26 +1,43 @@
 package starlogo.intersection
 {
-    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.bounding.BoundingStructure;
 
     /**
-     * Finds the kernel of a pair of structures by their two kinds.
+     * Finds the kernel of a pair of structures by their two kinds: <code>OF[a.kind].against[b.kind]</code>. A further kind needs a line here
+     * for each of its pairs.
      *
      * @private
      */
     public final class PairTable
     {
-        /** The motion of a pair in the other order. */
-        public static const REVERSED:RelativeMotion = new RelativeMotion();
+        /** The kernels, by the first structure's kind. */
+        public static const OF:Vector.<KindKernels> = makeKernels();
 
-        /**
-         * The kernels, by three times the first structure's kind plus the second's. The first kind must not be higher than the second.
-         */
-        public static const KERNELS:Vector.<PairKernel> = new <PairKernel>[
-                new SphereSphereKernel(), new SphereCapsuleKernel(), new SphereBoxKernel(),
-                null, new CapsuleCapsuleKernel(), new CapsuleBoxKernel(),
-                null, null, new BoxBoxKernel()];
+        private static function makeKernels():Vector.<KindKernels>
+        {
+            var kernels:Vector.<KindKernels> = new Vector.<KindKernels>();
+            var missing:PairKernel = new PairKernel();
+            for (var a:int = 0; a <= BoundingStructure.OTHER; a++)
+            {
+                kernels[a] = new KindKernels();
+                for (var b:int = 0; b <= BoundingStructure.OTHER; b++)
+                {
+                    kernels[a].against[b] = missing;
+                }
+            }
+            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.SPHERE, new SphereSphereKernel());
+            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.CAPSULE, new SphereCapsuleKernel());
+            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.BOX, new SphereBoxKernel());
+            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE, new CapsuleCapsuleKernel());
+            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.BOX, new CapsuleBoxKernel());
+            addPair(kernels, BoundingStructure.BOX, BoundingStructure.BOX, new BoxBoxKernel());
+            return kernels;
+        }
 
-        /** The kernels that find distances. */
-        public static const DISTANCES:Vector.<PairKernel> = KERNELS.slice(0, 8).concat(new <PairKernel>[new BoxDistanceKernel()]);
+        private static function addPair(kernels:Vector.<KindKernels>, a:int, b:int, kernel:PairKernel):void
+        {
+            kernels[b].against[a] = new SwappedKernel(kernel);
+            kernels[a].against[b] = kernel;
+        }
     }
 }

@@ -7,70 +7,46 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.placeContact;
+    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.moveToSurfaces;
+    import starlogo.intersection.sweep.NewtonSteps;
     import starlogo.intersection.sweep.RelativeMotion;
 
-    /** The kernel of a sphere and a box. It works in the box's axes. CapsuleBoxKernel extends it for capsules. */
-    internal class SphereBoxKernel extends RoundPairKernel
+    /** The kernel of a sphere and a box. It works in the box's axes. */
+    internal final class SphereBoxKernel extends PairKernel
     {
-        /** The box's half-extents. */
-        protected var halfX:Number;
-        protected var halfY:Number;
-        protected var halfZ:Number;
+        // The motion of the sphere's centre as seen from the box's middle, in the box's axes.
+        private var _way:RelativeMotion = new RelativeMotion();
+        private var _gap:CoreGap = new CoreGap();
+        private var _steps:NewtonSteps = new NewtonSteps();
 
-        override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        /** @inheritDoc */
+        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            var sphere:Sphere = a as Sphere;
             var box:Box = b as Box;
-            var center:Vector3D = sphere.center;
-            var middle:Vector3D = box.center;
-            var x:Number = center.x - middle.x + motion.startX;
-            var y:Number = center.y - middle.y + motion.startY;
-            var z:Number = center.z - middle.z + motion.startZ;
-            var axis:Vector3D = box.axisX;
-            fromX = axis.x * x + axis.y * y + axis.z * z;
-            motionX = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
-            axis = box.axisY;
-            fromY = axis.x * x + axis.y * y + axis.z * z;
-            motionY = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
-            axis = box.axisZ;
-            fromZ = axis.x * x + axis.y * y + axis.z * z;
-            motionZ = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
-            halfX = box.halfX;
-            halfY = box.halfY;
-            halfZ = box.halfZ;
-            radiusSum = sphere.radius;
-        }
-
-        override protected function find():void
-        {
-            var time:Number = timeParameter;
-            var x:Number = fromX + time * motionX;
-            var y:Number = fromY + time * motionY;
-            var z:Number = fromZ + time * motionZ;
-            include "pointToBox.inc";
-            gapX = x;
-            gapY = y;
-            gapZ = z;
-        }
-
-        override protected function measure():void
-        {
-            size = halfX + halfY + halfZ + radiusSum;
+            relate(a as Sphere, box, motion);
+            findGap(box);
+            if (_steps.begin(motion, _way, _gap))
+            {
+                _gap.size = box.halfX + box.halfY + box.halfZ + _gap.radiusA;
+                do
+                {
+                    findGap(box);
+                }
+                while (_steps.next(_way, _gap));
+            }
+            motion.time = _way.time;
         }
 
         /**
-         * A sphere's contact is written out here, because relate() and find() take 1.5 times as long in Adobe's VM.
+         * A sphere's contact is written out here, because relate() and findGap() take 1.5 times as long in Adobe's VM.
          *
          * @inheritDoc
          */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             var sphere:Sphere = a as Sphere;
-            if (sphere == null)
-            {
-                super.findContact(a, b, displacement, out);
-                return;
-            }
             var box:Box = b as Box;
             var center:Vector3D = sphere.center;
             var middle:Vector3D = box.center;
@@ -86,15 +62,15 @@ package starlogo.intersection
             var x:Number = axisX.x * toX + axisX.y * toY + axisX.z * toZ;
             var y:Number = axisY.x * toX + axisY.y * toY + axisY.z * toZ;
             var z:Number = axisZ.x * toX + axisZ.y * toY + axisZ.z * toZ;
-            gapX = x;
-            gapY = y;
-            gapZ = z;
-            halfX = box.halfX;
-            halfY = box.halfY;
-            halfZ = box.halfZ;
+            var gap:CoreGap = _gap;
+            gap.x = x;
+            gap.y = y;
+            gap.z = z;
+            var halfX:Number = box.halfX;
+            var halfY:Number = box.halfY;
+            var halfZ:Number = box.halfZ;
             include "pointToBox.inc";
             var radius:Number = sphere.radius;
-            gap.radiusA = radius;
             var squared:Number = x * x + y * y + z * z;
             var least:Number = Tolerances.DIRECTION * (halfX + halfY + halfZ + radius);
             if (squared > least * least)
@@ -106,46 +82,85 @@ package starlogo.intersection
             }
             else
             {
-                pointThroughFace(box, out);
+                pointThroughFace(box, gap, out);
                 out.depth += radius;
             }
+            gap.radiusA = radius;
             placeContact(gap, out);
         }
 
-        override protected function rotateGap(b:BoundingStructure):void
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
         {
+            var sphere:Sphere = a as Sphere;
             var box:Box = b as Box;
-            var axisX:Vector3D = box.axisX;
-            var axisY:Vector3D = box.axisY;
-            var axisZ:Vector3D = box.axisZ;
-            var x:Number = gapX;
-            var y:Number = gapY;
-            var z:Number = gapZ;
-            gapX = x * axisX.x + y * axisY.x + z * axisZ.x;
-            gapY = x * axisX.y + y * axisY.y + z * axisZ.y;
-            gapZ = x * axisX.z + y * axisY.z + z * axisZ.z;
+            relate(sphere, box, RelativeMotion.NONE);
+            findGap(box);
+            rotateFromBox(box, _gap);
+            var center:Vector3D = sphere.center;
+            out.aX = center.x;
+            out.aY = center.y;
+            out.aZ = center.z;
+            moveToSurfaces(_gap, out);
         }
 
-        // Points a contact's normal from the gap's place out through the nearest face. The depth is the distance to that face.
-        private function pointThroughFace(box:Box, out:ContactPoint):void
+        // Sets the way at time 0, and the radius.
+        private function relate(sphere:Sphere, box:Box, motion:RelativeMotion):void
         {
-            var x:Number = gapX;
-            var y:Number = gapY;
-            var z:Number = gapZ;
+            var way:RelativeMotion = _way;
+            var center:Vector3D = sphere.center;
+            var middle:Vector3D = box.center;
+            var x:Number = center.x - middle.x + motion.startX;
+            var y:Number = center.y - middle.y + motion.startY;
+            var z:Number = center.z - middle.z + motion.startZ;
             var axis:Vector3D = box.axisX;
-            var along:Number = x;
-            var depth:Number = halfX - Math.abs(x);
-            if (halfY - Math.abs(y) < depth)
+            way.startX = axis.x * x + axis.y * y + axis.z * z;
+            way.x = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            axis = box.axisY;
+            way.startY = axis.x * x + axis.y * y + axis.z * z;
+            way.y = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            axis = box.axisZ;
+            way.startZ = axis.x * x + axis.y * y + axis.z * z;
+            way.z = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            way.time = 0;
+            _gap.radiusA = sphere.radius;
+        }
+
+        // Finds the gap at the way's time, in the box's axes.
+        private function findGap(box:Box):void
+        {
+            var way:RelativeMotion = _way;
+            var time:Number = way.time;
+            var x:Number = way.startX + time * way.x;
+            var y:Number = way.startY + time * way.y;
+            var z:Number = way.startZ + time * way.z;
+            var halfX:Number = box.halfX;
+            var halfY:Number = box.halfY;
+            var halfZ:Number = box.halfZ;
+            include "pointToBox.inc";
+            var gap:CoreGap = _gap;
+            gap.x = x;
+            gap.y = y;
+            gap.z = z;
+        }
+
+        // Points a contact's normal from a place inside of the box out through the nearest face. The depth is the distance to that face.
+        private static function pointThroughFace(box:Box, place:CoreGap, out:ContactPoint):void
+        {
+            var axis:Vector3D = box.axisX;
+            var along:Number = place.x;
+            var depth:Number = box.halfX - Math.abs(along);
+            if (box.halfY - Math.abs(place.y) < depth)
             {
                 axis = box.axisY;
-                along = y;
-                depth = halfY - Math.abs(y);
+                along = place.y;
+                depth = box.halfY - Math.abs(along);
             }
-            if (halfZ - Math.abs(z) < depth)
+            if (box.halfZ - Math.abs(place.z) < depth)
             {
                 axis = box.axisZ;
-                along = z;
-                depth = halfZ - Math.abs(z);
+                along = place.z;
+                depth = box.halfZ - Math.abs(along);
             }
             var side:Number = along < 0 ? -1 : 1;
             out.setNormal(side * axis.x, side * axis.y, side * axis.z);

@@ -1,6 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.distance.CoreGap;
     import starlogo.intersection.distance.DistanceResult;
 
     /**
@@ -27,7 +28,8 @@ package starlogo.intersection
         /** The closest points of that pair. The distance in it is not set. */
         public var points:DistanceResult = new DistanceResult();
 
-        private var _edges:CapsuleCapsuleKernel = new CapsuleCapsuleKernel();
+        private var _edges:SegmentPair = new SegmentPair();
+        private var _gap:CoreGap = new CoreGap();
 
         // For each corner of one triangle, its place over the other triangle: the share of the longest edge, the share of the height, and
         // the vector from that place to the corner.
@@ -89,15 +91,16 @@ package starlogo.intersection
                 var endB:int = atB + 6;
                 for (var k:int = atB; k <= atB + 6; k += 3)
                 {
-                    _edges.findEdges(a, endA, i, b, endB, k);
-                    var x:Number = _edges.gapX;
-                    var y:Number = _edges.gapY;
-                    var z:Number = _edges.gapZ;
+                    setEdges(a, endA, i, b, endB, k);
+                    findSegmentGap(_edges, _gap);
+                    var x:Number = _gap.x;
+                    var y:Number = _gap.y;
+                    var z:Number = _gap.z;
                     var length:Number = x * x + y * y + z * z;
                     if (length < squared)
                     {
                         squared = length;
-                        var share:Number = _edges.share;
+                        var share:Number = _gap.share;
                         points.aX = a[endA] + share * (a[i] - a[endA]);
                         points.aY = a[int(endA + 1)] + share * (a[int(i + 1)] - a[int(endA + 1)]);
                         points.aZ = a[int(endA + 2)] + share * (a[int(i + 2)] - a[int(endA + 2)]);
@@ -109,6 +112,20 @@ package starlogo.intersection
                 }
                 endA = i;
             }
+        }
+
+        private function setEdges(a:Vector.<Number>, startA:int, endA:int, b:Vector.<Number>, startB:int, endB:int):void
+        {
+            var edges:SegmentPair = _edges;
+            edges.x = a[startA] - b[startB];
+            edges.y = a[int(startA + 1)] - b[int(startB + 1)];
+            edges.z = a[int(startA + 2)] - b[int(startB + 2)];
+            edges.ux = a[endA] - a[startA];
+            edges.uy = a[int(endA + 1)] - a[int(startA + 1)];
+            edges.uz = a[int(endA + 2)] - a[int(startA + 2)];
+            edges.vx = b[endB] - b[startB];
+            edges.vy = b[int(endB + 1)] - b[int(startB + 1)];
+            edges.vz = b[int(endB + 2)] - b[int(startB + 2)];
         }
 
         // Adds the corners of q over the face of p, and the edges of q that pass through the face.

@@ -19,28 +19,40 @@ package starlogo.intersection
      */
     public function intersects(a:BoundingStructure, b:BoundingStructure):Boolean
     {
-        switch (3 * a.kind + b.kind)
+        if (a.kind > b.kind)
         {
-            case 0:
-                return sphereSphere(a as Sphere, b as Sphere);
-            case 1:
-                return sphereCapsule(a as Sphere, b as Capsule);
-            case 2:
-                return sphereBox(a as Sphere, b as Box);
-            case 3:
-                return sphereCapsule(b as Sphere, a as Capsule);
-            case 4:
-                return capsuleCapsule(a as Capsule, b as Capsule);
-            case 5:
-                return capsuleBox(a as Capsule, b as Box);
-            case 6:
-                return sphereBox(b as Sphere, a as Box);
-            case 7:
-                return capsuleBox(b as Capsule, a as Box);
-            case 8:
-                return boxBox(a as Box, b as Box);
-            default:
-                throw new ArgumentError("there is no intersection test for " + a + " and " + b);
+            var first:BoundingStructure = b;
+            b = a;
+            a = first;
         }
+        switch (a.kind)
+        {
+            case BoundingStructure.SPHERE:
+                switch (b.kind)
+                {
+                    case BoundingStructure.SPHERE:
+                        return sphereSphere(a as Sphere, b as Sphere);
+                    case BoundingStructure.CAPSULE:
+                        return sphereCapsule(a as Sphere, b as Capsule);
+                    case BoundingStructure.BOX:
+                        return sphereBox(a as Sphere, b as Box);
+                }
+                break;
+            case BoundingStructure.CAPSULE:
+                switch (b.kind)
+                {
+                    case BoundingStructure.CAPSULE:
+                        return capsuleCapsule(a as Capsule, b as Capsule);
+                    case BoundingStructure.BOX:
+                        return capsuleBox(a as Capsule, b as Box);
+                }
+                break;
+            case BoundingStructure.BOX:
+                if (b.kind == BoundingStructure.BOX)
+                {
+                    return boxBox(a as Box, b as Box);
+                }
+        }
+        return PairTable.OF[a.kind].against[b.kind].areTouching(a, b);
     }
 }

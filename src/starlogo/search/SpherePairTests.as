@@ -10,7 +10,9 @@ package starlogo.search
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.SphereSphereKernel;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.CoreGap;
     import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.findSphereEntry;
 
     use namespace engine;
 
@@ -27,8 +29,9 @@ package starlogo.search
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
 
-        // Has the way from the second middle to the first, and the largest distance of the two at which the spheres touch.
-        private var _points:SphereSphereKernel = new SphereSphereKernel();
+        // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch.
+        private var _gap:CoreGap = new CoreGap();
+        private var _kernel:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
         /**
@@ -100,15 +103,15 @@ package starlogo.search
             readSphere(a, _sphereA);
             readSphere(b, _sphereB);
             _displacement.stopAt(motion);
-            _points.findContact(_sphereA, _sphereB, _displacement, out);
+            _kernel.findContact(_sphereA, _sphereB, _displacement, out);
         }
 
         private function setTo(a:Body, b:Body):void
         {
-            _points.x = a.x - b.x;
-            _points.y = a.y - b.y;
-            _points.z = a.z - b.z;
-            _points.reach = (a.halfX + b.halfX) * Tolerances.TOUCHING + (a.margin + b.margin);
+            _gap.x = a.x - b.x;
+            _gap.y = a.y - b.y;
+            _gap.z = a.z - b.z;
+            _gap.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (a.margin + b.margin);
         }
 
         private function setToRows(table:AgentTable, a:int, b:int):void
@@ -117,27 +120,27 @@ package starlogo.search
             var places:RowPlaces = table.now;
             var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
             var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
-            _points.x = extents.x[a] - extents.x[b];
-            _points.y = extents.y[a] - extents.y[b];
-            _points.z = extents.z[a] - extents.z[b];
-            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
+            _gap.x = extents.x[a] - extents.x[b];
+            _gap.y = extents.y[a] - extents.y[b];
+            _gap.z = extents.z[a] - extents.z[b];
+            _gap.radiusA = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
         private function areOverlapping():Boolean
         {
-            return _points.x * _points.x + _points.y * _points.y + _points.z * _points.z <= _points.reach * _points.reach;
+            return _gap.x * _gap.x + _gap.y * _gap.y + _gap.z * _gap.z <= _gap.radiusA * _gap.radiusA;
         }
 
         private function sweep(motion:RelativeMotion):void
         {
             var areTouchingAtEnd:Boolean = areOverlapping();
             tests++;
-            _points.x += motion.startX;
-            _points.y += motion.startY;
-            _points.z += motion.startZ;
+            _gap.x += motion.startX;
+            _gap.y += motion.startY;
+            _gap.z += motion.startZ;
             // the motion's own rounding errors are added too
-            _points.reach += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _points.findEntry(motion);
+            _gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            findSphereEntry(_gap, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)
             {

@@ -24,18 +24,11 @@ package starlogo.intersection.contact
      * @param b a Sphere, Capsule or Box, in the same space
      * @param displacement moves the first structure from its stored place to the start of this motion. Its other fields must be 0
      * @param out receives the contact
+     * @throws ArgumentError if there is no such test for the pair
      * @private
      */
     public function findPairContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
     {
-        if (a.kind > b.kind)
-        {
-            // The kernel takes the pair in the other order, so the contact is swapped back.
-            PairTable.REVERSED.setReversed(displacement);
-            PairTable.KERNELS[3 * b.kind + a.kind].findContact(b, a, PairTable.REVERSED, out);
-            out.swapBodies(displacement);
-            return;
-        }
-        PairTable.KERNELS[3 * a.kind + b.kind].findContact(a, b, displacement, out);
+        PairTable.OF[a.kind].against[b.kind].findContact(a, b, displacement, out);
     }
 }

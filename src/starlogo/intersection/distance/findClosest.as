@@ -13,18 +13,11 @@ package starlogo.intersection.distance
      * @param a a Sphere, Capsule or Box; a radius, length or half-extent may be 0
      * @param b a Sphere, Capsule or Box, in the same space
      * @param out receives the distance and the points
+     * @throws ArgumentError if there is no such test for the pair
      * @private
      */
     public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
     {
-        if (a.kind > b.kind)
-        {
-            PairTable.DISTANCES[3 * b.kind + a.kind].findClosest(b, a, out);
-            out.swapShapes();
-        }
-        else
-        {
-            PairTable.DISTANCES[3 * a.kind + b.kind].findClosest(a, b, out);
-        }
+        PairTable.OF[a.kind].against[b.kind].findClosest(a, b, out);
     }
 }

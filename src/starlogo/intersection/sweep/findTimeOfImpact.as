@@ -16,18 +16,11 @@ package starlogo.intersection.sweep
      * @param b a Sphere, Capsule or Box, in the same space
      * @param motion the motion of a; receives the time: 0 if they touch at the beginning, at most 1, or RelativeMotion.NEVER if they do not
      *     touch
+     * @throws ArgumentError if there is no such test for the pair
      * @private
      */
     public function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
     {
-        if (a.kind > b.kind)
-        {
-            var reversed:RelativeMotion = PairTable.REVERSED;
-            reversed.setReversed(motion);
-            PairTable.KERNELS[3 * b.kind + a.kind].findTime(b, a, reversed);
-            motion.time = reversed.time;
-            return;
-        }
-        PairTable.KERNELS[3 * a.kind + b.kind].findTime(a, b, motion);
+        PairTable.OF[a.kind].against[b.kind].findTime(a, b, motion);
     }
 }

@@ -1,24 +1,27 @@
 package starlogo.intersection
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.intersection.distance.DistanceResult;
 
-    /** Finds the distance of two boxes. Only questions ask for it. */
-    internal final class BoxDistanceKernel extends PairKernel
+    /** Finds the distance of two boxes. */
+    internal final class BoxDistance
     {
         private var _edgesA:BoxEdgeDistance = new BoxEdgeDistance();
         private var _edgesB:BoxEdgeDistance = new BoxEdgeDistance();
 
-        /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        /**
+         * Finds the distance and the closest points.
+         *
+         * @param boxA half-extents may be 0
+         * @param boxB in the same space
+         * @param out receives the distance and the points
+         */
+        public function findClosest(boxA:Box, boxB:Box, out:DistanceResult):void
         {
-            var boxA:Box = a as Box;
-            var boxB:Box = b as Box;
             // The order is always the same, so that rounding is the same for (a, b) and (b, a).
             if (boxA.center.x > boxB.center.x || (boxA.center.x == boxB.center.x && isAfter(boxA.center, boxB.center)))
             {
-                findClosest(b, a, out);
+                findClosest(boxB, boxA, out);
                 out.swapShapes();
                 return;
             }

@@ -1,0 +1,51 @@
+package starlogo.intersection.sweep
+{
+    import starlogo.intersection.distance.CoreGap;
+
+    /**
+     * Finds when two spheres first touch, in closed form: the path of one centre enters a sphere around the other centre. The radius of that
+     * sphere is the sum of both radii.
+     *
+     * @param gap the vector from the other centre to the moving one at time 0, and the radii
+     * @param motion the motion of the one centre; its start is not used. Receives the time, from 0 to 1, or RelativeMotion.NEVER
+     * @private
+     */
+    public function findSphereEntry(gap:CoreGap, motion:RelativeMotion):void
+    {
+        var x:Number = gap.x;
+        var y:Number = gap.y;
+        var z:Number = gap.z;
+        var squared:Number = gap.radiusA + gap.radiusB;
+        squared *= squared;
+        if (x * x + y * y + z * z <= squared)
+        {
+            motion.time = 0;
+            return;
+        }
+        motion.time = RelativeMotion.NEVER;
+        var motionX:Number = motion.x;
+        var motionY:Number = motion.y;
+        var motionZ:Number = motion.z;
+        var closing:Number = -(x * motionX + y * motionY + z * motionZ);
+        if (!(closing > 0))
+        {
+            return;
+        }
+        // The line enters half a chord before its point that is nearest to the other centre.
+        var motionSquared:Number = motionX * motionX + motionY * motionY + motionZ * motionZ;
+        var nearest:Number = closing / motionSquared;
+        x += nearest * motionX;
+        y += nearest * motionY;
+        z += nearest * motionZ;
+        var half:Number = squared - (x * x + y * y + z * z);
+        if (half < 0)
+        {
+            return;
+        }
+        var time:Number = nearest - Math.sqrt(half / motionSquared);
+        if (time <= 1)
+        {
+            motion.time = time > 0 ? time : 0;
+        }
+    }
+}

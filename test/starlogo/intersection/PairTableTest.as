@@ -1,0 +1,126 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.fail;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.findPairContact;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.distance.findClosest;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.findTimeOfImpact;
+
+    /** A pair that has no test says so, and leaves the results as they were. */
+    public class PairTableTest
+    {
+        private static const OLD:Number = 0.25;
+
+        private var _collided:Vector.<BoundingStructure> = new <BoundingStructure>[
+                new Sphere(new Vector3D(), 1),
+                new Capsule(new Vector3D(), new Vector3D(1, 0, 0), 1),
+                new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), 1, 1, 1)];
+
+        private var _others:Vector.<BoundingStructure> = new <BoundingStructure>[
+                new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1),
+                new BoundingStructure(BoundingStructure.OTHER)];
+
+        private var _motion:RelativeMotion = new RelativeMotion(OLD);
+        private var _contact:ContactPoint = new ContactPoint();
+        private var _closest:DistanceResult = new DistanceResult();
+
+        [Before]
+        public function moveTowardsEachOther():void
+        {
+            _motion.x = 1;
+            _contact.depth = _closest.distance = OLD;
+        }
+
+        [Test]
+        public function tests():void
+        {
+            eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
+                {
+                    intersects(a, b);
+                });
+        }
+
+        [Test]
+        public function timesOfImpact():void
+        {
+            eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
+                {
+                    findTimeOfImpact(a, b, _motion);
+                });
+            assertEquals(OLD, _motion.time);
+        }
+
+        [Test]
+        public function contacts():void
+        {
+            eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
+                {
+                    findPairContact(a, b, RelativeMotion.NONE, _contact);
+                });
+            assertEquals(OLD, _contact.depth);
+        }
+
+        [Test]
+        public function distances():void
+        {
+            eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
+                {
+                    findClosest(a, b, _closest);
+                });
+            assertEquals(OLD, _closest.distance);
+        }
+
+        [Test]
+        public function everyPairOfCollidedKindsHasAll():void
+        {
+            for each (var a:BoundingStructure in _collided)
+            {
+                for each (var b:BoundingStructure in _collided)
+                {
+                    _motion.time = _contact.depth = _closest.distance = OLD;
+                    findTimeOfImpact(a, b, _motion);
+                    findPairContact(a, b, RelativeMotion.NONE, _contact);
+                    findClosest(a, b, _closest);
+                    assertEquals(a + " and " + b + " touch at once", 0, _motion.time);
+                    assertEquals(a + " and " + b + " have no distance", 0, _closest.distance);
+                    assertEquals(a + " and " + b + " overlap", true, _contact.depth > OLD);
+                }
+            }
+        }
+
+        private function eachMissing(ask:Function):void
+        {
+            for each (var other:BoundingStructure in _others)
+            {
+                for each (var structure:BoundingStructure in _collided.concat(_others))
+                {
+                    refuse(ask, other, structure);
+                    refuse(ask, structure, other);
+                }
+            }
+        }
+
+        private static function refuse(ask:Function, a:BoundingStructure, b:BoundingStructure):void
+        {
+            try
+            {
+                ask(a, b);
+            }
+            catch (error:ArgumentError)
+            {
+                assertEquals(error.message, true, error.message.indexOf(String(a)) >= 0 && error.message.indexOf(String(b)) >= 0);
+                return;
+            }
+            fail("no error for " + a + " and " + b);
+        }
+    }
+}

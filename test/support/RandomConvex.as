@@ -7,7 +7,6 @@ package support
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ConvexShape;
-    import starlogo.geometry.ConvexHull;
 
     /** Draws convex shapes of all kinds, in families of difficulty. */
     public final class RandomConvex
@@ -62,7 +61,7 @@ package support
                     shape.setTriangle(corners, 0);
                     break;
                 default:
-                    setHull(shape, at, axes, extents, family);
+                    drawHull(shape, at, axes, extents, family);
             }
             return shape;
         }
@@ -130,7 +129,7 @@ package support
             return direction.x * (point.x - shape.x) + direction.y * (point.y - shape.y) + direction.z * (point.z - shape.z) - most - shape.radius;
         }
 
-        private function setHull(shape:ConvexShape, at:Vector3D, axes:Vector.<Vector3D>, extents:Array, family:int):void
+        private function drawHull(shape:ConvexShape, at:Vector3D, axes:Vector.<Vector3D>, extents:Array, family:int):void
         {
             var points:Vector.<Number> = new Vector.<Number>();
             for (var i:int = _random.integer(5, 20); i > 0; i--)
@@ -138,60 +137,7 @@ package support
                 var corner:Vector3D = along(new Vector3D(), axes, [part(family) * extents[0], part(family) * extents[1], part(family) * extents[2]]);
                 points.push(corner.x, corner.y, corner.z);
             }
-            var hull:ConvexHull = new ConvexHull(points);
-            if (hull.triangles.length > 0)
-            {
-                shape.setHull(at, hull.points, facesOf(hull), edgesOf(hull));
-                return;
-            }
-            // of what has no volume, any points are faces and edges
-            points.length = 15;
-            shape.setHull(at, points, new <int>[0, 3, 6, 3, 6, 9, 6, 9, 12, 9, 12, 0, 12, 0, 3], allEdges(points.length));
-        }
-
-        private static function allEdges(end:int):Vector.<int>
-        {
-            var edges:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < end; i += 3)
-            {
-                for (var k:int = 0; k < i; k += 3)
-                {
-                    edges.push(i, k, i, i);
-                }
-            }
-            return edges;
-        }
-
-        private static function facesOf(hull:ConvexHull):Vector.<int>
-        {
-            var faces:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < hull.triangles.length; i++)
-            {
-                faces.push(3 * hull.triangles[i]);
-            }
-            return faces;
-        }
-
-        private static function edgesOf(hull:ConvexHull):Vector.<int>
-        {
-            var edges:Vector.<int> = new Vector.<int>();
-            var opposite:Object = {};
-            for (var i:int = 0; i < hull.triangles.length; i++)
-            {
-                var first:int = i - i % 3;
-                var p:int = hull.triangles[i];
-                var q:int = hull.triangles[first + (i + 1) % 3];
-                var apex:int = hull.triangles[first + (i + 2) % 3];
-                if ((q + " " + p) in opposite)
-                {
-                    edges.push(3 * p, 3 * q, 3 * apex, 3 * opposite[q + " " + p]);
-                }
-                else
-                {
-                    opposite[p + " " + q] = apex;
-                }
-            }
-            return edges;
+            setHull(shape, at, points);
         }
 
         private function extent(family:int):Number

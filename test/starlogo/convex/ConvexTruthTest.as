@@ -1,0 +1,150 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import support.Complaints;
+    import support.ConvexVectors;
+    import support.Effort;
+    import support.RandomConvex;
+
+    /**
+     * Convex shapes of all kinds and ten families against exact arithmetic, in either order. test/oracle/convex makes the pairs, and tries any number of
+     * others in Node. Printed: the largest errors.
+     */
+    public class ConvexTruthTest
+    {
+        public static const FIXTURES:Array = ConvexVectors.FIXTURES;
+
+        // of the sizes
+        private static const DISTANCE:Number = 1e-12;
+
+        // of the coordinates
+        private static const PLACES:Number = 1e-15;
+
+        // the gap across which shapes touch: of the sizes, and of the coordinates
+        private static const TOUCHING:Number = 5e-14;
+        private static const TOUCHING_PLACES:Number = 1.2e-15;
+
+        // of the larger extent
+        private static const CONTACT:Number = 1e-9;
+
+        private var _pair:ConvexPair = new ConvexPair();
+        private var _wrong:Complaints = new Complaints();
+
+        // of the pair at hand
+        private var _size:Number;
+        private var _extent:Number;
+        private var _places:Number;
+
+        [Test]
+        public function answersAreThoseOfExactArithmetic():void
+        {
+            var pairs:ConvexVectors = new ConvexVectors();
+            var touching:int = 0;
+            var hits:int = 0;
+            var count:int = 0;
+            var worst:Object = {distance: 0, contact: 0};
+            var every:int = Effort.choose(1, 1, 10);
+            while (pairs.next())
+            {
+                if (pairs.index % every != 0)
+                {
+                    continue;
+                }
+                measure(pairs);
+                checkVerdict(pairs);
+                worst.distance = Math.max(worst.distance, checkDistance(pairs));
+                if (pairs.distance <= 0)
+                {
+                    worst.contact = Math.max(worst.contact, checkContact(pairs));
+                    touching++;
+                }
+                checkTime(pairs);
+                hits += pairs.earliest <= 1 ? 1 : 0;
+                count++;
+            }
+            trace("  " + count + " pairs, " + touching + " touch, " + hits + " on a way; largest errors, as a part of what is allowed: distance "
+                    + worst.distance + ", contact " + worst.contact);
+            _wrong.assertNone();
+            assertEquals("families", 10, pairs.families.length);
+            for each (var family:Object in pairs.families)
+            {
+                assertTrue(family.name, family.touching > 0.2 * family.pairs && family.motionsThatTouch > 0.2 * family.pairs && family.motionsThatTouch < 0.9 * family.pairs);
+            }
+            assertTrue(touching + " touch of " + count, touching < 0.8 * count);
+        }
+
+        private function measure(pairs:ConvexVectors):void
+        {
+            _size = _extent = _places = 0;
+            measureShape(pairs.a);
+            measureShape(pairs.b);
+        }
+
+        private function measureShape(shape:ConvexShape):void
+        {
+            var squared:Number = 0;
+            var axes:Array = [Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS];
+            for each (var axis:Vector3D in axes)
+            {
+                var back:Vector3D = axis.clone();
+                back.negate();
+                var high:Number = RandomConvex.support(shape, axis);
+                var low:Number = -RandomConvex.support(shape, back);
+                squared += (high - low) * (high - low) / 4;
+                _extent = Math.max(_extent, (high - low) / 2);
+                _places += Math.abs(high + low) / 2;
+            }
+            _size += Math.sqrt(squared);
+        }
+
+        private function checkVerdict(pairs:ConvexVectors):void
+        {
+            var areTouching:Boolean = _pair.areTouching(pairs.a, pairs.b);
+            _wrong.addIf(areTouching != _pair.areTouching(pairs.b, pairs.a), "swapped verdict", pairs.what);
+            _wrong.addIf(pairs.distance <= 0 && !areTouching, "missed", pairs.what + ": " + pairs.distance);
+            _wrong.addIf(pairs.distance > TOUCHING * _size + TOUCHING_PLACES * _places && areTouching, "false hit", pairs.what + ": " + pairs.distance);
+        }
+
+        private function checkDistance(pairs:ConvexVectors):Number
+        {
+            var points:ClosestPoints = new ClosestPoints();
+            var swapped:ClosestPoints = new ClosestPoints();
+            _pair.findClosest(pairs.a, pairs.b, points);
+            _pair.findClosest(pairs.b, pairs.a, swapped);
+            _wrong.addIf(points.distance != swapped.distance, "swapped distance", pairs.what);
+            var off:Number = Math.abs(points.distance - Math.max(0, pairs.distance));
+            var allowed:Number = DISTANCE * _size + PLACES * _places;
+            _wrong.addIf(!(off <= allowed), "distance", pairs.what + ": " + points.distance + ", not " + pairs.distance);
+            return off > 0 ? off / allowed : 0;
+        }
+
+        // The depth is right, and moving by it along the normal separates the two.
+        private function checkContact(pairs:ConvexVectors):Number
+        {
+            var contact:ConvexContact = new ConvexContact();
+            var points:ClosestPoints = new ClosestPoints();
+            _pair.findContact(pairs.a, pairs.b, new ConvexMotion(), contact);
+            var off:Number = Math.abs(contact.depth + pairs.distance);
+            var allowed:Number = CONTACT * _extent + PLACES * _places;
+            var text:String = pairs.what + ": " + contact.depth + ", not " + -pairs.distance;
+            _wrong.addIf(!(off <= allowed), "depth", text);
+            var by:Number = contact.depth + 2 * allowed;
+            if (allowed > 0)
+            {
+                _pair.findClosest(RandomConvex.moved(pairs.a, by * contact.normalX, by * contact.normalY, by * contact.normalZ), pairs.b, points);
+                _wrong.addIf(!(points.distance > 0), "still touching", text);
+            }
+            return off > 0 ? off / allowed : 0;
+        }
+
+        private function checkTime(pairs:ConvexVectors):void
+        {
+            var motion:ConvexMotion = pairs.motion;
+            _pair.findTime(pairs.a, pairs.b, motion);
+            var isRight:Boolean = pairs.earliest > 1 ? motion.time == ConvexMotion.NEVER : motion.time >= pairs.earliest && motion.time <= pairs.latest;
+            _wrong.addIf(!isRight, "time", pairs.what + ": " + motion.time + ", not between " + pairs.earliest + " and " + pairs.latest);
+        }
+    }
+}

@@ -46,9 +46,11 @@ package starlogo.ground
             _faces.way.x = ray.directionX;
             _faces.way.y = ray.directionY;
             _faces.way.z = ray.directionZ;
-            _faces.limit = Math.min(ray.to, FARTHEST);
+            _faces.limit = FARTHEST;
             _faces.grid = grid;
             _faces.begin();
+            // only now, so that the distance does not depend on where the ray ends
+            _faces.limit = Math.min(ray.to, FARTHEST);
             var isHit:Boolean = false;
             _triangles.begin(ray, _faces.corners, grid.cellWidth);
             while (_faces.next())

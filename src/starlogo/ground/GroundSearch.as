@@ -27,6 +27,10 @@ package starlogo.ground
         private var _depth:int;
         private var _isExact:Boolean;
 
+        // The triangles' corners if they decide. Their first reader prepares them, which changes the nodes below the thesis's leaves. So they are
+        // read before a search begins.
+        private var _corners:Vector.<Number> = null;
+
         // Where the model stands at the current time, relative to the origin of _faces, which is its place.
         protected var _placed:Placement = new Placement();
 
@@ -105,6 +109,7 @@ package starlogo.ground
             }
             else
             {
+                _corners = _isExact ? tree.corners : null;
                 addNode(tree.root);
             }
         }
@@ -121,7 +126,7 @@ package starlogo.ground
                 }
                 if (_triangle < _end)
                 {
-                    _piece.beginTriangle(_tree.corners, 9 * _triangle, _placed, _faces.way);
+                    _piece.beginTriangle(_corners, 9 * _triangle, _placed, _faces.way);
                     _triangle++;
                     beginFaces(_box, _piece.point);
                 }

@@ -49,7 +49,10 @@ package starlogo.ground
         /** How far from the standing box a triangle still counts. It may be reduced during a walk, as the limit may. */
         public var reach:Number = 0;
 
-        /** How much of the motion is searched, as a multiple of its vector. It may be reduced during a walk. */
+        /**
+         * How much of the motion is searched, as a multiple of its vector. It may be reduced during a walk. The triangles that are still found do
+         * not depend on that.
+         */
         public var limit:Number = 0;
 
         /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. */
@@ -92,6 +95,14 @@ package starlogo.ground
         private var _low:Number = 0;
         private var _high:Number = 0;
 
+        // The limit at the beginning of the walk.
+        private var _whole:Number = 0;
+
+        // The results of passOver(): the heights between which the box is over the current square. For a cell with walls these are the heights up
+        // to _whole. Tall walls are cut there, so no corner depends on what the limit has become.
+        private var _passLow:Number = 0;
+        private var _passHigh:Number = 0;
+
         // The gap between the structure and the current square, and the gap that rounding errors may hide.
         private var _gap:GapToBox = new GapToBox();
         private var _slack:Number = 0;
@@ -116,7 +127,7 @@ package starlogo.ground
             _corner.setTo(grid.x - origin.x - border, grid.y - origin.y - border, -origin.z);
             stop();
             _from = 0;
-            _to = limit;
+            _to = _whole = limit;
             var wayX:Number = limit * Math.abs(way.x);
             var wayY:Number = limit * Math.abs(way.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_corner.x) + Math.abs(middle.y) + Math.abs(_corner.y) + Math.abs(middle.z)
@@ -235,6 +246,11 @@ package starlogo.ground
             var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));
             if (_low <= greatest && (hasWalls || _high >= least))
             {
+                if (hasWalls)
+                {
+                    _to = _whole;
+                    passOver();
+                }
                 _face = 0;
                 _faceCount = hasWalls ? 10 : 2;
             }
@@ -243,8 +259,17 @@ package starlogo.ground
         // Whether the box passes over the current square, within the limit. Also finds the heights between which the box is there.
         private function isOver():Boolean
         {
-            _from = 0;
             _to = limit;
+            passOver();
+            _low = _passLow;
+            _high = _passHigh;
+            return _from <= _to;
+        }
+
+        // Narrows the way up to _to to the part on which the box is over the current square, and finds the heights between which it is there.
+        private function passOver():void
+        {
+            _from = 0;
             _squared = reach * reach;
             cut(middle.x, half.x, way.x, _corner.x, _column);
             cut(middle.y, half.y, way.y, _corner.y, _row);
@@ -253,9 +278,8 @@ package starlogo.ground
             // a triangle beside the box must be nearer in height to be within reach
             var up:Number = Math.sqrt(Math.max(0, _squared));
             var bottom:Number = Math.min(start, end) - half.z;
-            _low = Math.max(bottom - up, bottom + above + 2 * _slack);
-            _high = Math.max(start, end) + half.z + up;
-            return _from <= _to;
+            _passLow = Math.max(bottom - up, bottom + above + 2 * _slack);
+            _passHigh = Math.max(start, end) + half.z + up;
         }
 
         // Whether the structure on its way stays farther away from the current square than a triangle may be. The square is between two heights.
@@ -312,10 +336,10 @@ package starlogo.ground
             {
                 return false;
             }
-            low = floor > -Infinity ? low : Math.min(_low, Math.min(top, endTop)) - _width;
-            if (Math.min(top, endTop) > _high + _width)
+            low = floor > -Infinity ? low : Math.min(_passLow, Math.min(top, endTop)) - _width;
+            if (Math.min(top, endTop) > _passHigh + _width)
             {
-                top = endTop = _high + _width;
+                top = endTop = _passHigh + _width;
             }
             put(0, side);
             put(3, end);

@@ -74,9 +74,21 @@ package starlogo.hierarchy
         /** @private The number of vertices of some items. Each vertex is counted once. */
         engine function countVertices(first:int, end:int):int
         {
+            return countUpTo(first, end, int.MAX_VALUE);
+        }
+
+        /** @private Whether some items have more vertices than a number. It looks only at as many items as that takes. */
+        engine function hasMoreVertices(first:int, end:int, number:int):Boolean
+        {
+            return countUpTo(first, end, number) > number;
+        }
+
+        // Counts the vertices of items, until there are more than a number.
+        private function countUpTo(first:int, end:int, most:int):int
+        {
             var isCounted:Object = {};
             var count:int = hasTriangles ? 0 : end - first;
-            for (var i:int = first; hasTriangles && i < end; i++)
+            for (var i:int = first; hasTriangles && i < end && count <= most; i++)
             {
                 var corner:int = 3 * order[i];
                 for (var last:int = corner + 3; corner < last; corner++)

@@ -15,7 +15,8 @@ package starlogo.hierarchy
      * <p>An item goes to the side of the split on which the centre of its extents is. The thesis splits halfway along the box's longest
      * axis, or at the mean. If that leaves all triangles on one side, the split is halfway along the axis on which their centres are spread
      * most. A node is a leaf if all its items have the same centre. Below the thesis's leaves such a node is divided by the number of its
-     * items.</p>
+     * items. So is every node there from level Tolerances.NESTED_LEVELS on. Models of many parallel needles would make trees as deep as the
+     * number of their triangles otherwise.</p>
      *
      * <p>The thesis defines minVerticesToSplit in two ways: in §4.4 as the number of vertices up to which a node is not split, in §4.8 as
      * the smallest number that is split. A node with exactly that many vertices is a leaf here, as in §4.4, because §4.4 describes the
@@ -43,6 +44,10 @@ package starlogo.hierarchy
         private var _waiting:Vector.<HierarchyNode>;
         private var _isDividing:Boolean = false;
         private var _isBySpread:Boolean;
+
+        // The extents of the two halves of a node that is divided by the number of its items.
+        private var _lowExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _highExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
          * @param hierarchy receives the nodes, and the order of its items; if it has nodes, the boxes below them
@@ -124,11 +129,8 @@ package starlogo.hierarchy
             {
                 return PackedTree.isLarge(node);
             }
-            var count:int = node.end - node.first;
-            var few:int = _hierarchy.minVerticesToSplit;
-            // n vertices make at most n (n - 1) (n - 2) / 6 different triangles, so a node with more triangles has more vertices.
-            return node.level < _hierarchy.maxDepth && count > 1
-                && (_hierarchy.hasTriangles && count > few * (few - 1) * (few - 2) / 6 || node.vertexCount > few);
+            return node.level < _hierarchy.maxDepth && node.end - node.first > 1
+                && _hierarchy.hasMoreVertices(node.first, node.end, _hierarchy.minVerticesToSplit);
         }
 
         private function beginNode(node:HierarchyNode):void
@@ -146,12 +148,15 @@ package starlogo.hierarchy
         // Continues with a node. Returns whether more remains to do.
         private function advance(node:HierarchyNode):Boolean
         {
+            if (_tree != null && PackedTree.isHalved(node.level))
+            {
+                halve(node);
+                return false;
+            }
             if (_items.divideSome(ITEMS_PER_STEP))
             {
                 return true;
             }
-            var left:Vector.<Number> = _items.leftExtents;
-            var right:Vector.<Number> = _items.rightExtents;
             var middle:int = _items.middle;
             if (middle == node.first || middle == node.end)
             {
@@ -160,16 +165,29 @@ package starlogo.hierarchy
                     _isBySpread = true;
                     return _items.beginWhereCentresSpread(node.first, node.end) || _tree != null;
                 }
-                if (_tree == null)
+                if (_tree != null)
                 {
-                    return false;
+                    halve(node);
                 }
-                left = right = middle == node.first ? right : left;
-                middle = (node.first + node.end) >> 1;
+                return false;
             }
-            node.divide(_items.axis, _hierarchy.makeNode(node.level + 1, node.first, middle, left),
-                    _hierarchy.makeNode(node.level + 1, middle, node.end, right), _tree != null ? HierarchyNode.LARGEST_DEPTH : node.level);
+            divideAt(middle, node, _items.axis, _items.leftExtents, _items.rightExtents);
             return false;
+        }
+
+        // Divides a node by the number of its items.
+        private function halve(node:HierarchyNode):void
+        {
+            var middle:int = (node.first + node.end) >> 1;
+            TreeItems.writeBounds(_hierarchy, node.first, middle, _lowExtents);
+            TreeItems.writeBounds(_hierarchy, middle, node.end, _highExtents);
+            divideAt(middle, node, node.longestAxis(), _lowExtents, _highExtents);
+        }
+
+        private function divideAt(middle:int, node:HierarchyNode, axis:int, low:Vector.<Number>, high:Vector.<Number>):void
+        {
+            node.divide(axis, _hierarchy.makeNode(node.level + 1, node.first, middle, low), _hierarchy.makeNode(node.level + 1, middle, node.end, high),
+                    _tree != null ? HierarchyNode.LARGEST_DEPTH : node.level);
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -72,6 +73,17 @@ package starlogo.hierarchy
         internal static function isLarge(node:HierarchyNode):Boolean
         {
             return node.end - node.first > LEAF_SIZE;
+        }
+
+        /**
+         * Whether a node below the thesis's leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
+         * division by place takes one item at a time.
+         *
+         * @param level the node's level
+         */
+        public static function isHalved(level:int):Boolean
+        {
+            return level >= Tolerances.NESTED_LEVELS;
         }
 
         /** Packs the boxes of a node's children. The node was the root, or a child of a packed node. */

@@ -348,7 +348,7 @@ package starlogo.queries
          *     near, it is one of them. If the two touch, it is a point of their overlap. If one agent is inside the other, it is a point of the
          *     inner one
          * @param pointB receives the second agent's nearest point; or null. If the two touch, it is the same point
-         * @return in patches. While one of the models is loading, it is Infinity and no point is written
+         * @return in patches. While one of the models is loading, or if all edges of the world are infinite, it is Infinity and no point is written
          * @throws ArgumentError if an agent is null, if both are the same, if neither is an agent of the game but the ground or the edges, or
          *     if a model is unknown or lacks data that the collision system needs
          */

@@ -107,6 +107,11 @@ package starlogo.queries
                 return Infinity;
             }
             measure(_set.seen.narrowPhase, a, b, pointA != null || pointB != null);
+            if (closest.distance == Infinity)
+            {
+                // the edges of a world without edges have no points
+                return Infinity;
+            }
             write(pointA, closest.aX, closest.aY, closest.aZ);
             write(pointB, closest.bX, closest.bY, closest.bZ);
             return closest.distance;

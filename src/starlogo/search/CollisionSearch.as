@@ -219,9 +219,9 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            if (Breeds.isReserved(a.breedNumber))
+            if (comesAfter(a, b))
             {
-                // the ground and the edges are the second body of a pair
+                // as in the pairs of a search, so rounding is the same in either order
                 var time:Number = findContact(b, a, out);
                 out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
                 return time;
@@ -240,6 +240,22 @@ package starlogo.search
                 throw new ArgumentError(loading + ": its model is still loading");
             }
             return motions.findStaticContact(bodyA, bodyB, out);
+        }
+
+        // Whether the second of two agents comes first in a pair. The ground and the edges of the world come last.
+        private function comesAfter(a:Agent, b:Agent):Boolean
+        {
+            if (Breeds.isReserved(a.breedNumber) || Breeds.isReserved(b.breedNumber))
+            {
+                return Breeds.isReserved(a.breedNumber);
+            }
+            var rowA:int = table.rowOf(a);
+            var rowB:int = table.rowOf(b);
+            if (rowA >= 0 && rowB >= 0)
+            {
+                return table.ranks[rowA] > table.ranks[rowB];
+            }
+            return rowB >= 0 || rowA < 0 && a.number > b.number;
         }
 
         /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */

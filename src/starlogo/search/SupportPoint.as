@@ -31,7 +31,14 @@ package starlogo.search
 
         private var _body:Body;
         private var _depth:int;
-        private var _isExact:Boolean;
+
+        // The triangles' corners if they decide; otherwise null. Their first reader prepares them, which changes the nodes below the thesis's
+        // leaves. So they are read before a visit begins.
+        private var _corners:Vector.<Number>;
+
+        // The nodes still to visit, the next one last, and how far each may reach. Trees may be too deep for recursion.
+        private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        private var _limits:Vector.<Number> = new Vector.<Number>();
 
         // The direction in the model's space, the farthest support so far, and the least support of points that count as the farthest.
         private var _direction:Vector3D = new Vector3D();
@@ -53,8 +60,8 @@ package starlogo.search
         {
             var tree:SolidHierarchy = body.shape.hierarchy;
             _body = body;
-            _isExact = tree != null && trees.exact && tree.hasTriangles;
-            _depth = _isExact ? int.MAX_VALUE : tree == null ? 0 : trees.depthOf(body);
+            _corners = tree != null && trees.exact && tree.hasTriangles ? tree.corners : null;
+            _depth = _corners != null ? int.MAX_VALUE : tree == null ? 0 : trees.depthOf(body);
         }
 
         /** Finds how far the body reaches in a direction, which is a unit vector in the world. */
@@ -71,7 +78,7 @@ package starlogo.search
             }
             else
             {
-                visit(_body.shape.hierarchy.root, Infinity);
+                visitFrom(_body.shape.hierarchy.root);
             }
             support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * _best;
         }
@@ -93,7 +100,7 @@ package starlogo.search
             }
             else
             {
-                collect(_body.shape.hierarchy.root);
+                collectFrom(_body.shape.hierarchy.root);
             }
             var at:Placement = _body.placement;
             var x:Number = at.size * (_low.x + _high.x) / 2;
@@ -104,61 +111,85 @@ package starlogo.search
             point.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
         }
 
-        private function visit(node:HierarchyNode, limit:Number):void
+        // Finds how far a node and its descendants reach.
+        private function visitFrom(root:HierarchyNode):void
         {
-            limit = Math.min(limit, supportOf(node.writeBox(_box)));
-            if (limit <= _best)
+            _nodes[0] = root;
+            _limits[0] = Infinity;
+            for (var top:int = 0; top >= 0; top--)
             {
-                return;
-            }
-            if (node.goesBelow(_depth))
-            {
-                var along:Number = node.splitAxis == 0 ? _direction.x : node.splitAxis == 1 ? _direction.y : _direction.z;
-                visit(along > 0 ? node.high : node.low, limit);
-                visit(along > 0 ? node.low : node.high, limit);
-            }
-            else if (_isExact)
-            {
-                var corners:Vector.<Number> = _body.shape.hierarchy.corners;
-                for (var i:int = 9 * node.first; i < 9 * node.end; i += 3)
+                var node:HierarchyNode = _nodes[top];
+                var limit:Number = Math.min(_limits[top], supportOf(node.writeBox(_box)));
+                if (limit <= _best)
                 {
-                    _best = Math.max(_best, corners[i] * _direction.x + corners[int(i + 1)] * _direction.y + corners[int(i + 2)] * _direction.z);
+                    continue;
                 }
-            }
-            else
-            {
-                _best = limit;
+                if (node.goesBelow(_depth))
+                {
+                    var along:Number = node.splitAxis == 0 ? _direction.x : node.splitAxis == 1 ? _direction.y : _direction.z;
+                    _nodes[top] = along > 0 ? node.low : node.high;
+                    _nodes[top + 1] = along > 0 ? node.high : node.low;
+                    _limits[top] = _limits[top + 1] = limit;
+                    top += 2;
+                }
+                else if (_corners == null)
+                {
+                    _best = limit;
+                }
+                else
+                {
+                    reachTo(node);
+                }
             }
         }
 
-        // Adds the farthest points of a node and its descendants.
-        private function collect(node:HierarchyNode):void
+        private function reachTo(leaf:HierarchyNode):void
         {
-            var structure:BoundingStructure = node.writeBox(_box);
-            if (supportOf(structure) < _least)
+            var farthest:Number = _best;
+            for (var i:int = 9 * leaf.first; i < 9 * leaf.end; i += 3)
             {
-                return;
+                farthest = Math.max(farthest, _corners[i] * _direction.x + _corners[int(i + 1)] * _direction.y + _corners[int(i + 2)] * _direction.z);
             }
-            if (node.goesBelow(_depth))
+            _best = farthest;
+        }
+
+        // Adds the farthest points of a node and its descendants.
+        private function collectFrom(root:HierarchyNode):void
+        {
+            _nodes[0] = root;
+            for (var top:int = 0; top >= 0; top--)
             {
-                collect(node.low);
-                collect(node.high);
-            }
-            else if (_isExact)
-            {
-                var corners:Vector.<Number> = _body.shape.hierarchy.corners;
-                for (var i:int = 9 * node.first; i < 9 * node.end; i += 3)
+                var node:HierarchyNode = _nodes[top];
+                if (supportOf(node.writeBox(_box)) < _least)
                 {
-                    _added.setTo(corners[i], corners[int(i + 1)], corners[int(i + 2)]);
-                    if (along(_added) >= _least)
-                    {
-                        addPoint();
-                    }
+                    continue;
+                }
+                if (node.goesBelow(_depth))
+                {
+                    _nodes[top] = node.high;
+                    _nodes[top + 1] = node.low;
+                    top += 2;
+                }
+                else if (_corners == null)
+                {
+                    addStructure(_box);
+                }
+                else
+                {
+                    addCorners(node);
                 }
             }
-            else
+        }
+
+        private function addCorners(leaf:HierarchyNode):void
+        {
+            for (var i:int = 9 * leaf.first; i < 9 * leaf.end; i += 3)
             {
-                addStructure(structure);
+                _added.setTo(_corners[i], _corners[int(i + 1)], _corners[int(i + 2)]);
+                if (along(_added) >= _least)
+                {
+                    addPoint();
+                }
             }
         }
 

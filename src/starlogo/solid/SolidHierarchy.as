@@ -99,7 +99,10 @@ package starlogo.solid
             }
         }
 
-        /** @private The corners of the triangles, in the order of the hierarchy: nine numbers each. Only for models with triangles. */
+        /**
+         * @private The corners of the triangles, in the order of the hierarchy: nine numbers each. Only for models with triangles. The first call
+         *     prepares the triangles, which changes the nodes below the thesis's leaves. So call it before a visit of these nodes begins.
+         */
         engine function get corners():Vector.<Number>
         {
             return facets.corners;

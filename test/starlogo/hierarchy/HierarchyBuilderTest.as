@@ -2,6 +2,7 @@ package starlogo.hierarchy
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.Box;
@@ -73,6 +74,20 @@ package starlogo.hierarchy
             add("tetrahedron and a stray", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 50, 50, 50], new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
             assertEquals(4, _library.root("tetrahedron and a stray").vertexCount);
             assertNear(0.5, Box(_library.root("tetrahedron and a stray").bounds).halfX, 1e-12);
+        }
+
+        [Test]
+        public function bothWindingsOfAFaceHaveTheVerticesOfOne():void
+        {
+            var pyramid:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1];
+            var triangles:Vector.<uint> = new <uint>[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 2, 1, 0, 3, 2];
+            var both:Vector.<uint> = triangles.concat(triangles.concat().reverse());
+            add("both", pyramid, both);
+            assertEquals(5, _library.root("both").vertexCount);
+            assertTrue(_library.root("both").isLeaf);
+            _library.minVerticesToSplit = 4;
+            add("both", pyramid, both);
+            assertFalse(_library.root("both").isLeaf);
         }
 
         [Test]

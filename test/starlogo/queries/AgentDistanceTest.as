@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -8,6 +9,7 @@ package starlogo.queries
     import starlogo.collision.Collider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import starlogo.terrain.WorldBounds;
     import support.EachCollider;
     import support.agentAt;
     import support.assertThrows;
@@ -59,6 +61,30 @@ package starlogo.queries
                 assertThrows(ArgumentError, /agents are needed|unknown/, queries.distance, pair[0], pair[1]);
             }
             assertEquals("as before", before, queries.distance(agents[0], agents[1]));
+        }
+
+        [Test]
+        public function aWorldWithoutEdgesIsInfinitelyFarAndHasNoPoint():void
+        {
+            var bounds:WorldBounds = new WorldBounds(-Infinity, -Infinity, -Infinity, Infinity, Infinity, Infinity);
+            for each (var collider:Collider in colliders())
+            {
+                var queries:AgentQueries = new AgentQueries(collider);
+                var agent:Agent = agentAt("sphere", 4, 2, 1);
+                queries.update(new <Agent>[agent]);
+                var pointA:Vector3D = new Vector3D(7, 8, 9);
+                var pointB:Vector3D = new Vector3D(6, 5, 4);
+                for each (var isReversed:Boolean in [false, true])
+                {
+                    assertEquals(Infinity, queries.distance(isReversed ? bounds.agent : agent, isReversed ? agent : bounds.agent, pointA, pointB));
+                    assertEquals("Vector3D(7, 8, 9) Vector3D(6, 5, 4)", pointA + " " + pointB);
+                }
+                bounds.setTo(-Infinity, -Infinity, -Infinity, Infinity, 20, Infinity);
+                assertTrue(Math.abs(queries.distance(agent, bounds.agent, pointA, pointB) - 17.5) < 0.2);
+                assertEquals(20, pointB.y);
+                assertTrue(pointA + " " + pointB, Vector3D.distance(pointA, pointB) < 18);
+                bounds.setTo(-Infinity, -Infinity, -Infinity, Infinity, Infinity, Infinity);
+            }
         }
 
         private static function assertNear(what:String, expected:Number, actual:Number):void

@@ -7,6 +7,7 @@ package starlogo.solid
     import starlogo.agents.Agent;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
@@ -69,6 +70,31 @@ package starlogo.solid
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
             assertEquals(8, check(hierarchy.root, hierarchy.solid.extents));
+        }
+
+        // Halfway along x, each division takes the needle that begins first away from all others.
+        [Test]
+        public function parallelNeedlesMakeNoDeepTree():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            var count:int = 1500;
+            for (var i:int = 0; i < count; i++)
+            {
+                vertices.push(i, 0, 0, 1e4 + (i < count - 1 ? 0 : 0.5), 0, 0, 5e3, 0.01, 0);
+                triangles.push(3 * i, 3 * i + 1, 3 * i + 2);
+            }
+            var hierarchy:SolidHierarchy = hierarchyOf(new Model("needles", vertices, triangles), 10);
+            assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
+            hierarchy.prepare();
+            check(hierarchy.root, hierarchy.solid.extents);
+            var deepest:int = deepestUnder(hierarchy.root);
+            assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
+        }
+
+        private static function deepestUnder(node:HierarchyNode):int
+        {
+            return node.goesBelow(int.MAX_VALUE) ? Math.max(deepestUnder(node.low), deepestUnder(node.high)) : node.level;
         }
 
         [Test]

@@ -5,6 +5,7 @@ package starlogo.libraries.cooked
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.PackedTree;
     import starlogo.hierarchy.TreeItems;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
@@ -107,7 +108,8 @@ package starlogo.libraries.cooked
             _plan.push(first, end, level, 0, 0);
         }
 
-        // The children of a node must divide its items between them.
+        // The children of a node must divide its items between them. Below the thesis's leaves, deep nodes must be divided as a HierarchyBuilder
+        // divides them, so that a file cannot make a tree as deep as the number of its items.
         private function readDivisions():Boolean
         {
             for (var i:int = 0; i < NODES_PER_STEP; i++)
@@ -120,7 +122,8 @@ package starlogo.libraries.cooked
                     var level:int = _plan[at + 2];
                     var middle:int = first + (code - 1) / 6;
                     var division:int = (code - 1) % 6;
-                    _isRefused = middle <= first || middle >= _plan[at + 1] || division < BELOW && level >= _hierarchy.maxDepth;
+                    _isRefused = middle <= first || middle >= _plan[at + 1] || (division < BELOW ? level >= _hierarchy.maxDepth
+                            : PackedTree.isHalved(level) && middle != (first + _plan[at + 1]) >> 1);
                     _plan[at + 4] = division;
                     _open.push(at);
                     addToPlan(first, middle, level + 1);

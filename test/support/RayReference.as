@@ -4,6 +4,7 @@ package support
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
 
     /**
@@ -30,12 +31,36 @@ package support
                 along.scaleBy(Math.max(0, Math.min(1, share)));
                 return offset.subtract(along).length - capsule.radius;
             }
+            if (structure is Hull)
+            {
+                return heightOver(Hull(structure), point);
+            }
             var box:Box = Box(structure);
             var aside:Vector3D = point.subtract(box.center);
             var x:Number = Math.max(0, Math.abs(aside.dotProduct(box.axisX)) - box.halfX);
             var y:Number = Math.max(0, Math.abs(aside.dotProduct(box.axisY)) - box.halfY);
             var z:Number = Math.max(0, Math.abs(aside.dotProduct(box.axisZ)) - box.halfZ);
             return Math.sqrt(x * x + y * y + z * z);
+        }
+
+        // How far a point is above the planes of a hull's faces, which is never more than its distance.
+        private static function heightOver(hull:Hull, point:Vector3D):Number
+        {
+            var most:Number = -Infinity;
+            var corners:Vector.<Number> = hull.corners;
+            for (var i:int = 0; i < hull.faces.length; i += 3)
+            {
+                var a:Vector3D = cornerOf(corners, hull.faces[i]);
+                var normal:Vector3D = cornerOf(corners, hull.faces[i + 1]).subtract(a).crossProduct(cornerOf(corners, hull.faces[i + 2]).subtract(a));
+                normal.normalize();
+                most = Math.max(most, normal.dotProduct(point.subtract(a)));
+            }
+            return most;
+        }
+
+        private static function cornerOf(corners:Vector.<Number>, corner:int):Vector3D
+        {
+            return new Vector3D(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]);
         }
 
         /**

@@ -9,6 +9,7 @@ package support
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
 
     /** What tests of bounding structures share. */
@@ -22,7 +23,8 @@ package support
                         new Capsule(new Vector3D(1, 2, 3), new Vector3D(-1, 2.5, 4), 0.75),
                         new Box(new Vector3D(0.5, -1, 2), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0),
                             new Vector3D(0, 0, 1), 1, 2, 0.5),
-                        new Cylinder(new Vector3D(0, -1, 0.5), new Vector3D(2, 1, 1.5), 0.8)]);
+                        new Cylinder(new Vector3D(0, -1, 0.5), new Vector3D(2, 1, 1.5), 0.8),
+                        new Hull(new <Number>[1, 2, 3, -1, 2.5, 2, 0, 0, 3.5, 2, 1, 1, 0.5, 3, 1.5, 0, 1, 0.5, 1, 0.5, 4])]);
         }
 
         /** Everything that makes a structure up, to compare two by. */
@@ -42,6 +44,11 @@ package support
             {
                 var cylinder:Cylinder = Cylinder(structure);
                 return numbers([cylinder.start, cylinder.end]).concat(cylinder.radius);
+            }
+            if (structure is Hull)
+            {
+                var hull:Hull = Hull(structure);
+                return numbers([hull.center]).concat(listOf(hull.corners), listOf(hull.faces));
             }
             var box:Box = Box(structure);
             return numbers([box.center, box.axisX, box.axisY, box.axisZ]).concat(box.halfX, box.halfY, box.halfZ);
@@ -69,10 +76,31 @@ package support
                 middle = between(cylinder.start, cylinder.end, random.pick([0, 1, random.next()]));
                 return along(middle, across, depth * cylinder.radius);
             }
+            if (structure is Hull)
+            {
+                return pointOfHull(Hull(structure), random, depth);
+            }
             var box:Box = Box(structure);
             var point:Vector3D = along(box.center, box.axisX, depth * box.halfX * random.pick([-1, 1, random.between(-1, 1)]));
             point = along(point, box.axisY, depth * box.halfY * random.pick([-1, 1, random.between(-1, 1)]));
             return along(point, box.axisZ, depth * box.halfZ * random.pick([-1, 1]));
+        }
+
+        // On a face, an edge or a corner, or between it and the centre.
+        private static function pointOfHull(hull:Hull, random:SeededRandom, depth:Number):Vector3D
+        {
+            var face:int = 3 * random.integer(0, hull.faces.length / 3 - 1);
+            var a:Vector3D = cornerOf(hull, face);
+            var b:Vector3D = cornerOf(hull, face + 1);
+            var c:Vector3D = cornerOf(hull, face + 2);
+            var point:Vector3D = between(between(a, b, random.pick([0, random.next()])), c, random.pick([0, random.next()]));
+            return between(hull.center, point, depth);
+        }
+
+        private static function cornerOf(hull:Hull, i:int):Vector3D
+        {
+            var at:int = 3 * hull.faces[i];
+            return new Vector3D(hull.corners[at], hull.corners[at + 1], hull.corners[at + 2]);
         }
 
         /** A matrix as Flash Player has it: its numbers rounded to single precision. */
@@ -100,6 +128,16 @@ package support
             sBytes.writeFloat(value);
             sBytes.position = 0;
             return sBytes.readFloat();
+        }
+
+        private static function listOf(vector:*):Array
+        {
+            var list:Array = [];
+            for each (var number:Number in vector)
+            {
+                list.push(number);
+            }
+            return list;
         }
 
         private static function numbers(vectors:Array):Array

@@ -5,6 +5,7 @@ package support
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
 
     /** How far a point is from a structure's surface, inside or outside. */
@@ -25,6 +26,8 @@ package support
                 case BoundingStructure.CAPSULE:
                     var capsule:Capsule = Capsule(structure);
                     return Math.abs(Vector3D.distance(point, nearestOfSegment(capsule.start, capsule.end, point)) - capsule.radius);
+                case BoundingStructure.HULL:
+                    return fromHull(Hull(structure), point);
                 default:
                     return fromCylinder(Cylinder(structure), point);
             }
@@ -36,6 +39,23 @@ package support
             var along:Number = axis.lengthSquared == 0 ? 0 : point.subtract(start).dotProduct(axis) / axis.lengthSquared;
             axis.scaleBy(Math.max(0, Math.min(1, along)));
             return start.add(axis);
+        }
+
+        private static function fromHull(hull:Hull, point:Vector3D):Number
+        {
+            var here:Vector.<Number> = new <Number>[point.x, point.y, point.z, point.x, point.y, point.z, point.x, point.y, point.z];
+            var least:Number = Infinity;
+            for (var i:int = 0; i < hull.faces.length; i += 3)
+            {
+                var face:Vector.<Number> = new Vector.<Number>();
+                for (var k:int = i; k < i + 3; k++)
+                {
+                    var at:int = 3 * hull.faces[k];
+                    face.push(hull.corners[at], hull.corners[at + 1], hull.corners[at + 2]);
+                }
+                least = Math.min(least, PlainDistance.ofTriangles(here, 0, face, 0));
+            }
+            return least;
         }
 
         private static function fromCylinder(cylinder:Cylinder, point:Vector3D):Number

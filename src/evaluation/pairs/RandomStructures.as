@@ -4,6 +4,7 @@ package evaluation.pairs
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
 
     /** Draws structures of any orientation. Sizes and positions are multiples of the given ones. */
@@ -28,6 +29,8 @@ package evaluation.pairs
                     return capsule(size, spread);
                 case BoundingStructure.BOX:
                     return box(size, spread);
+                case BoundingStructure.HULL:
+                    return hull(size, spread);
                 default:
                     throw new ArgumentError("no such kind: " + kind);
             }
@@ -56,6 +59,26 @@ package evaluation.pairs
         {
             var axes:Vector.<Vector3D> = frame();
             return new Box(position(spread), axes[0], axes[1], axes[2], extent(size), extent(size), extent(size));
+        }
+
+        /** A hull of 8 to 16 points on an ellipsoid. Its half-axes are 0.2 to 1 of size, and its centre is in a cube with half-edge spread. */
+        public function hull(size:Number, spread:Number):Hull
+        {
+            var middle:Vector3D = position(spread);
+            var axes:Vector.<Vector3D> = frame();
+            var points:Vector.<Number> = new Vector.<Number>();
+            for each (var axis:Vector3D in axes)
+            {
+                axis.scaleBy(extent(size));
+            }
+            for (var i:int = _random.integer(8, 16); i > 0; i--)
+            {
+                var at:Vector3D = direction();
+                points.push(middle.x + at.x * axes[0].x + at.y * axes[1].x + at.z * axes[2].x,
+                        middle.y + at.x * axes[0].y + at.y * axes[1].y + at.z * axes[2].y,
+                        middle.z + at.x * axes[0].z + at.y * axes[1].z + at.z * axes[2].z);
+            }
+            return new Hull(points);
         }
 
         /** A point, uniformly distributed in a cube. */

@@ -12,7 +12,7 @@ package starlogo.bounding
 
     /**
      * A simple solid that encloses a model. The collision systems test it instead of the model (thesis §3.3). The pair tests know the
-     * subclasses Sphere, Capsule and Box. They refuse a Cylinder, which is fitted but never collided, and a subclass of your own.
+     * subclasses Sphere, Capsule, Box and Hull. They refuse a Cylinder, which is fitted but never collided, and a subclass of your own.
      *
      * <p>A structure includes its surface: two structures that only touch collide, here and everywhere in the engine.</p>
      *
@@ -31,6 +31,9 @@ package starlogo.bounding
         /** The kind of a Box. */
         public static const BOX:int = 2;
 
+        /** The kind of a Hull. */
+        public static const HULL:int = 3;
+
         /** The kind of a structure that no test of the engine takes: a Cylinder, or a structure of your own. */
         public static const OTHER:int = 9;
 
@@ -39,7 +42,7 @@ package starlogo.bounding
          *
          * @private
          */
-        engine static const NAMES:Vector.<String> = new <String>["sphere", "capsule", "box"];
+        engine static const NAMES:Vector.<String> = new <String>["sphere", "capsule", "box", "hull"];
 
         // The limits of coordinates and lengths. The tests of pairs multiply four of them.
         private static const LARGEST:Number = 1e70;
@@ -47,7 +50,7 @@ package starlogo.bounding
 
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        /** The kind of this structure: SPHERE, CAPSULE, BOX or OTHER. Read only. */
+        /** The kind of this structure: SPHERE, CAPSULE, BOX, HULL or OTHER. Read only. */
         public var kind:int;
 
         /**

@@ -4,8 +4,12 @@ package starlogo.convex
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A convex shape where it stands: a core and a radius around it. The core is the convex hull of points: one for a sphere, two for a capsule,
@@ -67,7 +71,7 @@ package starlogo.convex
             points = _own;
         }
 
-        /** Sets a Sphere, Capsule or Box. */
+        /** Sets a Sphere, Capsule, Box or Hull. A hull that moves has to be set again. */
         public function setStructure(structure:BoundingStructure):void
         {
             if (structure.kind == BoundingStructure.BOX)
@@ -77,6 +81,12 @@ package starlogo.convex
             else if (structure.kind == BoundingStructure.CAPSULE)
             {
                 setCapsule(structure as Capsule);
+            }
+            else if (structure.kind == BoundingStructure.HULL)
+            {
+                var hull:Hull = structure as Hull;
+                setHull(hull.center, hull.points, hull.topology.faces, hull.topology.edges);
+                radius = hull.margin;
             }
             else
             {

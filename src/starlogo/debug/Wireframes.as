@@ -5,12 +5,16 @@ package starlogo.debug
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import starlogo.geometry.PointTable;
     import starlogo.geometry.requireGiven;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.TerrainSurface;
+
+    use namespace engine;
 
     /**
      * Lists of lines to draw: structures, levels of hierarchies, triangles and the ground.
@@ -51,6 +55,9 @@ package starlogo.debug
                 case BoundingStructure.CAPSULE:
                     var capsule:Capsule = Capsule(structure);
                     drawRound(pen, capsule.start, capsule.end, capsule.radius, true);
+                    break;
+                case BoundingStructure.HULL:
+                    drawHull(pen, Hull(structure));
                     break;
                 default:
                     var cylinder:Cylinder = structure as Cylinder;
@@ -157,6 +164,16 @@ package starlogo.debug
             drawEdges(pen, box.center, box.axisX, box.halfX, box.axisY, box.halfY, box.axisZ, box.halfZ);
             drawEdges(pen, box.center, box.axisY, box.halfY, box.axisZ, box.halfZ, box.axisX, box.halfX);
             drawEdges(pen, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
+        }
+
+        private static function drawHull(pen:LinePen, hull:Hull):void
+        {
+            var corners:Vector.<Number> = hull.corners;
+            var edges:Vector.<int> = hull.topology.edges;
+            for (var i:int = 0; i < edges.length; i += 4)
+            {
+                pen.drawLine(vertexAt(corners, edges[i] / 3), vertexAt(corners, edges[i + 1] / 3));
+            }
         }
 
         // Draws the four edges of a box that are parallel to axis a.

@@ -360,6 +360,27 @@ package starlogo.geometry
             return out;
         }
 
+        /**
+         * Scales and rotates points about their origin.
+         *
+         * @param from x, y, z of each
+         * @param out receives as many numbers; may be from
+         */
+        engine function turnPoints(from:Vector.<Number>, out:Vector.<Number>):void
+        {
+            var scale:Number = size;
+            var end:int = from.length;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                var fromX:Number = from[i] * scale;
+                var fromY:Number = from[int(i + 1)] * scale;
+                var fromZ:Number = from[int(i + 2)] * scale;
+                out[i] = r00 * fromX + r01 * fromY + r02 * fromZ;
+                out[int(i + 1)] = r10 * fromX + r11 * fromY + r12 * fromZ;
+                out[int(i + 2)] = r20 * fromX + r21 * fromY + r22 * fromZ;
+            }
+        }
+
         /** Writes the rotation row by row, from an index on. */
         engine function writeRotation(out:Vector.<Number>, at:int):void
         {

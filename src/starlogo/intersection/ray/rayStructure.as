@@ -3,13 +3,14 @@ package starlogo.intersection.ray
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
 
     /**
      * Narrows a ray to the part inside of a structure. Allocates nothing.
      *
      * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
-     * @param structure a sphere, a capsule or a box
+     * @param structure a sphere, a capsule, a box or a hull
      * @return whether the ray meets the structure
      * @throws ArgumentError for any other structure
      * @private
@@ -24,6 +25,8 @@ package starlogo.intersection.ray
                 return rayCapsule(ray, Capsule(structure));
             case BoundingStructure.BOX:
                 return rayBox(ray, Box(structure));
+            case BoundingStructure.HULL:
+                return rayHull(ray, Hull(structure));
             default:
                 throw new ArgumentError("there is no test of rays for " + structure);
         }

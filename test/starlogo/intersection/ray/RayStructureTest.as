@@ -9,16 +9,17 @@ package starlogo.intersection.ray
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import support.Effort;
     import support.RayReference;
     import support.Structures;
     import support.assertThrows;
 
-    /** Rays against spheres, capsules and boxes. */
+    /** Rays against spheres, capsules, boxes and hulls. */
     public class RayStructureTest
     {
-        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
+        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.HULL];
 
         [Test]
         public function meetsWhatGoingAlongTheRayMeets():void
@@ -87,6 +88,18 @@ package starlogo.intersection.ray
             var segment:Capsule = new Capsule(new Vector3D(-1, 0, 5), new Vector3D(1, 0, 5), 0);
             assertEquals("a segment", 5, distanceTo(segment, new Vector3D(0.5, 0, 0), new Vector3D(0, 0, 1)));
             assertEquals("along a segment", 3, distanceTo(segment, new Vector3D(-4, 0, 5), new Vector3D(1, 0, 0)));
+            var flat:Hull = new Hull(new <Number>[0, 0, 5, 2, 0, 5, 2, 2, 5, 0, 2, 5]);
+            assertEquals("a flat hull", 5, distanceTo(flat, new Vector3D(0.5, 1, 0), new Vector3D(0, 0, 1)));
+            assertEquals("past it", Infinity, distanceTo(flat, new Vector3D(2.001, 1, 0), new Vector3D(0, 0, 1)));
+            assertEquals("in its plane", 3, distanceTo(flat, new Vector3D(-3, 1, 5), new Vector3D(1, 0, 0)));
+            assertEquals("along its edge", 3, distanceTo(flat, new Vector3D(-3, 2, 5), new Vector3D(1, 0, 0)));
+            var stick:Hull = new Hull(new <Number>[-1, 0, 5, 1, 0, 5]);
+            assertEquals("a hull that is a segment", 5, distanceTo(stick, new Vector3D(0.5, 0, 0), new Vector3D(0, 0, 1)));
+            assertEquals("along it", 3, distanceTo(stick, new Vector3D(-4, 0, 5), new Vector3D(1, 0, 0)));
+            assertEquals("past it", Infinity, distanceTo(stick, new Vector3D(0.5, 0.001, 0), new Vector3D(0, 0, 1)));
+            var spot:Hull = new Hull(new <Number>[1, 2, 5]);
+            assertEquals("a hull that is a point", 5, distanceTo(spot, new Vector3D(1, 2, 0), new Vector3D(0, 0, 1)));
+            assertEquals("past it", Infinity, distanceTo(spot, new Vector3D(1, 2.001, 0), new Vector3D(0, 0, 1)));
             var point:Box = new Box(new Vector3D(1, 2, 5), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
             assertEquals("a box that is a point", 5, distanceTo(point, new Vector3D(1, 2, 0), new Vector3D(0, 0, 1)));
             assertEquals("past it", Infinity, distanceTo(point, new Vector3D(1, 2.001, 0), new Vector3D(0, 0, 1)));

@@ -1,0 +1,324 @@
+package starlogo.bounding
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /**
+     * The convex hull of points: the smallest convex solid that contains them. The hull of points in a plane is a polygon, the hull of
+     * points on a line is a segment, and the hull of points in one place is a point.
+     *
+     * <p>A test with a hull costs more than a test with a box, and more with each corner. A HullFitter finds hulls of few corners for
+     * models.</p>
+     */
+    public final class Hull extends BoundingStructure
+    {
+        /**
+         * The index of the first corner in the numbers of a hull.
+         *
+         * @private
+         */
+        engine static const FIRST_CORNER:int = 4;
+
+        private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
+        private static const AT_ORIGIN:Placement = new Placement();
+
+        private static var sTurning:Placement = new Placement();
+        private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        private static var sTurned:Hull = null;
+
+        /** A point inside of the hull: the mean of its corners. */
+        public var center:Vector3D = new Vector3D();
+
+        /**
+         * The corners relative to the centre, x, y, z of each.
+         *
+         * @private
+         */
+        engine var points:Vector.<Number> = new Vector.<Number>();
+
+        /**
+         * Which corners make the faces and edges.
+         *
+         * @private
+         */
+        engine var topology:HullTopology = null;
+
+        /**
+         * Points up to this distance from the hull of the corners belong to this hull. It is as small as a rounding error.
+         *
+         * @private
+         */
+        engine var margin:Number = 0;
+
+        private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
+        private var _hasHalfSpaces:Boolean = false;
+
+        /**
+         * Creates the hull of points. The cost is n log n for n points.
+         *
+         * @param points x, y, z of each, in patches; neither kept nor changed. A point that is outside of the hull of the others by less
+         *     than 2e-7 of the points' extent may be left out
+         * @throws ArgumentError if the points are null or empty, if the number of coordinates is not a multiple of 3, or if a coordinate is
+         *     not finite or beyond 1e60
+         * @throws RangeError if the hull is smaller than the limits of structures
+         */
+        public function Hull(points:Vector.<Number>)
+        {
+            super(HULL);
+            var outer:Vector.<Number> = new ConvexHull(points).points;
+            var count:int = outer.length / 3;
+            for (var i:int = 0; i < outer.length; i += 3)
+            {
+                center.x += outer[i] / count;
+                center.y += outer[i + 1] / count;
+                center.z += outer[i + 2] / count;
+            }
+            for (i = 0; i < outer.length; i += 3)
+            {
+                outer[i] -= center.x;
+                outer[i + 1] -= center.y;
+                outer[i + 2] -= center.z;
+            }
+            setCorners(outer);
+            checkSize(radius, "a hull");
+        }
+
+        /** @inheritDoc */
+        override public function toString():String
+        {
+            return "a Hull of " + points.length / 3 + " corners around " + center;
+        }
+
+        /** The corners, x, y, z of each, in a list of their own. */
+        public function get corners():Vector.<Number>
+        {
+            var result:Vector.<Number> = new Vector.<Number>(points.length);
+            for (var i:int = 0; i < points.length; i += 3)
+            {
+                result[i] = center.x + points[i];
+                result[i + 1] = center.y + points[i + 1];
+                result[i + 2] = center.z + points[i + 2];
+            }
+            return result;
+        }
+
+        /**
+         * The triangles of the surface, in a list of their own: three corners each, counter-clockwise seen from outside. The first corner
+         * has the number 0. A flat hull has the triangles of its front and of its back. A segment and a point have none.
+         */
+        public function get faces():Vector.<int>
+        {
+            var result:Vector.<int> = new Vector.<int>(topology.faces.length);
+            for (var i:int = 0; i < result.length; i++)
+            {
+                result[i] = topology.faces[i] / 3;
+            }
+            return result;
+        }
+
+        /** @inheritDoc */
+        override public function get volume():Number
+        {
+            var sum:Number = 0;
+            var indices:Vector.<int> = topology.faces;
+            for (var i:int = 0; topology.dimension == 3 && i < indices.length; i += 3)
+            {
+                // six times the volume of the tetrahedron from the centre to the face
+                var a:int = indices[i];
+                var b:int = indices[i + 1];
+                var c:int = indices[i + 2];
+                sum += points[a] * (points[b + 1] * points[c + 2] - points[b + 2] * points[c + 1])
+                    + points[a + 1] * (points[b + 2] * points[c] - points[b] * points[c + 2])
+                    + points[a + 2] * (points[b] * points[c + 1] - points[b + 1] * points[c]);
+            }
+            return sum / 6;
+        }
+
+        /** @inheritDoc */
+        override public function rotate(rotation:Matrix3D):BoundingStructure
+        {
+            super.rotate(rotation);
+            if (rotation.determinant < 0)
+            {
+                topology = topology.mirrored();
+                _hasHalfSpaces = false;
+            }
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function contains(point:Vector3D):Boolean
+        {
+            var x:Number = point.x - center.x;
+            var y:Number = point.y - center.y;
+            var z:Number = point.z - center.z;
+            var reach:Number = margin + slack(radius, center);
+            var planes:Vector.<Number> = halfSpaces;
+            for (var i:int = 0; i < planes.length; i += 4)
+            {
+                if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z > planes[i + 3] + reach)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        /** @inheritDoc */
+        override public function clone():BoundingStructure
+        {
+            checkVector(center, "the centre of a hull");
+            checkLength(margin, "the margin of a hull");
+            checkSize(checkLength(radius, "the radius of a hull"), "a hull");
+            return place(AT_ORIGIN, new Hull(POINT));
+        }
+
+        /** @inheritDoc */
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
+        {
+            var placed:Hull = out as Hull;
+            if (placed == null)
+            {
+                placed = newFor(out) as Hull;
+            }
+            if (placed.points.length != points.length)
+            {
+                placed.points.length = points.length;
+            }
+            placement.turnPoints(points, placed.points);
+            placement.place(center, placed.center);
+            placed.margin = margin * placement.size;
+            placed.topology = topology;
+            placed._hasHalfSpaces = false;
+            return placed;
+        }
+
+        /** @inheritDoc */
+        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
+        {
+            var from:Vector.<Number> = points;
+            var end:int = from.length;
+            var lowX:Number = Infinity;
+            var lowY:Number = Infinity;
+            var lowZ:Number = Infinity;
+            var highX:Number = -Infinity;
+            var highY:Number = -Infinity;
+            var highZ:Number = -Infinity;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                var x:Number = from[i];
+                var y:Number = from[int(i + 1)];
+                var z:Number = from[int(i + 2)];
+                lowX = x < lowX ? x : lowX;
+                lowY = y < lowY ? y : lowY;
+                lowZ = z < lowZ ? z : lowZ;
+                highX = x > highX ? x : highX;
+                highY = y > highY ? y : highY;
+                highZ = z > highZ ? z : highZ;
+            }
+            var reach:Number = margin + rounding(highX - lowX + (highY - lowY) + (highZ - lowZ), center);
+            writeExtent(center.x + lowX, center.x + highX, reach, out, offset);
+            writeExtent(center.y + lowY, center.y + highY, reach, out, offset + 2);
+            writeExtent(center.z + lowZ, center.z + highZ, reach, out, offset + 4);
+        }
+
+        /**
+         * The half-spaces whose intersection is the hull of the corners. Each has four numbers: an outward unit normal, and how far its
+         * plane is from the centre along the normal. Those whose planes go through the centre come first. A flat hull has two of them, a
+         * segment four, and a point six. The list is kept until the hull changes.
+         *
+         * @private
+         */
+        engine function get halfSpaces():Vector.<Number>
+        {
+            if (!_hasHalfSpaces)
+            {
+                HalfSpaces.write(points, topology, _halfSpaces);
+                _hasHalfSpaces = true;
+            }
+            return _halfSpaces;
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @private
+         */
+        override engine function widen(by:Number):void
+        {
+            margin += by;
+        }
+
+        /** @private */
+        override engine function widenForSurfaces():void
+        {
+            // The tolerance depends on the model's radius about the middle of its extents. That radius is at most the square root of 3 times
+            // the radius about any other point.
+            widen(4 * Tolerances.SURFACES * radius);
+        }
+
+        /** @private */
+        override engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        {
+            var extents:Vector.<Number> = sExtents;
+            sTurning.copyRotation(placement);
+            sTurning.size = placement.size;
+            sTurned = Hull(place(sTurning, sTurned));
+            sTurned.extentsInto(extents);
+            for (var i:int = 0; i < 3; i++)
+            {
+                out[i] = (extents[2 * i] + extents[2 * i + 1]) / 2;
+                out[i + 3] = (extents[2 * i + 1] - extents[2 * i]) / 2;
+            }
+        }
+
+        /** @private The centre, the margin, then the corners relative to the centre. */
+        override engine function numbers():Vector.<Number>
+        {
+            return new <Number>[center.x, center.y, center.z, margin].concat(points);
+        }
+
+        /**
+         * @private
+         * @throws ArgumentError if the numbers of the corners are none, or not a multiple of 3, or not finite
+         */
+        override engine function setNumbers(numbers:Vector.<Number>):void
+        {
+            setCorners(numbers.slice(FIRST_CORNER));
+            center.setTo(numbers[0], numbers[1], numbers[2]);
+            margin = numbers[3];
+        }
+
+        // The largest distance of a corner from the centre.
+        private function get radius():Number
+        {
+            var most:Number = 0;
+            for (var i:int = 0; i < points.length; i += 3)
+            {
+                var square:Number = points[i] * points[i] + points[i + 1] * points[i + 1] + points[i + 2] * points[i + 2];
+                most = square > most ? square : most;
+            }
+            return Math.sqrt(most);
+        }
+
+        // Sets the corners, and finds the faces and edges. Of the same corners it always makes the same hull, and all of them stay.
+        private function setCorners(corners:Vector.<Number>):void
+        {
+            var hull:ConvexHull = new ConvexHull(corners);
+            while (hull.points.length < corners.length)
+            {
+                corners = hull.points;
+                hull = new ConvexHull(corners);
+            }
+            points = corners;
+            topology = HullTopology.of(hull);
+            _hasHalfSpaces = false;
+        }
+    }
+}

@@ -1,0 +1,158 @@
+package starlogo.bounding
+{
+    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.hull.edgesAcross;
+
+    /**
+     * Which corners of a hull make its faces and edges. All copies of a hull share it, because a placement moves only the corners. A corner
+     * is given as the index of its first number in the hull's points, so it is a multiple of 3.
+     *
+     * @private
+     */
+    public final class HullTopology
+    {
+        /** 3 for a solid hull, 2 for a flat one, 1 for a segment, 0 for a point. */
+        public var dimension:int;
+
+        /**
+         * Three corners for each triangle of the surface, counter-clockwise seen from outside. The surface of a flat hull is its front and
+         * its back. A segment and a point have none.
+         */
+        public var faces:Vector.<int>;
+
+        /**
+         * Four corners for each edge: its two ends, one more corner of the face on its left, and one of the face on its right. A
+         * segment has one edge, with its start in place of the latter two. Edges inside of a flat side are left out.
+         */
+        public var edges:Vector.<int>;
+
+        /**
+         * @param dimension 0 to 3
+         * @param faces three corners each
+         * @param edges four corners each
+         */
+        public function HullTopology(dimension:int, faces:Vector.<int>, edges:Vector.<int>)
+        {
+            this.dimension = dimension;
+            this.faces = faces;
+            this.edges = edges;
+        }
+
+        /** The faces and edges of a complete ConvexHull. Its corners have the same order. */
+        public static function of(hull:ConvexHull):HullTopology
+        {
+            switch (hull.dimension)
+            {
+                case 3:
+                    return new HullTopology(3, firstNumbers(hull.triangles), edgesOf(hull));
+                case 2:
+                    return ofPolygon(firstNumbers(outlineOf(hull)));
+                case 1:
+                    return new HullTopology(1, new Vector.<int>(), new <int>[0, 3, 0, 0]);
+                default:
+                    return new HullTopology(0, new Vector.<int>(), new Vector.<int>());
+            }
+        }
+
+        /** The corners of a hull of vertices in a plane, in their order around it, as positions in the hull's <code>indices</code>. */
+        public static function outlineOf(hull:ConvexHull):Vector.<int>
+        {
+            var outline:Vector.<int> = new <int>[0];
+            var next:int = hull.neighbors[0];
+            while (next != 0)
+            {
+                outline.push(next);
+                var at:int = hull.firstNeighbor[next];
+                var before:int = outline[outline.length - 2];
+                next = hull.neighbors[at] == before ? hull.neighbors[at + 1] : hull.neighbors[at];
+            }
+            return outline;
+        }
+
+        /** The topology of this hull's mirror image. */
+        public function mirrored():HullTopology
+        {
+            var turned:Vector.<int> = new Vector.<int>();
+            for (var i:int = 0; i < faces.length; i += 3)
+            {
+                turned.push(faces[i], faces[i + 2], faces[i + 1]);
+            }
+            var swapped:Vector.<int> = new Vector.<int>();
+            for (i = 0; i < edges.length; i += 4)
+            {
+                swapped.push(edges[i], edges[i + 1], edges[i + 3], edges[i + 2]);
+            }
+            return new HullTopology(dimension, turned, swapped);
+        }
+
+        private static function ofPolygon(outline:Vector.<int>):HullTopology
+        {
+            var count:int = outline.length;
+            var triangles:Vector.<int> = new Vector.<int>();
+            var borders:Vector.<int> = new Vector.<int>();
+            for (var i:int = 2; i < count; i++)
+            {
+                triangles.push(outline[0], outline[i - 1], outline[i], outline[0], outline[i], outline[i - 1]);
+            }
+            for (i = 0; i < count; i++)
+            {
+                var beyond:int = outline[(i + 2) % count];
+                borders.push(outline[i], outline[(i + 1) % count], beyond, beyond);
+            }
+            return new HullTopology(2, triangles, borders);
+        }
+
+        // The edges between triangles that are not in one plane.
+        private static function edgesOf(hull:ConvexHull):Vector.<int>
+        {
+            var found:Vector.<int> = new Vector.<int>();
+            var corners:Vector.<int> = firstNumbers(hull.triangles);
+            var across:Vector.<int> = edgesAcross(hull.triangles, hull.indices.length);
+            for (var i:int = 0; i < across.length; i++)
+            {
+                var first:int = i - i % 3;
+                var end:int = corners[first + (i + 1) % 3];
+                var left:int = corners[first + (i + 2) % 3];
+                var other:int = across[i];
+                var right:int = corners[other - other % 3 + (other + 2) % 3];
+                if (i < other && !isFlat(hull.points, corners[i], end, left, right))
+                {
+                    found.push(corners[i], end, left, right);
+                }
+            }
+            return found;
+        }
+
+        // Whether the two triangles at an edge are in one plane, up to rounding.
+        private static function isFlat(points:Vector.<Number>, start:int, end:int, left:int, right:int):Boolean
+        {
+            var alongX:Number = points[end] - points[start];
+            var alongY:Number = points[end + 1] - points[start + 1];
+            var alongZ:Number = points[end + 2] - points[start + 2];
+            var leftX:Number = points[left] - points[start];
+            var leftY:Number = points[left + 1] - points[start + 1];
+            var leftZ:Number = points[left + 2] - points[start + 2];
+            var rightX:Number = points[right] - points[start];
+            var rightY:Number = points[right + 1] - points[start + 1];
+            var rightZ:Number = points[right + 2] - points[start + 2];
+            var normalX:Number = alongY * leftZ - alongZ * leftY;
+            var normalY:Number = alongZ * leftX - alongX * leftZ;
+            var normalZ:Number = alongX * leftY - alongY * leftX;
+            var height:Number = normalX * rightX + normalY * rightY + normalZ * rightZ;
+            var length:Number = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
+                * Math.sqrt(rightX * rightX + rightY * rightY + rightZ * rightZ);
+            return Math.abs(height) <= Tolerances.HULL_FLAT * length;
+        }
+
+        private static function firstNumbers(corners:Vector.<int>):Vector.<int>
+        {
+            var indices:Vector.<int> = new Vector.<int>(corners.length, true);
+            for (var i:int = 0; i < corners.length; i++)
+            {
+                indices[i] = 3 * corners[i];
+            }
+            return indices;
+        }
+    }
+}

@@ -36,7 +36,7 @@ package starlogo.fitting
 
         private static function minimalFitters():Vector.<Fitter>
         {
-            return new <Fitter>[new MinimalSphereFitter(), new MinimalCapsuleFitter()];
+            return new <Fitter>[new MinimalSphereFitter(), new MinimalCapsuleFitter(), new HullFitter()];
         }
 
         private static function allFitters():Vector.<Fitter>

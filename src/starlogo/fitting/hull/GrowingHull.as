@@ -1,0 +1,344 @@
+package starlogo.fitting.hull
+{
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.hull.edgesAcross;
+
+    /**
+     * A convex solid of triangles that loses corners by growing (Sander, Gu, Gortler, Hoppe and Snyder, "Silhouette Clipping", SIGGRAPH 2000:
+     * progressive hulls). To lose an edge, it takes a new corner that is outside of all faces at both ends of the edge. Then the
+     * faces and both ends are inside of the grown solid.
+     *
+     * <p>The coordinates of corners are about 1. Faces and edges are numbered, and keep their numbers. Edge 4 f + k is an edge of face f,
+     * with k from 0 to 2. It runs from one corner of the face to the next one, counter-clockwise seen from outside. The face across has
+     * another edge, which runs the other way.</p>
+     *
+     * @private
+     */
+    public final class GrowingHull
+    {
+        // More faces than this at one edge are not looked at. So a corner with an edge to all others costs no more than other corners.
+        private static const MOST_FACES:int = 40;
+
+        private var _points:Vector.<Number>;
+
+        // by edge: the corner at which it begins, and the edge that runs the other way
+        private var _corners:Vector.<int> = new Vector.<int>();
+        private var _across:Vector.<int> = new Vector.<int>();
+
+        // by face: four numbers of the plane, twice the area, whether the face is inside of the solid by now, and the number of the search
+        // that found the face last
+        private var _planes:Vector.<Number> = new Vector.<Number>();
+        private var _areas:Vector.<Number> = new Vector.<Number>();
+        private var _isInside:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _foundBy:Vector.<int> = new Vector.<int>();
+        private var _search:int = 0;
+
+        // the number of faces that are not inside
+        private var _presentCount:int = 0;
+
+        // the outline of the faces that a point sees: edges of these faces
+        private var _outline:Vector.<int> = new Vector.<int>();
+
+        /**
+         * @param points x, y, z of each corner; copied
+         * @param triangles three corners each, counter-clockwise seen from outside
+         */
+        public function GrowingHull(points:Vector.<Number>, triangles:Vector.<int>)
+        {
+            _points = points.concat();
+            var across:Vector.<int> = edgesAcross(triangles, points.length / 3);
+            for (var i:int = 0; i < across.length; i += 3)
+            {
+                addFace(triangles[i], triangles[i + 1], triangles[i + 2]);
+                for (var k:int = 0; k < 3; k++)
+                {
+                    var other:int = across[i + k];
+                    _across[4 * int(i / 3) + k] = 4 * int(other / 3) + other % 3;
+                }
+            }
+        }
+
+        /** The number of corners. A closed surface of triangles has two more than half the number of its faces (Euler). */
+        public function get cornerCount():int
+        {
+            return 2 + _presentCount / 2;
+        }
+
+        /** The number of faces so far, with those that are inside by now. */
+        public function get faceCount():int
+        {
+            return _areas.length;
+        }
+
+        /** The corners, x, y, z of each. */
+        public function get corners():Vector.<Number>
+        {
+            var result:Vector.<Number> = new Vector.<Number>();
+            var isTaken:Vector.<Boolean> = new Vector.<Boolean>(_points.length / 3);
+            for (var edge:int = 0; edge < _corners.length; edge++)
+            {
+                var corner:int = _corners[edge];
+                if (isEdge(edge) && !isTaken[corner])
+                {
+                    isTaken[corner] = true;
+                    result.push(_points[3 * corner], _points[3 * corner + 1], _points[3 * corner + 2]);
+                }
+            }
+            return result;
+        }
+
+        /** Whether a number is that of an edge of the present surface. */
+        public function isEdge(number:int):Boolean
+        {
+            return (number & 3) < 3 && !_isInside[number >> 2];
+        }
+
+        /** The corner at which an edge begins. */
+        public function startOf(edge:int):int
+        {
+            return _corners[edge];
+        }
+
+        /** The corner at which an edge ends. */
+        public function endOf(edge:int):int
+        {
+            return _corners[after(edge)];
+        }
+
+        /** The edge of the face across that runs the other way. */
+        public function acrossOf(edge:int):int
+        {
+            return _across[edge];
+        }
+
+        /** The edge of the present surface that is where an earlier edge was; -1 if there is none. */
+        public function presentEdge(edge:int):int
+        {
+            while (_isInside[edge >> 2])
+            {
+                var other:int = _across[edge];
+                if (_across[other] == edge)
+                {
+                    return -1;
+                }
+                edge = other;
+            }
+            return edge;
+        }
+
+        /** The shortest edge of a face. */
+        public function shortestEdge(face:int):int
+        {
+            var shortest:int = -1;
+            var least:Number = Infinity;
+            for (var edge:int = 4 * face; edge < 4 * face + 3; edge++)
+            {
+                var a:int = 3 * startOf(edge);
+                var b:int = 3 * endOf(edge);
+                var x:Number = _points[b] - _points[a];
+                var y:Number = _points[b + 1] - _points[a + 1];
+                var z:Number = _points[b + 2] - _points[a + 2];
+                var square:Number = x * x + y * y + z * z;
+                if (square < least)
+                {
+                    least = square;
+                    shortest = edge;
+                }
+            }
+            return shortest;
+        }
+
+        /**
+         * Finds the point outside of all faces at an edge's ends for which the solid grows least.
+         *
+         * @param edge an edge of the present surface
+         * @param out receives the point
+         * @return whether there is one
+         */
+        public function findPoint(edge:int, out:OuterPoint):Boolean
+        {
+            _search++;
+            out.faceCount = 0;
+            findFaces(edge, out);
+            findFaces(_across[edge], out);
+            var upX:Number = 0;
+            var upY:Number = 0;
+            var upZ:Number = 0;
+            var count:int = out.faceCount;
+            for (var i:int = 0; i < count; i++)
+            {
+                var face:int = out.faces[i];
+                var area:Number = _areas[face];
+                upX += area * _planes[int(4 * face)];
+                upY += area * _planes[int(4 * face + 1)];
+                upZ += area * _planes[int(4 * face + 2)];
+            }
+            if (count > MOST_FACES || !findLowestPoint(_planes, out.faces, count, upX, upY, upZ, out))
+            {
+                return false;
+            }
+            findSeen(out);
+            return true;
+        }
+
+        /**
+         * Makes a point a corner. Faces from the point to the outline of the faces that it sees take their place.
+         *
+         * @param point found by findPoint() since the hull grew last
+         * @return the first new face; the others follow. -1 if rounding leaves the faces more than one outline; then the hull stays as it is
+         */
+        public function grow(point:OuterPoint):int
+        {
+            var count:int = findOutline(point);
+            if (count == 0)
+            {
+                return -1;
+            }
+            for (var i:int = 0; i < point.faceCount; i++)
+            {
+                _isInside[point.faces[i]] = true;
+            }
+            _presentCount -= point.faceCount;
+            var corner:int = _points.length / 3;
+            _points.push(point.x, point.y, point.z);
+            var first:int = faceCount;
+            for (i = 0; i < count; i++)
+            {
+                var edge:int = _outline[i];
+                var made:int = addFace(startOf(edge), endOf(edge), corner);
+                join(4 * made, _across[edge]);
+                join(4 * made + 1, 4 * (i + 1 < count ? made + 1 : first) + 2);
+            }
+            return first;
+        }
+
+        // Adds the faces around the start of an edge to a point's faces, unless this search has found them already.
+        private function findFaces(edge:int, out:OuterPoint):void
+        {
+            var next:int = edge;
+            do
+            {
+                var face:int = next >> 2;
+                if (_foundBy[face] != _search)
+                {
+                    _foundBy[face] = _search;
+                    out.faces[out.faceCount++] = face;
+                }
+                next = _across[before(next)];
+            }
+            while (next != edge && out.faceCount <= MOST_FACES);
+        }
+
+        // Adds the faces that a point sees to the faces at its edge, and sums the volume between the point and all of them.
+        private function findSeen(point:OuterPoint):void
+        {
+            var sum:Number = 0;
+            for (var i:int = 0; i < point.faceCount; i++)
+            {
+                var face:int = point.faces[i];
+                sum += _areas[face] * Math.max(0, heightOver(face, point));
+                for (var edge:int = 4 * face; edge < 4 * face + 3; edge++)
+                {
+                    var neighbor:int = _across[edge] >> 2;
+                    if (_foundBy[neighbor] != _search && heightOver(neighbor, point) > Tolerances.HULL_FLAT)
+                    {
+                        _foundBy[neighbor] = _search;
+                        point.faces[point.faceCount++] = neighbor;
+                    }
+                }
+            }
+            point.growth = sum / 6;
+        }
+
+        private function heightOver(face:int, point:OuterPoint):Number
+        {
+            var at:int = 4 * face;
+            return _planes[at] * point.x + _planes[int(at + 1)] * point.y + _planes[int(at + 2)] * point.z - _planes[int(at + 3)];
+        }
+
+        // Writes the edges between the faces that a point sees and the others to the outline, one after the other. Returns their number; 0 if
+        // they are not one outline.
+        private function findOutline(point:OuterPoint):int
+        {
+            var total:int = 0;
+            var first:int = -1;
+            for (var i:int = 0; i < point.faceCount; i++)
+            {
+                var face:int = point.faces[i];
+                for (var edge:int = 4 * face; edge < 4 * face + 3; edge++)
+                {
+                    if (isBorder(edge))
+                    {
+                        total++;
+                        first = edge;
+                    }
+                }
+            }
+            var count:int = 0;
+            edge = first;
+            while (count < total && (edge != first || count == 0))
+            {
+                _outline[count++] = edge;
+                edge = after(edge);
+                while (!isBorder(edge))
+                {
+                    edge = after(_across[edge]);
+                }
+            }
+            return count == total && edge == first ? count : 0;
+        }
+
+        private function isBorder(edge:int):Boolean
+        {
+            return _foundBy[_across[edge] >> 2] != _search;
+        }
+
+        private function join(edge:int, other:int):void
+        {
+            _across[edge] = other;
+            _across[other] = edge;
+        }
+
+        // Adds a face, which is not joined to others yet. Returns its number.
+        private function addFace(a:int, b:int, c:int):int
+        {
+            var i:int = 3 * a;
+            var j:int = 3 * b;
+            var k:int = 3 * c;
+            var abX:Number = _points[j] - _points[i];
+            var abY:Number = _points[j + 1] - _points[i + 1];
+            var abZ:Number = _points[j + 2] - _points[i + 2];
+            var acX:Number = _points[k] - _points[i];
+            var acY:Number = _points[k + 1] - _points[i + 1];
+            var acZ:Number = _points[k + 2] - _points[i + 2];
+            var x:Number = abY * acZ - abZ * acY;
+            var y:Number = abZ * acX - abX * acZ;
+            var z:Number = abX * acY - abY * acX;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            // A face without area has no plane. It gets a plane that no point is outside of.
+            var scale:Number = length > Tolerances.HULL_FLAT ? 1 / length : 0;
+            x *= scale;
+            y *= scale;
+            z *= scale;
+            _planes.push(x, y, z, Math.max(x * _points[i] + y * _points[i + 1] + z * _points[i + 2],
+                        x * _points[j] + y * _points[j + 1] + z * _points[j + 2], x * _points[k] + y * _points[k + 1] + z * _points[k + 2]));
+            _areas.push(length);
+            _isInside.push(false);
+            _foundBy.push(-1);
+            _corners.push(a, b, c, -1);
+            _across.push(-1, -1, -1, -1);
+            _presentCount++;
+            return _areas.length - 1;
+        }
+
+        private static function after(edge:int):int
+        {
+            return (edge & 3) == 2 ? edge - 2 : edge + 1;
+        }
+
+        private static function before(edge:int):int
+        {
+            return (edge & 3) == 0 ? edge + 2 : edge - 1;
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package starlogo.fitting.hull
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Hull;
+    import starlogo.engine;
+    import starlogo.fitting.FitSession;
+    import starlogo.steps.StepSequence;
+
+    use namespace engine;
+
+    /**
+     * The steps that make a hull of few corners, and scale it until it encloses every vertex of a session in double precision.
+     *
+     * <p>A vertex may be outside of the corners' hull by Tolerances.HULL of its size. The hull is scaled about its centre. If it is flat, that
+     * does not help against vertices beside its plane. So its margin reaches these.</p>
+     *
+     * @private
+     */
+    public final class HullEnclosure extends StepSequence
+    {
+        private static const VERTICES_PER_STEP:int = 1000;
+
+        // The hull is scaled by this fraction more than it needs. Rounding may leave a vertex outside, so it is doubled each time.
+        private static const LEAST_EXCESS:Number = 1e-15;
+        private static const MOST_ROUNDS:int = 20;
+
+        private var _session:FitSession;
+        private var _reduction:HullReduction;
+        private var _hull:Hull;
+        private var _excess:Number = LEAST_EXCESS;
+        private var _rounds:int = 0;
+
+        // the vertices of the present round, and how far they reach in the direction of each half-space of the hull
+        private var _vertices:Vector.<Number>;
+        private var _reaches:Vector.<Number>;
+
+        /**
+         * @param session the vertices; their hull may not exist before the first step
+         * @param most the largest number of corners, at least 8
+         */
+        public function HullEnclosure(session:FitSession, most:int)
+        {
+            _session = session;
+            _reduction = new HullReduction(session, most);
+            add(_reduction).call(start);
+        }
+
+        /** The hull, when no step is left. */
+        public function hullOf(session:FitSession):BoundingStructure
+        {
+            return _hull;
+        }
+
+        // Most hulls need to be scaled, so the first rounds are those with few vertices.
+        private function start():void
+        {
+            _hull = new Hull(_reduction.corners);
+            _reduction = null;
+            addRound(_session.hull.points);
+        }
+
+        private function addRound(vertices:Vector.<Number>):void
+        {
+            _vertices = vertices;
+            _reaches = new Vector.<Number>(_hull.halfSpaces.length / 4);
+            slices(vertices.length / 3, VERTICES_PER_STEP, measure).call(endRound);
+        }
+
+        private function measure(first:int, end:int):void
+        {
+            var vertices:Vector.<Number> = _vertices;
+            var halfSpaces:Vector.<Number> = _hull.halfSpaces;
+            var centerX:Number = _hull.center.x;
+            var centerY:Number = _hull.center.y;
+            var centerZ:Number = _hull.center.z;
+            var last:int = 3 * end;
+            for (var i:int = 0; i < halfSpaces.length; i += 4)
+            {
+                var x:Number = halfSpaces[i];
+                var y:Number = halfSpaces[i + 1];
+                var z:Number = halfSpaces[i + 2];
+                var most:Number = _reaches[i / 4];
+                for (var k:int = 3 * first; k < last; k += 3)
+                {
+                    var reach:Number = x * (vertices[k] - centerX) + y * (vertices[int(k + 1)] - centerY) + z * (vertices[int(k + 2)] - centerZ);
+                    most = reach > most ? reach : most;
+                }
+                _reaches[i / 4] = most;
+            }
+        }
+
+        private function endRound():void
+        {
+            var halfSpaces:Vector.<Number> = _hull.halfSpaces;
+            var factor:Number = 1;
+            for (var i:int = 0; i < _reaches.length; i++)
+            {
+                var offset:Number = halfSpaces[4 * i + 3];
+                if (offset > 0)
+                {
+                    factor = Math.max(factor, _reaches[i] / offset);
+                }
+                else
+                {
+                    _hull.margin = Math.max(_hull.margin, _reaches[i] - offset);
+                }
+            }
+            if (factor > 1 && ++_rounds < MOST_ROUNDS)
+            {
+                scaleBy(factor * (1 + _excess));
+                _excess *= 2;
+                addRound(_vertices);
+            }
+            else if (_vertices != _session.vertices)
+            {
+                addRound(_session.vertices);
+            }
+        }
+
+        private function scaleBy(factor:Number):void
+        {
+            var numbers:Vector.<Number> = _hull.numbers();
+            for (var i:int = Hull.FIRST_CORNER; i < numbers.length; i++)
+            {
+                numbers[i] *= factor;
+            }
+            _hull.setNumbers(numbers);
+        }
+    }
+}

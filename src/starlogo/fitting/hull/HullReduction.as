@@ -1,0 +1,235 @@
+package starlogo.fitting.hull
+{
+    import starlogo.bounding.HullTopology;
+    import starlogo.fitting.FitSession;
+    import starlogo.geometry.ConvexHull;
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /**
+     * The steps that find few corners whose hull is around the convex hull of a session's vertices, up to rounding.
+     *
+     * <p>A GrowingHull loses edges, each time the edge for which it grows least. As long as it has many corners, the search looks only at the
+     * shortest edge of each face, because short edges cost least. If rounding stops the search, the corners of a box are the result.</p>
+     *
+     * <p>Vertices in a plane have a polygon instead of a solid hull. The search then takes the double pyramid on the polygon, and both tips
+     * stay.</p>
+     *
+     * @private
+     */
+    public final class HullReduction extends StepSequence
+    {
+        private static const FACES_PER_STEP:int = 200;
+        private static const EDGES_PER_STEP:int = 200;
+
+        // With this many times the wanted corners or fewer, the search looks at all edges.
+        private static const FEW:int = 2;
+
+        // how far the tips are from the polygon's plane
+        private static const TIP:Number = 0.5;
+
+        private var _session:FitSession;
+        private var _most:int;
+        private var _space:UnitSpace;
+        private var _solid:GrowingHull = null;
+        private var _queue:EdgeQueue = new EdgeQueue();
+        private var _isQueued:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _point:OuterPoint = new OuterPoint();
+        private var _looksAtAll:Boolean = false;
+
+        // the number of tips, and the first tip; the second one is the next corner
+        private var _tipCount:int = 0;
+        private var _tip:int = -2;
+
+        /**
+         * @param session the vertices; their hull may not exist before the first step
+         * @param most the largest number of corners, at least 8
+         */
+        public function HullReduction(session:FitSession, most:int)
+        {
+            _session = session;
+            _most = most;
+            call(start);
+        }
+
+        /** The corners, x, y, z of each, when no step is left. */
+        public function get corners():Vector.<Number>
+        {
+            if (_solid == null)
+            {
+                return _session.hull.points;
+            }
+            return _space.toWorld(hasMoreThan(_most) ? UnitSpace.BOX : withoutTips(_solid.corners));
+        }
+
+        private function start():void
+        {
+            var hull:ConvexHull = _session.hull;
+            if (hull.dimension < 2 || hull.indices.length <= _most)
+            {
+                return;
+            }
+            _space = new UnitSpace(hull);
+            var points:Vector.<Number> = _space.fromWorld(hull.points);
+            var triangles:Vector.<int> = hull.triangles;
+            if (hull.dimension == 2)
+            {
+                var outline:Vector.<int> = HullTopology.outlineOf(hull);
+                var height:Number = isCounterClockwise(outline, points) ? TIP : -TIP;
+                points.push(0, 0, height, 0, 0, -height);
+                _tip = hull.indices.length;
+                _tipCount = 2;
+                triangles = pyramidsOn(outline);
+            }
+            _solid = new GrowingHull(points, triangles);
+            slices(_solid.faceCount, FACES_PER_STEP, lookAtShortest).repeat(reduceToFew).begin(lookingAtAll).repeat(reduceToMost);
+        }
+
+        private function lookAtShortest(first:int, end:int):void
+        {
+            for (var face:int = first; face < end; face++)
+            {
+                look(_solid.shortestEdge(face));
+            }
+        }
+
+        private function lookingAtAll():Steps
+        {
+            _looksAtAll = true;
+            return new Slices(_solid.faceCount, FACES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var edge:int = 4 * first; edge < 4 * end; edge++)
+                    {
+                        look(edge);
+                    }
+                });
+        }
+
+        private function reduceToFew():Boolean
+        {
+            return reduce(FEW * _most);
+        }
+
+        private function reduceToMost():Boolean
+        {
+            return reduce(_most);
+        }
+
+        // Takes some edges from the queue. Returns whether there is more to do.
+        private function reduce(most:int):Boolean
+        {
+            for (var i:int = 0; i < EDGES_PER_STEP && hasMoreThan(most) && !_queue.isEmpty; i++)
+            {
+                takeFirst();
+            }
+            return hasMoreThan(most) && !_queue.isEmpty;
+        }
+
+        private function hasMoreThan(most:int):Boolean
+        {
+            return _solid.cornerCount - _tipCount > most;
+        }
+
+        // Loses the first edge of the queue. If its cost has increased since it was queued, it is queued again.
+        private function takeFirst():void
+        {
+            var queued:int = _queue.pop();
+            _isQueued[queued] = false;
+            var edge:int = _solid.presentEdge(queued);
+            if (edge < 0 || isQueued(edge) || !_solid.findPoint(edge, _point))
+            {
+                return;
+            }
+            if (_point.growth > _queue.leastCost)
+            {
+                enqueue(edge);
+                return;
+            }
+            var face:int = _solid.grow(_point);
+            while (face >= 0 && face < _solid.faceCount)
+            {
+                // The first edge of a new face is where an earlier edge was, and the third one belongs to the next new face.
+                look(_looksAtAll ? 4 * face + 1 : _solid.shortestEdge(face));
+                face++;
+            }
+        }
+
+        // Queues an edge if it can be lost, unless it is queued already.
+        private function look(edge:int):void
+        {
+            if (!_solid.isEdge(edge) || isQueued(edge) || isQueued(_solid.acrossOf(edge)) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
+            {
+                return;
+            }
+            if (_solid.findPoint(edge, _point))
+            {
+                enqueue(edge);
+            }
+        }
+
+        // Queues the edge for which _point was found.
+        private function enqueue(edge:int):void
+        {
+            if (_isQueued.length <= edge)
+            {
+                _isQueued.length = 4 * _solid.faceCount;
+            }
+            _isQueued[edge] = true;
+            _queue.push(edge, _point.growth);
+        }
+
+        private function isQueued(edge:int):Boolean
+        {
+            return edge < _isQueued.length && _isQueued[edge];
+        }
+
+        private function isTip(corner:int):Boolean
+        {
+            return corner == _tip || corner == _tip + 1;
+        }
+
+        // The triangles from the edges of a polygon to both tips.
+        private function pyramidsOn(outline:Vector.<int>):Vector.<int>
+        {
+            var triangles:Vector.<int> = new Vector.<int>();
+            var last:int = outline[outline.length - 1];
+            for each (var corner:int in outline)
+            {
+                triangles.push(last, corner, _tip, corner, last, _tip + 1);
+                last = corner;
+            }
+            return triangles;
+        }
+
+        // Whether a polygon in the plane of x and y is counter-clockwise seen from above.
+        private static function isCounterClockwise(outline:Vector.<int>, points:Vector.<Number>):Boolean
+        {
+            var area:Number = 0;
+            var last:int = 3 * outline[outline.length - 1];
+            for each (var corner:int in outline)
+            {
+                area += points[last] * points[3 * corner + 1] - points[last + 1] * points[3 * corner];
+                last = 3 * corner;
+            }
+            return area > 0;
+        }
+
+        private function withoutTips(points:Vector.<Number>):Vector.<Number>
+        {
+            if (_tipCount == 0)
+            {
+                return points;
+            }
+            var found:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < points.length; i += 3)
+            {
+                if (Math.abs(points[i + 2]) < TIP)
+                {
+                    found.push(points[i], points[i + 1], 0);
+                }
+            }
+            return found;
+        }
+    }
+}

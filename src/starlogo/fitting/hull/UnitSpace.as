@@ -1,0 +1,74 @@
+package starlogo.fitting.hull
+{
+    import starlogo.geometry.ConvexHull;
+
+    /**
+     * A space in which the hull of vertices is 1 long along each of three axes, around the origin. It is not scaled uniformly, so thin hulls
+     * have as many digits there as others. Hulls in a plane have no length along the third axis.
+     *
+     * @private
+     */
+    public final class UnitSpace
+    {
+        /** The corners of the box around the hull. */
+        public static const BOX:Vector.<Number> = new <Number>[-0.5, -0.5, -0.5, 0.5, -0.5, -0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5,
+                -0.5, -0.5, 0.5, 0.5, -0.5, 0.5, -0.5, 0.5, 0.5, 0.5, 0.5, 0.5];
+
+        private var _axes:Vector.<Number>;
+        private var _middle:Vector.<Number> = new Vector.<Number>();
+        private var _lengths:Vector.<Number> = new Vector.<Number>();
+
+        /** @param hull of at least two dimensions */
+        public function UnitSpace(hull:ConvexHull)
+        {
+            _axes = hull.axes;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var low:Number = Infinity;
+                var high:Number = -Infinity;
+                for (var i:int = 0; i < hull.points.length; i += 3)
+                {
+                    var along:Number = alongAxis(hull.points, i, axis);
+                    low = Math.min(low, along);
+                    high = Math.max(high, along);
+                }
+                _middle.push((low + high) / 2);
+                _lengths.push(axis < hull.dimension ? high - low : 0);
+            }
+        }
+
+        /** Points in this space. */
+        public function fromWorld(points:Vector.<Number>):Vector.<Number>
+        {
+            var result:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < points.length; i += 3)
+            {
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    result.push(_lengths[axis] == 0 ? 0 : (alongAxis(points, i, axis) - _middle[axis]) / _lengths[axis]);
+                }
+            }
+            return result;
+        }
+
+        /** Points of this space where the hull is. */
+        public function toWorld(points:Vector.<Number>):Vector.<Number>
+        {
+            var result:Vector.<Number> = new Vector.<Number>(points.length);
+            for (var i:int = 0; i < points.length; i++)
+            {
+                var along:Number = _middle[i % 3] + points[i] * _lengths[i % 3];
+                for (var k:int = 0; k < 3; k++)
+                {
+                    result[i - i % 3 + k] += along * _axes[3 * (i % 3) + k];
+                }
+            }
+            return result;
+        }
+
+        private function alongAxis(points:Vector.<Number>, i:int, axis:int):Number
+        {
+            return points[i] * _axes[3 * axis] + points[i + 1] * _axes[3 * axis + 1] + points[i + 2] * _axes[3 * axis + 2];
+        }
+    }
+}

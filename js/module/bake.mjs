@@ -3,7 +3,7 @@ import { createHash } from "node:crypto";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { basename, dirname, extname, join, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
-import { GreatLand, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
+import { GreatLand, HullFitter, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
 
 const HELP = `Reads models and computes what a game needs of them when the game is built, so that no player's machine has to: writes a cooked file for every
 OBJ, DAE, GLB, GLTF and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
@@ -19,6 +19,7 @@ there already, of the same source and options, is left as it is.
   --min-vertices N     minVerticesToSplit (5)
   --depth N            maxDepth (10)
   --by-mean            splitByMean
+  --hulls N            loadHulls, with a HullFitter of N corners, 8 or more (no hulls)
   --force              cooks again what is there
   --help               prints this`;
 
@@ -35,6 +36,7 @@ const options = {
 	"min-vertices": { type: "string", default: "5" },
 	depth: { type: "string", default: "10" },
 	"by-mean": { type: "boolean", default: false },
+	hulls: { type: "string" },
 	force: { type: "boolean", default: false },
 	help: { type: "boolean", default: false },
 };
@@ -42,7 +44,7 @@ const options = {
 const { values, folder } = readArguments();
 const out = resolve(values.out ?? folder);
 const list = join(out, "manifest.json");
-const settings = JSON.stringify([version, values.up, values.scaling, values.transforms, values.increment, values["min-vertices"], values.depth, values["by-mean"]]);
+const settings = JSON.stringify([version, values.up, values.scaling, values.transforms, values.increment, values["min-vertices"], values.depth, values["by-mean"], values.hulls]);
 const before = readList();
 const models = {};
 const files = readdirSync(folder, { recursive: true }).map(String)
@@ -100,6 +102,7 @@ function readArguments() {
 	if (!["x", "y", "z"].includes(values.up)) fail(`--up is x, y or z, not ${values.up}`);
 	if (!SCALINGS.includes(values.scaling)) fail(`--scaling is footprint, volume or "as given", not ${values.scaling}`);
 	if (!(Number(values.increment) > 0 && Number(values.increment) <= 360)) fail(`--increment is a number of degrees above 0, not ${values.increment}`);
+	if (values.hulls !== undefined && !(/^\d{1,3}$/.test(values.hulls) && Number(values.hulls) >= 8)) fail(`--hulls is a whole number from 8 to 999, not ${values.hulls}`);
 	for (const name of ["min-vertices", "depth"]) if (!/^[1-9]\d{0,5}$/.test(values[name])) fail(`--${name} is a whole number from 1 on, not ${values[name]}`);
 	return { values, folder };
 }
@@ -162,6 +165,8 @@ function newGame() {
 	greatLand.hierarchies.minVerticesToSplit = Number(values["min-vertices"]);
 	greatLand.hierarchies.maxDepth = Number(values.depth);
 	greatLand.hierarchies.splitByMean = values["by-mean"];
+	greatLand.loadHulls = values.hulls !== undefined;
+	if (greatLand.loadHulls) greatLand.boundingStructures.hullFitter = new HullFitter(Number(values.hulls));
 	return greatLand;
 }
 

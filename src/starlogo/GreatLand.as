@@ -85,6 +85,20 @@ package starlogo
         }
 
         /**
+         * Whether a convex hull of few corners is found for each model, for agents that collide as "hull". It needs loadTightestFit.
+         * Without it, an agent that collides as "hull" has its model's hull computed at once when it first needs it.
+         */
+        public function get loadHulls():Boolean
+        {
+            return _boundingStructures.keepHulls;
+        }
+
+        public function set loadHulls(value:Boolean):void
+        {
+            _boundingStructures.keepHulls = value;
+        }
+
+        /**
          * The degrees between the rotations that the search for an oriented box tries (§3.8).
          *
          * @throws ArgumentError if you set it to a value that is not a positive, finite number
@@ -227,7 +241,7 @@ package starlogo
          * The smallest structure of a kind around a model. If it was not kept, it is computed now.
          *
          * @param name the name of a model that was added
-         * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
+         * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL
          * @throws ArgumentError if its structures were not loaded, or no fitter finds this kind
          * @private
          */

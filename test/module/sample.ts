@@ -53,6 +53,8 @@ import {
 	HierarchicalCollider,
 	HierarchiesLibrary,
 	HierarchyNode,
+	Hull,
+	HullFitter,
 	IEventDispatcher,
 	IllegalOperationError,
 	intersects,
@@ -281,7 +283,7 @@ export function fitAll(vertices: Float64Array): number[] {
 	const fitters: Fitter[] = [
 		new NaiveSphereFitter(), new RitterSphereFitter(), new CentredRitterSphereFitter(), new MinimalSphereFitter(),
 		new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), boxFitter,
-		new CapsuleFitter(boxFitter), new MinimalCapsuleFitter(), alongIt,
+		new CapsuleFitter(boxFitter), new MinimalCapsuleFitter(), alongIt, new HullFitter(12),
 	];
 	const library = new BoundingStructuresLibrary();
 	library.add("cloud", vertices);
@@ -306,6 +308,8 @@ export function testPairs(): boolean[] {
 	const sphere = new Sphere(new Vector3D(0, 0, 0), 1);
 	const capsule = new Capsule(new Vector3D(0.5, 0, 0), new Vector3D(3, 0, 0), 0.5);
 	const box = new Box(new Vector3D(0, 0, 0), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
+	const tip = new Hull([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
+	log.push(`${tip.corners.length}, ${tip.faces.length}, ${tip.center}`);
 	const moved: BoundingStructure = box.clone();
 	const matrix = new Matrix3D();
 	matrix.appendRotation(45, Vector3D.Z_AXIS);

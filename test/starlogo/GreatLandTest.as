@@ -24,6 +24,7 @@ package starlogo
         {
             assertTrue(_greatLand.loadTightestFit);
             assertFalse(_greatLand.loadAllBoundingStructures);
+            assertFalse(_greatLand.loadHulls);
             assertTrue(_greatLand.loadHierarchies);
             assertEquals(5, _greatLand.hierarchies.minVerticesToSplit);
             assertEquals(10, _greatLand.hierarchies.maxDepth);

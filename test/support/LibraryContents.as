@@ -5,8 +5,12 @@ package support
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
+
+    use namespace engine;
 
     /** Everything that a GreatLand holds of a model as text, to the last digit: two of them can be compared. */
     public final class LibraryContents
@@ -23,6 +27,10 @@ package support
             {
                 lines.push(textOf(greatLand.boundingStructures.sphere(name)), textOf(greatLand.boundingStructures.box(name)),
                         textOf(greatLand.boundingStructures.capsule(name)));
+            }
+            if (greatLand.loadHulls)
+            {
+                lines.push("hull " + textOf(greatLand.boundingStructures.hull(name)));
             }
             if (greatLand.hierarchies.has(name))
             {
@@ -50,6 +58,8 @@ package support
                 case BoundingStructure.CAPSULE:
                     var capsule:Capsule = Capsule(structure);
                     return "capsule " + [vector(capsule.start), vector(capsule.end), capsule.radius];
+                case BoundingStructure.HULL:
+                    return "hull " + [Hull(structure).numbers(), Hull(structure).faces];
                 default:
                     var box:Box = Box(structure);
                     return "box " + [vector(box.center), vector(box.axisX), vector(box.axisY), vector(box.axisZ), box.halfX,

@@ -7,8 +7,10 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.Fitter;
+    import starlogo.fitting.HullFitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.OrientedBoxFitter;
+    import starlogo.geometry.requireGiven;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -29,6 +31,12 @@ package starlogo.libraries
         public var keepAll:Boolean = false;
 
         /**
+         * Whether a hull is found too, for agents that collide as "hull". It has no effect on the tightest fit. A GreatLand sets it as
+         * loadHulls.
+         */
+        public var keepHulls:Boolean = false;
+
+        /**
          * The data of all shapes. Both libraries of a GreatLand share it.
          *
          * @private
@@ -37,6 +45,7 @@ package starlogo.libraries
 
         private var _orientedBoxFitter:OrientedBoxFitter;
         private var _fitters:Vector.<Fitter>;
+        private var _hullFitter:HullFitter = new HullFitter();
 
         /**
          * Creates a library without models, with the three fitters of the thesis.
@@ -68,6 +77,22 @@ package starlogo.libraries
                 throw new ArgumentError("fitters must be a list of at least one Fitter, without null: " + value);
             }
             _fitters = value;
+        }
+
+        /**
+         * The algorithm that finds hulls. The default: a HullFitter of 16 corners.
+         *
+         * @throws ArgumentError if you set it to null
+         */
+        public function get hullFitter():HullFitter
+        {
+            return _hullFitter;
+        }
+
+        public function set hullFitter(value:HullFitter):void
+        {
+            requireGiven("the hullFitter", value);
+            _hullFitter = value;
         }
 
         /**
@@ -147,6 +172,21 @@ package starlogo.libraries
             return Capsule(kept(name, BoundingStructure.CAPSULE));
         }
 
+        /**
+         * The hull found for a shape. If the smallest sphere found is not larger, it is that Sphere. It is shared: do not change it.
+         *
+         * @throws ArgumentError if no model of this name was added, or no hull was kept for it
+         */
+        public function hull(name:String):BoundingStructure
+        {
+            var found:BoundingStructure = find(name).hull;
+            if (found == null)
+            {
+                throw new ArgumentError("shape \"" + name + "\" has no hull: set loadHulls (keepHulls) before the model is added");
+            }
+            return found;
+        }
+
         /** Whether a sphere, a box and a capsule were kept for a shape. */
         public function hasAll(name:String):Boolean
         {
@@ -158,7 +198,7 @@ package starlogo.libraries
          * The smallest structure of a kind for a shape. If none was kept, the fitters find it now, once.
          *
          * @param name the shape's name
-         * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
+         * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere
          * @param vertices the vertices of the shape's model
          * @throws ArgumentError if no model of this name was added, or no fitter in the list finds this kind
          * @private
@@ -166,17 +206,17 @@ package starlogo.libraries
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
         {
             var shape:ShapeStructures = find(name);
-            if (shape.smallest[kind] == null)
+            if (shape.ofKind(kind) == null)
             {
-                var build:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, true);
+                var build:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, kind == BoundingStructure.HULL ? hullFitter : null, true);
                 finish(build);
                 shape.addMissing(build.structures);
             }
-            if (shape.smallest[kind] == null)
+            if (shape.ofKind(kind) == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" cannot be a " + BoundingStructure.NAMES[kind] + ": none of the library's fitters finds one");
             }
-            return shape.smallest[kind];
+            return shape.ofKind(kind);
         }
 
         /**
@@ -187,7 +227,7 @@ package starlogo.libraries
         engine function newBuild(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
             ShapeTable.checkName(name);
-            return new StructuresBuilder(name, vertices, fitters, keepAll);
+            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);
         }
 
         private function find(name:String):ShapeStructures

@@ -23,6 +23,13 @@ package starlogo.libraries
         engine var structures:Fingerprint = null;
 
         /**
+         * The settings for a hull; null if none is wanted, or it cannot be kept.
+         *
+         * @private
+         */
+        engine var hull:Fingerprint = null;
+
+        /**
          * The settings for a hierarchy; null if none is wanted.
          *
          * @private
@@ -46,7 +53,10 @@ package starlogo.libraries
         {
             if (structures != null)
             {
-                this.structures = fingerprintOfAll(structures.fitters);
+                var signatures:String = signaturesOf(structures.fitters);
+                this.structures = signatures == null ? null : fingerprintOf("structures, " + signatures);
+                // The smallest sphere may take the hull's place.
+                hull = signatures == null || !structures.keepHulls ? null : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
             }
             if (hierarchies != null)
             {
@@ -58,13 +68,14 @@ package starlogo.libraries
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            return fingerprintOf([structures, hierarchy, wantsSurface].join()).toString();
+            var all:Array = [structures, hierarchy, wantsSurface];
+            return fingerprintOf((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
         // null if a fitter has no signature
-        private static function fingerprintOfAll(fitters:Vector.<Fitter>):Fingerprint
+        private static function signaturesOf(fitters:Vector.<Fitter>):String
         {
-            var signatures:Array = ["structures"];
+            var signatures:Array = [];
             for each (var fitter:Fitter in fitters)
             {
                 if (fitter == null || fitter.signature == null)
@@ -73,7 +84,7 @@ package starlogo.libraries
                 }
                 signatures.push(fitter.signature);
             }
-            return fingerprintOf(signatures.join(", "));
+            return signatures.join(", ");
         }
 
         private static function fingerprintOf(text:String):Fingerprint

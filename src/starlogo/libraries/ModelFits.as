@@ -5,6 +5,7 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
@@ -35,6 +36,13 @@ package starlogo.libraries
         engine var structures:Vector.<BoundingStructure> = null;
 
         /**
+         * The hull, or the sphere in its place; null if there is none.
+         *
+         * @private
+         */
+        engine var hull:BoundingStructure = null;
+
+        /**
          * The bytes that a TreeWriter wrote, from the position on; null if there is no hierarchy.
          *
          * @private
@@ -57,6 +65,12 @@ package starlogo.libraries
         public function get hasStructures():Boolean
         {
             return structures != null;
+        }
+
+        /** Whether it has a hull, or the sphere in its place. */
+        public function get hasHull():Boolean
+        {
+            return hull != null;
         }
 
         /** Whether it has a hierarchy. */
@@ -83,6 +97,7 @@ package starlogo.libraries
         {
             var fits:ModelFits = new ModelFits();
             fits.structures = shape == null ? null : shape.smallest;
+            fits.hull = shape == null ? null : shape.hull;
             if (hierarchy != null)
             {
                 fits.tree = CookedFile.newBytes();
@@ -111,9 +126,14 @@ package starlogo.libraries
                 // no fitter accepts such a model, so the record is wrong
                 return;
             }
+            var limit:Number = Math.max(1, LARGEST_FACTOR * bounds.largest);
             if (settings.structures != null)
             {
-                structures ||= readStructures(file.section(CookedFile.STRUCTURES, settings.structures), Math.max(1, LARGEST_FACTOR * bounds.largest));
+                structures ||= readStructures(file.section(CookedFile.STRUCTURES, settings.structures), BoundingStructure.BOX, limit);
+            }
+            if (settings.hull != null)
+            {
+                hull ||= firstOf(readStructures(file.section(CookedFile.HULL, settings.hull), BoundingStructure.HULL, limit));
             }
             if (settings.hierarchy == null)
             {
@@ -140,11 +160,16 @@ package starlogo.libraries
         engine function toFile(settings:FitSettings, wanted:Fingerprint, shape:ByteArray = null):ByteArray
         {
             var ofStructures:ByteArray = CookedFile.newBytes();
+            var ofHull:ByteArray = CookedFile.newBytes();
             var ofTree:ByteArray = CookedFile.newBytes();
             var ofSurface:ByteArray = CookedFile.newBytes();
             if (structures != null && settings.structures != null)
             {
-                writeStructures(ofStructures);
+                writeStructures(structures, ofStructures);
+            }
+            if (hull != null && settings.hull != null)
+            {
+                writeStructures(new <BoundingStructure>[hull], ofHull);
             }
             if (tree != null && settings.hierarchy != null)
             {
@@ -154,19 +179,28 @@ package starlogo.libraries
                     surface.writeTo(ofSurface);
                 }
             }
-            return CookedFile.write(new <Fingerprint>[wanted, settings.structures, settings.hierarchy, settings.hierarchy],
-                    new <ByteArray>[shape || CookedFile.newBytes(), ofStructures, ofTree, ofSurface]);
+            return CookedFile.write(new <Fingerprint>[wanted, settings.structures, settings.hierarchy, settings.hierarchy, settings.hull],
+                    new <ByteArray>[shape || CookedFile.newBytes(), ofStructures, ofTree, ofSurface, ofHull]);
         }
 
-        // First a bit for each kind: whether there is a structure. Then the numbers of the structures.
-        private function writeStructures(out:ByteArray):void
+        // First a bit for each kind: whether there is a structure. Then the numbers of the structures. A hull's come after their count.
+        private static function writeStructures(structures:Vector.<BoundingStructure>, out:ByteArray):void
         {
             var kinds:int = 0;
             out.writeInt(0);
             for each (var structure:BoundingStructure in structures)
             {
-                kinds |= structure == null ? 0 : 1 << structure.kind;
-                for each (var number:Number in structure == null ? null : structure.numbers())
+                if (structure == null)
+                {
+                    continue;
+                }
+                kinds |= 1 << structure.kind;
+                var numbers:Vector.<Number> = structure.numbers();
+                if (structure.kind == BoundingStructure.HULL)
+                {
+                    out.writeInt(numbers.length);
+                }
+                for each (var number:Number in numbers)
                 {
                     out.writeDouble(number);
                 }
@@ -175,13 +209,15 @@ package starlogo.libraries
             out.writeInt(kinds);
         }
 
-        private static function readStructures(bytes:ByteArray, limit:Number):Vector.<BoundingStructure>
+        // Reads structures of all kinds up to the last one.
+        private static function readStructures(bytes:ByteArray, last:int, limit:Number):Vector.<BoundingStructure>
         {
             var o:Vector3D = new Vector3D();
             var read:Vector.<BoundingStructure> = new <BoundingStructure>[new Sphere(o, 0), new Capsule(o, o, 0),
-                    new Box(o, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0)];
+                    new Box(o, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0), new Hull(new <Number>[0, 0, 0])];
             var kinds:int = bytes == null || bytes.length < 4 ? 0 : bytes.readInt();
-            for (var kind:int = 0; kind < read.length; kind++)
+            read.length = last + 1;
+            for (var kind:int = 0; kind <= last; kind++)
             {
                 if ((kinds >> kind & 1) == 0)
                 {
@@ -195,31 +231,54 @@ package starlogo.libraries
             return kinds > 0 && kinds >> read.length == 0 && bytes.bytesAvailable == 0 ? read : null;
         }
 
+        // The first structure of a list; null if there is no list.
+        private static function firstOf(structures:Vector.<BoundingStructure>):BoundingStructure
+        {
+            for each (var structure:BoundingStructure in structures)
+            {
+                if (structure != null)
+                {
+                    return structure;
+                }
+            }
+            return null;
+        }
+
         // Returns whether the bytes have the numbers of such a structure.
         private static function readNumbers(structure:BoundingStructure, bytes:ByteArray, limit:Number):Boolean
         {
-            var numbers:Vector.<Number> = structure.numbers();
-            var areRight:Boolean = bytes.bytesAvailable >= 8 * numbers.length;
-            for (var i:int = 0; i < numbers.length && areRight; i++)
+            var numbers:Vector.<Number> = new Vector.<Number>();
+            var count:int = structure.kind == BoundingStructure.HULL ? readCount(bytes) : structure.numbers().length;
+            var areRight:Boolean = count > 0 && bytes.bytesAvailable / 8 >= count;
+            for (var i:int = 0; i < count && areRight; i++)
             {
-                numbers[i] = bytes.readDouble();
+                numbers.push(bytes.readDouble());
                 areRight = Math.abs(numbers[i]) <= limit;
             }
-            structure.setNumbers(numbers);
+            if (!areRight)
+            {
+                return false;
+            }
             try
             {
-                // The constructor refuses numbers that make no structure. It straightens a box's axes, which changes their last bits only.
-                var made:Vector.<Number> = areRight ? structure.clone().numbers() : numbers;
+                // Both refuse numbers that make no structure. The constructor straightens a box's axes, which changes their last bits only.
+                structure.setNumbers(numbers);
+                var made:Vector.<Number> = structure.clone().numbers();
             }
             catch (error:Error)
             {
                 return false;
             }
-            for (i = 0; i < numbers.length; i++)
+            for (i = 0; i < count && areRight; i++)
             {
-                areRight = areRight && Math.abs(made[i] - numbers[i]) <= 100 * Tolerances.ROUNDING;
+                areRight = made.length == count && Math.abs(made[i] - numbers[i]) <= 100 * Tolerances.ROUNDING;
             }
             return areRight;
+        }
+
+        private static function readCount(bytes:ByteArray):int
+        {
+            return bytes.bytesAvailable < 4 ? 0 : bytes.readInt();
         }
     }
 }

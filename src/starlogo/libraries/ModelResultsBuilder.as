@@ -77,7 +77,7 @@ package starlogo.libraries
         /** Whether the structures were read and not computed. Read it when no step is left. */
         public function get usesStoredStructures():Boolean
         {
-            return _structures != null && _fits.hasStructures;
+            return _structures != null && hasAllStructures;
         }
 
         /**
@@ -96,15 +96,20 @@ package starlogo.libraries
 
         private function get isComplete():Boolean
         {
-            return (_structures == null || _fits.hasStructures) && (hierarchy == null || _fits.hasHierarchy)
+            return (_structures == null || hasAllStructures) && (hierarchy == null || _fits.hasHierarchy)
                 && (!_settings.wantsSurface || _model.triangles == null || _fits.hasSurface);
+        }
+
+        private function get hasAllStructures():Boolean
+        {
+            return _fits.hasStructures && (_fits.hasHull || !_structures.wantsHull);
         }
 
         private function useFits():void
         {
             if (usesStoredStructures)
             {
-                _structures.useStored(_fits.structures);
+                _structures.useStored(_fits.structures, _fits.hull);
             }
             if (hierarchy != null && _fits.hasHierarchy)
             {

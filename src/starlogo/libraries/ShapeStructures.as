@@ -13,23 +13,30 @@ package starlogo.libraries
      */
     public final class ShapeStructures
     {
+        // the kinds that the library's list of fitters finds: all before HULL
+        private static const FITTED:int = BoundingStructure.HULL;
+
         /**
-         * The smallest structure of each kind, or null. It is kept even if the client may not read it, so that it need not be computed
+         * The smallest sphere, capsule and box, or null. It is kept even if the client may not read it, so that it need not be computed
          * again.
          */
-        public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.NAMES.length, true);
+        public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(FITTED, true);
 
-        /** The structure with the least volume. Among equal volumes, the one with the cheapest tests. */
+        /** The hull; the smallest sphere if that is not larger; null if no hull was wanted. */
+        public var hull:BoundingStructure = null;
+
+        /** The structure with the least volume. It is never the hull. Among equal volumes, the one with the cheapest tests. */
         public var tightest:BoundingStructure = null;
 
         /** Whether the client may read the smallest structure of each kind. */
         public var keepsAll:Boolean;
 
         /**
-         * @param found all structures that were found; null entries are ignored
+         * @param found the spheres, capsules and boxes that were found; null entries are ignored
+         * @param hull the hull that was found; null if none was wanted
          * @param keepsAll whether the client may read the smallest structure of each kind
          */
-        public function ShapeStructures(found:Vector.<BoundingStructure>, keepsAll:Boolean)
+        public function ShapeStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, keepsAll:Boolean)
         {
             this.keepsAll = keepsAll;
             var least:Number = Infinity;
@@ -49,6 +56,14 @@ package starlogo.libraries
                     tightest = structure;
                 }
             }
+            var sphere:BoundingStructure = smallest[BoundingStructure.SPHERE];
+            this.hull = hull != null && sphere != null && sphere.volume <= hull.volume ? sphere : hull;
+        }
+
+        /** The smallest structure of a kind; null if there is none. */
+        public function ofKind(kind:int):BoundingStructure
+        {
+            return kind == BoundingStructure.HULL ? hull : smallest[kind];
         }
 
         /** Adds the structures of kinds that are missing here. */
@@ -58,6 +73,7 @@ package starlogo.libraries
             {
                 smallest[kind] ||= other.smallest[kind];
             }
+            hull ||= other.hull;
         }
     }
 }

@@ -7,6 +7,7 @@ package starlogo.libraries
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
+    import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
 
@@ -28,16 +29,18 @@ package starlogo.libraries
         private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
+        private var _hullFit:Fit = null;
         private var _found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
 
         /**
          * @param name the shape's name
          * @param vertices x, y, z each; must not change until the last step is done
          * @param fitters the fitters to compare; copied
+         * @param hullFitter finds the hull; null if none is wanted
          * @param keepsAll whether the client may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, keepsAll:Boolean)
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
         {
             _name = name;
             _vertices = vertices;
@@ -59,17 +62,29 @@ package starlogo.libraries
                 _fits.push(fit);
                 add(fit);
             }
+            if (hullFitter != null)
+            {
+                _hullFit = hullFitter.beginOnce(session);
+                add(_hullFit);
+            }
             slices(fitters.length, 1, check).call(choose);
+        }
+
+        /** Whether the hull is wanted too. */
+        public function get wantsHull():Boolean
+        {
+            return _hullFit != null;
         }
 
         /**
          * Uses structures that were read instead of running the fitters. Call it before the first step.
          *
          * @param read the smallest structure of each kind that the fitters found before, or null; the index is the kind's number
+         * @param hull the hull found before, or the sphere in its place; null if none is wanted
          */
-        public function useStored(read:Vector.<BoundingStructure>):void
+        public function useStored(read:Vector.<BoundingStructure>, hull:BoundingStructure):void
         {
-            structures = new ShapeStructures(read, _keepsAll);
+            structures = new ShapeStructures(read, wantsHull ? hull : null, _keepsAll);
         }
 
         /**
@@ -107,9 +122,7 @@ package starlogo.libraries
                 throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("
                         + _vertices.slice(outside, outside + 3).join(", ") + "): " + structure);
             }
-            var wider:BoundingStructure = structure.clone();
-            wider.widenForSurfaces();
-            _found.push(wider);
+            _found.push(widened(structure));
         }
 
         // The place of the first vertex that is farther outside than the tolerance of a fit; -1 if there is none.
@@ -132,7 +145,15 @@ package starlogo.libraries
 
         private function choose():void
         {
-            structures = new ShapeStructures(_found, _keepsAll);
+            // A HullFitter checks all vertices itself.
+            structures = new ShapeStructures(_found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
+        }
+
+        private static function widened(structure:BoundingStructure):BoundingStructure
+        {
+            var wider:BoundingStructure = structure.clone();
+            wider.widenForSurfaces();
+            return wider;
         }
 
         private function named(problem:String):ArgumentError

@@ -8,10 +8,13 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import starlogo.fitting.AxisAlignedBoxFitter;
     import starlogo.fitting.CylinderFitter;
     import starlogo.fitting.Fitter;
+    import starlogo.fitting.HullFitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
     import starlogo.models.BuiltInModel;
@@ -19,6 +22,8 @@ package starlogo.libraries
     import support.PointSets;
     import support.assertThrows;
     import support.assign;
+
+    use namespace engine;
 
     public class BoundingStructuresLibraryTest
     {
@@ -54,6 +59,50 @@ package starlogo.libraries
             _library.add("cube", _cube);
             assertFalse(_library.hasAll("cube"));
             assertThrows(ArgumentError, "loadAllBoundingStructures", _library.box, "cube");
+        }
+
+        [Test]
+        public function keepsHullsWhenAsked():void
+        {
+            assertFalse(_library.keepHulls);
+            _library.add("stick", _stick);
+            assertThrows(ArgumentError, "loadHulls", _library.hull, "stick");
+            assertThrows(ArgumentError, "no bounding structure", _library.hull, "unknown");
+            var tightest:BoundingStructure = _library.tightestFit("stick");
+            _library.keepHulls = true;
+            _library.add("stick", _stick);
+            var hull:Hull = Hull(_library.hull("stick"));
+            assertEquals(16, hull.corners.length / 3);
+            assertEquals("it takes no part in the tightest fit", tightest.kind, _library.tightestFit("stick").kind);
+            _library.hullFitter = new HullFitter(32);
+            _library.add("stick", _stick);
+            assertEquals(32, Hull(_library.hull("stick")).corners.length / 3);
+            assertThrows(ArgumentError, "hullFitter", assign, _library, "hullFitter", null);
+            assertEquals(32, _library.hullFitter.maxCorners);
+        }
+
+        [Test]
+        public function aSphereThatIsNotLargerTakesTheHullsPlace():void
+        {
+            _library.keepHulls = true;
+            _library.add("ball", PointSets.sphere(0.5, 24, 12));
+            assertTrue(_library.hull("ball") is Sphere);
+            _library.add("point", new <Number>[1, 2, 3]);
+            assertTrue(_library.hull("point") is Sphere);
+            _library.add("cube", _cube);
+            assertNear(1, Hull(_library.hull("cube")).volume);
+        }
+
+        [Test]
+        public function aHullThatWasNotKeptIsFoundWhenItIsNeeded():void
+        {
+            _library.add("stick", _stick);
+            var found:BoundingStructure = _library.ofKind("stick", BoundingStructure.HULL, _stick);
+            assertTrue(found is Hull);
+            assertEquals(found, _library.ofKind("stick", BoundingStructure.HULL, _stick));
+            _library.keepHulls = true;
+            _library.add("stick", _stick);
+            assertEquals(Hull(found).numbers().join(), Hull(_library.hull("stick")).numbers().join());
         }
 
         [Test]

@@ -7,7 +7,7 @@ package starlogo.models.cooked
     import starlogo.steps.StepSequence;
 
     /**
-     * A file with results that were computed once, when a game was built (docs/cooked.md). It has four sections. Each section was
+     * A file with results that were computed once, when a game was built (docs/cooked.md). It has five sections. Each section was
      * computed for certain settings, and the file has their fingerprint. A fingerprint at the end seals the file. It is read in steps. A
      * file has no sections if it is no cooked file, is cut off or has changed. The code that uses a section checks its content.
      *
@@ -16,10 +16,12 @@ package starlogo.models.cooked
      *    4   the version of the form
      *    8   the length of the whole in bytes, a multiple of 8
      *   12   0
-     *   16   for each of the four sections: the fingerprint of its settings, its length, 0
-     *   80   the sections, one after the other; zeros up to a multiple of 8
+     *   16   for each of the five sections: the fingerprint of its settings, its length, 0
+     *   96   the sections, one after the other; zeros up to a multiple of 8
      *   end  the fingerprint of all bytes before it
      * </pre>
+     *
+     * <p>A file without a hull has version 1. It has four sections, which begin at 80.</p>
      *
      * @private
      */
@@ -40,15 +42,21 @@ package starlogo.models.cooked
         /** The section with the surface. Its settings are the hierarchy's settings. */
         public static const SURFACE:int = 3;
 
+        /** The section with the hull. Its settings are the hull's fitter and the fitters. */
+        public static const HULL:int = 4;
+
         /** The number of sections. */
-        public static const SECTIONS:int = 4;
+        public static const SECTIONS:int = 5;
 
         private static const MAGIC:int = 0x4B4F4F43;
-        private static const VERSION:int = 1;
+        private static const VERSION:int = 2;
+
+        // the number of sections of each version
+        private static const SECTIONS_OF:Vector.<int> = new <int>[0, 4, SECTIONS];
+
         private static const LENGTH_AT:int = 8;
         private static const TABLE:int = 16;
         private static const ENTRY_LENGTH:int = 16;
-        private static const HEAD_LENGTH:int = TABLE + SECTIONS * ENTRY_LENGTH;
         private static const WORDS_PER_STEP:int = 4000;
 
         /** Whether the file is complete and unchanged, when no step is left. */
@@ -56,11 +64,13 @@ package starlogo.models.cooked
 
         private var _bytes:ByteArray = newBytes();
         private var _whole:Fingerprint = new Fingerprint();
+        private var _sectionCount:int = 0;
 
         /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
         public function CookedFile(bytes:ByteArray)
         {
-            if (bytes != null && isCooked(bytes) && hasHead(bytes))
+            _sectionCount = bytes != null && isCooked(bytes) ? sectionsIn(bytes) : 0;
+            if (_sectionCount > 0)
             {
                 _bytes.writeBytes(bytes);
                 _bytes.position = 0;
@@ -73,7 +83,7 @@ package starlogo.models.cooked
         {
             bytes.endian = Endian.LITTLE_ENDIAN;
             bytes.position = 0;
-            return bytes.length >= HEAD_LENGTH + Fingerprint.LENGTH && bytes.readInt() == MAGIC;
+            return bytes.length >= TABLE + Fingerprint.LENGTH && bytes.readInt() == MAGIC;
         }
 
         /**
@@ -85,10 +95,11 @@ package starlogo.models.cooked
         public static function write(settings:Vector.<Fingerprint>, sections:Vector.<ByteArray>):ByteArray
         {
             var out:ByteArray = newBytes();
+            var version:int = sections[HULL].length == 0 ? 1 : VERSION;
             out.writeInt(MAGIC);
-            out.writeInt(VERSION);
+            out.writeInt(version);
             out.length = out.position = TABLE;
-            for (var i:int = 0; i < SECTIONS; i++)
+            for (var i:int = 0; i < SECTIONS_OF[version]; i++)
             {
                 var wanted:Fingerprint = settings[i] || new Fingerprint();
                 wanted.writeTo(out);
@@ -143,11 +154,11 @@ package starlogo.models.cooked
          */
         public function section(index:int, wanted:Fingerprint):ByteArray
         {
-            if (!isWhole)
+            if (!isWhole || index >= _sectionCount)
             {
                 return null;
             }
-            var start:int = HEAD_LENGTH;
+            var start:int = headLength;
             for (var i:int = 0; i < index; i++)
             {
                 start += lengthOf(i);
@@ -177,9 +188,9 @@ package starlogo.models.cooked
 
         private function check():void
         {
-            var rest:Number = _bytes.length - HEAD_LENGTH - Fingerprint.LENGTH;
+            var rest:Number = _bytes.length - headLength - Fingerprint.LENGTH;
             var isSealed:Boolean = _whole.isNextOf(_bytes);
-            for (var i:int = 0; i < SECTIONS; i++)
+            for (var i:int = 0; i < _sectionCount; i++)
             {
                 var length:int = lengthOf(i);
                 rest = length < 0 ? NaN : rest - length;
@@ -187,10 +198,19 @@ package starlogo.models.cooked
             isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
         }
 
-        private static function hasHead(bytes:ByteArray):Boolean
+        private function get headLength():int
         {
+            return TABLE + _sectionCount * ENTRY_LENGTH;
+        }
+
+        // The number of sections of a file whose magic number was read; 0 if it is of another version or length.
+        private static function sectionsIn(bytes:ByteArray):int
+        {
+            var version:int = bytes.readInt();
             var length:int = bytes.length;
-            return length % Fingerprint.LENGTH == 0 && length <= ModelBudget.BYTES && bytes.readInt() == VERSION && bytes.readInt() == length;
+            var isKnown:Boolean = version > 0 && version <= VERSION && length % Fingerprint.LENGTH == 0 && length <= ModelBudget.BYTES
+                && bytes.readInt() == length && length >= TABLE + SECTIONS_OF[version] * ENTRY_LENGTH + Fingerprint.LENGTH;
+            return isKnown ? SECTIONS_OF[version] : 0;
         }
     }
 }

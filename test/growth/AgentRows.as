@@ -1,5 +1,6 @@
 package growth
 {
+    import evaluation.pairs.SeededRandom;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.BinCollider;
@@ -23,6 +24,9 @@ package growth
                     new GrowthRow("agents: handlers of one breed and each other", "breeds", 25, 64000, beginHandlers(addOfOne)),
                     new GrowthRow("agents: handlers of each breed and any", "breeds", 25, 64000, beginHandlers(addAny)),
                     new GrowthRow("agents: handlers of breeds added and taken out", "breeds", 25, 8000, beginRemoved),
+                    new GrowthRow("agents: handlers of one pair, the first one removed first", "handlers", 100, 200000, beginOnePair(false)),
+                    new GrowthRow("agents: handlers of one pair, the last one removed first", "handlers", 100, 8000, beginOnePair(true)).admitted(),
+                    new GrowthRow("agents: a handler of a pair added and removed again", "times", 100, 200000, beginAgain),
                     new GrowthRow("agents: models", "models", 25, 16000, beginModels),
                     new GrowthRow("agents: a frame", "agents", 100, 200000, beginMoving("ball", false, false)),
                     new GrowthRow("agents: a frame of trees and triangles", "agents", 25, 40000, beginMoving("cube", false, true)),
@@ -31,6 +35,8 @@ package growth
                     new GrowthRow("agents: points among spheres", "agents", 100, 200000, beginPoints),
                     new GrowthRow("agents: sizes over many orders", "agents", 100, 200000, beginSizes),
                     new GrowthRow("agents: sizes over many orders, moving", "agents", 100, 200000, beginMovingSizes),
+                    new GrowthRow("agents: sizes over twelve orders, apart", "agents", 100, 200000, beginApart),
+                    new GrowthRow("agents: one huge, far above", "agents", 100, 200000, beginFarAbove),
                     new GrowthRow("agents: one very large, one very long", "agents", 100, 200000, beginLarge),
                     new GrowthRow("agents: rows of agents over many orders of distance", "agents", 100, 200000, beginFarApart),
                     new GrowthRow("agents: all leave and others come", "agents", 100, 200000, beginChanging),
@@ -93,6 +99,54 @@ package growth
                 {
                     collision.removeHandler("growth" + (k - 1), "growth" + k, pass);
                     collision.removeHandler("growth" + (k - 1), Collision.ANY_BREED, pass);
+                }
+                return collision;
+            };
+        }
+
+        // Handlers of one pair of breeds, each with a function of its own.
+        private static function beginOnePair(isLastFirst:Boolean):Function
+        {
+            return function(n:int, row:GrowthRow):Function
+            {
+                var handlers:Array = [];
+                for (var i:int = 0; i < n; i++)
+                {
+                    handlers.push(newHandler());
+                }
+                return function():Object
+                {
+                    var collision:Collision = new Collision(new BinCollider(new GreatLand()));
+                    for (var k:int = 0; k < n; k++)
+                    {
+                        collision.onCollision("sheep", "wolves", handlers[k]);
+                    }
+                    for (k = 0; k < n; k++)
+                    {
+                        collision.removeHandler("sheep", "wolves", handlers[isLastFirst ? n - 1 - k : k]);
+                    }
+                    return collision;
+                };
+            };
+        }
+
+        private static function newHandler():Function
+        {
+            return function(collider:Agent, collidee:Agent):void
+            {
+                collider.color = collidee.color;
+            };
+        }
+
+        private static function beginAgain(n:int, row:GrowthRow):Function
+        {
+            return function():Object
+            {
+                var collision:Collision = new Collision(new BinCollider(new GreatLand()));
+                for (var k:int = 0; k < n; k++)
+                {
+                    collision.onCollision("sheep", "wolves", pass);
+                    collision.removeHandler("sheep", "wolves", pass);
                 }
                 return collision;
             };
@@ -188,6 +242,29 @@ package growth
                 agents.push(agent);
             }
             return agents;
+        }
+
+        // Sizes from 1e-6 to 1e6, anywhere in a world in which few touch.
+        private static function beginApart(n:int, row:GrowthRow):Function
+        {
+            var random:SeededRandom = new SeededRandom(12);
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < n; i++)
+            {
+                var agent:Agent = GrowthGame.agentAt("ball", "turtles", random.between(-9e8, 9e8), random.between(-9e8, 9e8));
+                agent.size = random.logBetween(1e-6, 1e6);
+                agents.push(agent);
+            }
+            return moving(new Collision(new TightestFitCollider(GrowthGame.land())), agents, 0.01);
+        }
+
+        private static function beginFarAbove(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
+            var width:Number = 1.5 * Math.sqrt(n);
+            agents.push(GrowthGame.agentAt("ball", "turtles", width / 2, width / 2, 10 * width));
+            agents[n].size = 3 * width;
+            return moving(new Collision(new TightestFitCollider(GrowthGame.land())), agents, 0.001);
         }
 
         // One agent above all others, and one along them.

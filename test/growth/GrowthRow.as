@@ -9,6 +9,9 @@ package growth
         /** The largest exponent of a cost that must not grow at all. */
         public static const CONSTANT:Number = 0.3;
 
+        /** The largest exponent of a cost that docs/limits.md admits to be quadratic. */
+        public static const QUADRATIC:Number = 2.3;
+
         /** Its name. */
         public var name:String;
 
@@ -69,6 +72,13 @@ package growth
         public function staying():GrowthRow
         {
             exponent = CONSTANT;
+            return this;
+        }
+
+        /** Says that the cost grows with n * n, and that docs/limits.md gives the reason. Returns the row. */
+        public function admitted():GrowthRow
+        {
+            exponent = QUADRATIC;
             return this;
         }
     }

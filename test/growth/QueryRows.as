@@ -1,12 +1,16 @@
 package growth
 {
     import flash.geom.Vector3D;
+    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
+    import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
+    import starlogo.models.Model;
+    import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
 
@@ -86,6 +90,10 @@ package growth
                             queries.refresh(agent);
                             return queries.nearest(agent);
                         }),
+                    new GrowthRow("ask: nearest of one far wolf", "sheep", 100, 8000, beginFarWolf).admitted(),
+                    new GrowthRow("ask: nearest below one huge agent", "agents", 100, 200000, beginBelow),
+                    new GrowthRow("ask: rays past parallel diagonal rods", "rods", 100, 4000, beginRods).admitted(),
+                    new GrowthRow("ask: the distance of models of equal triangles", "triangles", 100, 4000, beginEqualTriangles).admitted(),
                     new GrowthRow("ask: a ray past all of them", "agents", 100, 1000000, beginLongRays),
                     new GrowthRow("ask: nearest of agents in one place", "agents", 100, 1000000, beginHeap),
                     new GrowthRow("ask: nearest, sizes over many orders", "agents", 100, 200000, beginSizes)];
@@ -135,6 +143,70 @@ package growth
                     queries.cast(new Vector3D(-5, 1.5 * i + 0.75, 0.5), new Vector3D(1, 0, 0), Infinity, null, HIT);
                 }
                 return queries;
+            };
+        }
+
+        private static function beginFarWolf(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
+            agents.push(GrowthGame.agentAt("ball", "wolves", -300, -300));
+            var wolves:AgentFilter = new AgentFilter();
+            wolves.breeds = new <String>["wolves"];
+            return asking(new TightestFitCollider(GrowthGame.land()), agents, function(queries:AgentQueries, agent:Agent):Object
+                {
+                    return queries.nearest(agent, Infinity, wolves);
+                });
+        }
+
+        private static function beginBelow(n:int, row:GrowthRow):Function
+        {
+            var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
+            var width:Number = 1.5 * Math.sqrt(n);
+            agents.push(GrowthGame.agentAt("ball", "turtles", width / 2, width / 2, 10 * width));
+            agents[n].size = 3 * width;
+            return asking(new TightestFitCollider(GrowthGame.land()), agents, function(queries:AgentQueries, agent:Agent):Object
+                {
+                    return queries.nearest(agent) && queries.cast(new Vector3D(agent.x, agent.y, 2), new Vector3D(0, 0, 1), Infinity, null, HIT);
+                });
+        }
+
+        // Thin rods side by side, all at 45 degrees and much longer than they are apart. A ray goes down between each two.
+        private static function beginRods(n:int, row:GrowthRow):Function
+        {
+            var greatLand:GreatLand = GrowthGame.land();
+            greatLand.addModel(new Model("rod", new <Number>[-0.5, -0.0001, 0, 0.5, -0.0001, 0, 0.5, 0.0001, 0, -0.5, 0.0001, 0, 0, 0, 0.0002]));
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < n; i++)
+            {
+                var rod:Agent = GrowthGame.agentAt("rod", "turtles", i, -i);
+                rod.size = 4 * n;
+                rod.heading = 45;
+                agents.push(rod);
+            }
+            return asking(new TightestFitCollider(greatLand), agents, function(queries:AgentQueries, agent:Agent):Object
+                {
+                    return queries.cast(new Vector3D(agent.x + 0.5, agent.y - 0.5, 10), new Vector3D(0, 0, -1), Infinity, null, HIT);
+                });
+        }
+
+        // Two models apart, each one triangle n times.
+        private static function beginEqualTriangles(n:int, row:GrowthRow):Function
+        {
+            var corners:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < n; i++)
+            {
+                corners.push(0, 1, 2);
+            }
+            var greatLand:GreatLand = GrowthGame.land(true);
+            greatLand.addModel(new Model("leaf", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], corners));
+            var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            collider.exact = true;
+            var agents:Vector.<Agent> = new <Agent>[GrowthGame.agentAt("leaf", "turtles", 0, 0), GrowthGame.agentAt("leaf", "turtles", 1.5, 0.3, 0.2)];
+            return function():Object
+            {
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                return queries.distance(agents[0], agents[1]);
             };
         }
 

@@ -69,15 +69,14 @@ package starlogo.handlers
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
             var pair:PairHandlers = _slots[slotOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed))];
-            for each (var added:CollisionHandler in pair == null ? null : pair.added)
+            var removed:CollisionHandler = pair == null ? null : pair.find(handler, kind == null ? PairHandlers.ANY_KIND : wanted);
+            if (removed == null)
             {
-                if (!added.isRemoved && added.handler == handler && (kind == null || added.kind == wanted))
-                {
-                    added.isRemoved = _isOneRemoved = true;
-                    return true;
-                }
+                return false;
             }
-            return false;
+            _isOneRemoved = true;
+            pair.remove(removed, _knownCount);
+            return true;
         }
 
         /** Removes all handlers. */
@@ -85,11 +84,9 @@ package starlogo.handlers
         {
             for each (var pair:PairHandlers in _pairs)
             {
-                for each (var added:CollisionHandler in pair.added)
-                {
-                    added.isRemoved = _isOneRemoved = true;
-                }
+                pair.removeAll(_knownCount);
             }
+            _isOneRemoved = true;
         }
 
         /** Begins a frame: takes the handlers as they are now. */

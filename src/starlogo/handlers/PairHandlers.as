@@ -8,6 +8,9 @@ package starlogo.handlers
      */
     public final class PairHandlers
     {
+        /** For find(): handlers of all kinds. */
+        public static const ANY_KIND:int = -1;
+
         /** The number of the first agent's breed. */
         public var breed:int;
 
@@ -32,10 +35,74 @@ package starlogo.handlers
         /** Whether any handler is for starts or ends of touches. */
         public var tracksTouches:Boolean;
 
+        // Handlers before this place in <code>added</code> were removed. The number of removed handlers in the list.
+        private var _firstKept:int = 0;
+        private var _removedCount:int = 0;
+
         public function PairHandlers(breed:int, otherBreed:int)
         {
             this.breed = breed;
             this.otherBreed = otherBreed;
+        }
+
+        /**
+         * Finds the handler with a function that was added first and is not removed. Null if there is none. It compares one function after the
+         * other, because a function has no hash in ActionScript.
+         *
+         * @param kind of handler, or ANY_KIND
+         */
+        public function find(handler:Function, kind:int):CollisionHandler
+        {
+            for (var i:int = _firstKept; i < added.length; i++)
+            {
+                var candidate:CollisionHandler = added[i];
+                if (candidate.handler == handler && !candidate.isRemoved && (kind == ANY_KIND || candidate.kind == kind))
+                {
+                    return candidate;
+                }
+            }
+            return null;
+        }
+
+        /**
+         * Removes a handler. It stays in the list if the frame knows it, because a frame keeps its handlers up to its end.
+         *
+         * @param knownCount the frame knows the handlers whose order is less than this
+         */
+        public function remove(handler:CollisionHandler, knownCount:int):void
+        {
+            handler.isRemoved = true;
+            _removedCount++;
+            if (2 * _removedCount > added.length)
+            {
+                leaveOut(knownCount);
+            }
+            while (_firstKept < added.length && added[_firstKept].isRemoved)
+            {
+                _firstKept++;
+            }
+        }
+
+        /** Removes all handlers, as remove() does. */
+        public function removeAll(knownCount:int):void
+        {
+            for each (var handler:CollisionHandler in added)
+            {
+                handler.isRemoved = true;
+            }
+            leaveOut(knownCount);
+            _firstKept = added.length;
+        }
+
+        // Takes the removed handlers out of the list that the frame does not know.
+        private function leaveOut(knownCount:int):void
+        {
+            added = added.filter(function(one:CollisionHandler, index:int, all:Vector.<CollisionHandler>):Boolean
+                {
+                    return !one.isRemoved || one.order < knownCount;
+                });
+            _removedCount = 0;
+            _firstKept = 0;
         }
 
         /**

@@ -68,7 +68,7 @@ package starlogo.models
 
         private var _receiver:ModelReceiver;
         private var _budget:Number;
-        private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
+        private var _queue:LoadQueue = new LoadQueue();
         private var _doneCount:int = 0;
         private var _manifest:ModelManifest = null;
         private var _longestFrame:int = 0;
@@ -137,7 +137,7 @@ package starlogo.models
         /** The number of models that are not loaded yet. */
         public function get pendingCount():int
         {
-            return _queue.length;
+            return _queue.count;
         }
 
         /** The longest time it has worked in one frame so far, in milliseconds. */
@@ -155,10 +155,7 @@ package starlogo.models
         /** Whether a model of this name is requested but not loaded yet. */
         public function isPending(name:String):Boolean
         {
-            return _queue.some(function(pending:ModelLoad, i:int, all:Vector.<ModelLoad>):Boolean
-                {
-                    return pending.name == name;
-                });
+            return _queue.has(name);
         }
 
         /**
@@ -222,12 +219,9 @@ package starlogo.models
          */
         public function cancel(name:String = null):void
         {
-            for (var i:int = _queue.length - 1; i >= 0; i--)
+            for each (var load:ModelLoad in _queue.newestFirst(name))
             {
-                if (name == null || _queue[i].name == name)
-                {
-                    drop(_queue[i]);
-                }
+                drop(load);
             }
         }
 
@@ -240,7 +234,7 @@ package starlogo.models
             }
             load.cancel();
             tell(load, null, null);
-            if (_queue.length == 0)
+            if (_queue.count == 0)
             {
                 rest();
                 dispatchEvent(new Event(Event.CANCEL));
@@ -263,7 +257,7 @@ package starlogo.models
         {
             var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver, newURLLoader);
             _receiver.expect(name);
-            _queue.push(added);
+            _queue.add(added);
             sFrames.addEventListener(Event.ENTER_FRAME, onFrame);
             return added;
         }
@@ -293,14 +287,12 @@ package starlogo.models
 
         private function nextReady():ModelLoad
         {
-            for each (var pending:ModelLoad in _queue)
+            var pending:ModelLoad = _queue.first;
+            while (pending != null && !pending.isReady)
             {
-                if (pending.isReady)
-                {
-                    return pending;
-                }
+                pending = pending.next;
             }
-            return null;
+            return pending;
         }
 
         /** Does one step. An error ends this load only. */
@@ -344,29 +336,28 @@ package starlogo.models
         // Returns whether the load was still in the queue.
         private function remove(load:ModelLoad):Boolean
         {
-            var place:int = _queue.indexOf(load);
-            if (place >= 0)
+            var wasQueued:Boolean = _queue.remove(load);
+            if (wasQueued)
             {
-                _queue.splice(place, 1);
                 _receiver.expectNoMore(load.name);
             }
-            return place >= 0;
+            return wasQueued;
         }
 
         private function report():void
         {
-            if (_queue.length + _doneCount == 0)
+            if (_queue.count + _doneCount == 0)
             {
                 return; // a handler has cancelled the other loads
             }
             var done:Number = _doneCount;
-            for each (var pending:ModelLoad in _queue)
+            for (var pending:ModelLoad = _queue.first; pending != null; pending = pending.next)
             {
                 done += pending.progress;
             }
-            var total:Number = 100 * (_doneCount + _queue.length);
+            var total:Number = 100 * (_doneCount + _queue.count);
             dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
-            if (_queue.length == 0 && _doneCount > 0)
+            if (_queue.count == 0 && _doneCount > 0)
             {
                 rest();
                 dispatchEvent(new Event(Event.COMPLETE));

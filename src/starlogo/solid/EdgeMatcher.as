@@ -189,7 +189,10 @@ package starlogo.solid
             for each (var group:Array in groups)
             {
                 group.reverse();
-                rest = rest.concat(matchSome(matchSome(group, DIFFERENT), ANY));
+                for each (edge in matchSome(matchSome(group, DIFFERENT), ANY))
+                {
+                    rest.push(edge);
+                }
             }
             rest.sort(Array.NUMERIC);
             matchSome(matchSome(matchSome(rest, DIFFERENT), COPIES), ANY);

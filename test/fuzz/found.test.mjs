@@ -131,6 +131,21 @@ const FOUND = {
 	["trait",53,"shape","one place"],
 	["add",-0.859,1.8199,1.2154,1],
 	["walk",74,0,2,0,0,0.5,-0.25,true]],
+	"a plane that a needle of the ground goes through is led off it by about the shortest way": [["add",0.412152981152758,1.675385037669912,0.6396580202272162,1],
+	["ground",4,5,false,0.5,0,-1,"needle",905284],
+	["trait",9,"shape","plane"],
+	["stand",36,0.9714416610077022,0.4377608977258205,0]],
+	"a sphere that is hardly beyond one edge, and touches another, is led back from both": [["add",-1,0.5,-0.03544290375430137,1],
+	["handler","onCollisionEnd","*edge","bears","edges","contact"],
+	["ground",5,6,false,1,0,0,"corner",518928],
+	["add",2.1355899225454777,-1,0,0.5],
+	["walk",42,2,-1,1,-0.5,-0.5,-0.25,true],
+	["move",45,0,1,1.060158031177707,false],
+	["edges",3.036451713182032,2.496088240528479,1.3523494189139456,true],
+	["frame"],
+	["edges",2.5359314118977636,3.9415930435061455,2.024441984947771,true],
+	["frame"],
+	["stand",0,0.625,0.5,0.5250409533502534]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

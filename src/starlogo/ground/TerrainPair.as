@@ -38,9 +38,10 @@ package starlogo.ground
         /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
         public var leastDepth:Number = 0;
 
-        // The contact with the last triangle; the triangle of the ground that the last contact was with, if there was one;
+        // The contact with the last triangle; the contact that leads out of its plane; the triangle of the ground that the last contact was with, if there was one;
         // and the distance of the nearest triangle so far.
         private var _tried:ContactPoint = new ContactPoint();
+        private var _behind:ContactPoint = new ContactPoint();
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
         private var _nearest:Number = 0;
@@ -298,7 +299,7 @@ package starlogo.ground
                 {
                     continue;
                 }
-                var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded();
+                var isDecided:Boolean = overlaps ? findOverlapOut() : isUnder && isNeeded();
                 if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
                 {
                     deepest = _tried.depth;
@@ -309,6 +310,22 @@ package starlogo.ground
                     }
                 }
             }
+        }
+
+        // Finds the contact of a piece that overlaps a triangle. The piece may overlap it least along a normal that points into the ground. Then
+        // the contact has the triangle's own normal, and is as deep as the piece is behind the plane: that is how far it has to go.
+        private function findOverlapOut():Boolean
+        {
+            _behind.copyFrom(_tried);
+            if (!findOverlap())
+            {
+                return false;
+            }
+            if (_tried.normalX == _behind.normalX && _tried.normalY == _behind.normalY && _tried.normalZ == _behind.normalZ && _tried.depth < _behind.depth)
+            {
+                _tried.copyFrom(_behind);
+            }
+            return true;
         }
 
         private function findOverlap():Boolean

@@ -101,6 +101,7 @@ package starlogo.search
             out.y = _farthest.point.y - left * motion.y;
             out.z = _farthest.point.z - left * motion.z;
             out.setNormal(0, 0, 0);
+            var touched:int = 0;
             for (edge = 0; edge < 6; edge += 2)
             {
                 // of two opposite edges, the one with the larger value counts
@@ -108,10 +109,12 @@ package starlogo.search
                 if (_penetration[one] >= -_margin || one == _nearest)
                 {
                     leadBack(one, out);
+                    touched++;
                 }
             }
             out.normalise();
-            out.depth = _penetration[_nearest] > 0 ? out.length : 0;
+            var deepest:Number = Math.max(0, _penetration[_nearest]);
+            out.depth = touched > 1 && deepest > 0 ? out.length : deepest;
         }
 
         /** @inheritDoc */
@@ -165,18 +168,15 @@ package starlogo.search
         }
 
         // Adds the way back from an edge to the normal, and moves the point into the middle of the overlap. For edges other than the nearest, the
-        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. A point has no extent;
-        // the patch counts in its place.
+        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the nearest one it
+        // is at least as long as that. A point has no extent; the patch counts in its place.
         private function leadBack(edge:int, out:ContactPoint):void
         {
             var outwards:Vector3D = _outwards[edge];
+            // the extents of a tree are larger than its shape
+            var least:Number = Tolerances.SEPARATION / 5 * (_largest > 0 ? _largest : 1);
             var by:Number = Math.max(0, _penetration[edge]);
-            if (edge != _nearest || by == 0)
-            {
-                // the extents of a tree are larger than its shape
-                var extent:Number = _largest > 0 ? _largest : 1;
-                by += Tolerances.SEPARATION / 5 * extent;
-            }
+            by = edge == _nearest ? Math.max(by, least) : by + least;
             out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);
             var place:Number = _places[edge] + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(place))

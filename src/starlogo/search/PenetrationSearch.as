@@ -36,7 +36,7 @@ package starlogo.search
 
         // How far a push leads into a corner of an agent at most, as a fraction of the larger extent. After a push, a contact counts as another
         // side of the same corner if the cosine between its normal and the push is between these two. If the push is also this short for
-        // the smaller extent, the corner may be acute.
+        // the smaller extent, the corner may be acute, and the contact may be of the same side: a face beside an edge that was met first.
         private static const LARGEST_CORNER:Number = 1 / 16;
         private static const LEAST_COSINE:Number = -0.1;
         private static const LEAST_ACUTE_COSINE:Number = -0.99;
@@ -46,8 +46,9 @@ package starlogo.search
         // Otherwise it ends in a gap between parts of the second body.
         private static const ROOM:Number = 100 * Tolerances.SEPARATION;
 
-        // How much farther than leastDepth a push leads out of each contact, as a fraction of SEPARATION.
-        private static const SLACK:Number = 0.1;
+        // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
+        // surfaces touch.
+        private static const SLACK:Number = 0.001;
 
         // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
         private static const CELL_SHARE:Number = 1e-4;
@@ -263,13 +264,23 @@ package starlogo.search
             _along.x = _pushes.push.x / _pushes.length;
             _along.y = _pushes.push.y / _pushes.length;
             _along.z = _pushes.push.z / _pushes.length;
-            _distance = _pushes.length + ROOM * _extent;
             _free = _pushes.length + Tolerances.SEPARATION / 4 * _extent;
-            return (_pushes.deciding == 1 || !touch()) && !touchesFree();
+            if (_pushes.deciding == 1)
+            {
+                return !touchesFree();
+            }
+            // beyond its end, a push out of several contacts may lead into one of them again
+            _distance = _pushes.length;
+            if (touch() || touchesFree())
+            {
+                return false;
+            }
+            _distance = _pushes.length + ROOM * _extent;
+            return !touch();
         }
 
-        // Finds the contact after a push. Returns whether it may be another side of a corner. It may not if it points along the push again or
-        // against it, as for agents deep in each other.
+        // Finds the contact after a push. Returns whether it may be a side of a corner. It may not if it points against the push, or along it
+        // after a long one, as for agents deep in each other.
         private function findCorner():Boolean
         {
             var isGround:Boolean = _b.form == ModelShape.GROUND;
@@ -280,9 +291,14 @@ package starlogo.search
             _isFirstLost = true;
             _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
             var cosine:Number = _left.normalX * _along.x + _left.normalY * _along.y + _left.normalZ * _along.z;
+            // the body is a little farther than the push
+            _left.depth += (_distance - _pushes.length) * cosine;
+            if (isGround)
+            {
+                return true;
+            }
             var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_a.largestHalf, _b.largestHalf);
-            var least:Number = isShort ? LEAST_ACUTE_COSINE : LEAST_COSINE;
-            return isGround || cosine > least && cosine < MOST_COSINE;
+            return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
         }
 
         // Takes the push. If the two are free before its end, the depth is refined.

@@ -127,31 +127,64 @@ package starlogo.search
         [Test]
         public function outOfAnAcuteCorner():void
         {
+            expectOutOfCorners(1, Effort.choose(20, 500), false);
+        }
+
+        // The ball touches a triangle at an edge, and is deeper in the triangle beside it.
+        [Test]
+        public function outOfAnAcuteCornerOfManyTriangles():void
+        {
+            expectOutOfCorners(1, Effort.choose(40, 500), true);
+            expectOutOfCorners(4, Effort.choose(20, 500), true);
+        }
+
+        private function expectOutOfCorners(parts:int, balls:int, isBesideEdges:Boolean):void
+        {
             for each (var degrees:Number in [15, 40, 60, 80])
             {
                 var angle:Number = degrees * Math.PI / 180;
-                var x:Number = 0.5 * Math.cos(angle);
-                var z:Number = 0.5 * Math.sin(angle);
-                var corners:Vector.<Number> = new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0,
-                        -x, -0.5, -z, x, -0.5, z, x, 0.5, z, -x, 0.5, -z];
-                var model:Model = new Model("corner", corners, new <uint>[0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7], Model.AS_GIVEN);
-                var collider:CombinationCollider = new CombinationCollider(landOf(model, BuiltInModel.sphere()));
+                var collider:CombinationCollider = new CombinationCollider(landOf(cornerOf(angle, parts), BuiltInModel.sphere()));
                 collider.exact = true;
                 var corner:Agent = new Agent("corner");
                 corner.hierarchical = true;
                 corner.size = 100;
-                for (var i:int = Effort.choose(20, 500); i > 0; i--)
+                for (var i:int = balls; i > 0; i--)
                 {
                     var ball:Agent = new Agent("sphere");
                     ball.size = _random.logBetween(0.01, 4);
                     var overlap:Number = ball.size * _random.logBetween(1e-7, 0.02);
-                    ball.moveTo((ball.size / 2 - overlap) / Math.tan(angle / 2), _random.between(-20, 20), -overlap);
+                    var x:Number = (ball.size / 2 - overlap) / Math.tan(angle / 2);
+                    // the diagonals of squares are edges
+                    ball.moveTo(x, isBesideEdges ? x + _random.between(-0.5, 0.5) * ball.size : _random.between(-20, 20), -overlap);
                     var contact:Contact = collider.contactOf(ball, corner);
                     check("corner", collider, ball, corner, contact);
                     _wrong.addIf(contact.depth > 3 * overlap / Math.sin(angle / 2), "out of " + degrees + " degrees", describe(ball, corner, contact));
                 }
             }
             _wrong.assertNone();
+        }
+
+        // A floor and a roof that cross, each of so many squares along each side.
+        private static function cornerOf(angle:Number, parts:int):Model
+        {
+            var corners:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for each (var turn:Number in [0, angle])
+            {
+                for (var i:int = 0; i <= parts; i++)
+                {
+                    for (var k:int = 0; k <= parts; k++)
+                    {
+                        var at:int = corners.length / 3;
+                        corners.push((i / parts - 0.5) * Math.cos(turn), k / parts - 0.5, (i / parts - 0.5) * Math.sin(turn));
+                        if (i < parts && k < parts)
+                        {
+                            triangles.push(at, at + 1, at + parts + 2, at, at + parts + 2, at + parts + 1);
+                        }
+                    }
+                }
+            }
+            return new Model("corner", corners, triangles, Model.AS_GIVEN);
         }
 
         // Where a sheet meets another on its way, a little back against the normal the two are apart too.

@@ -295,15 +295,16 @@ package starlogo.ground
             while (next())
             {
                 var isUnder:Boolean = _piece.findBehind(_tried);
+                _behind.copyFrom(_tried);
                 if (deepest > 0 && _tried.depth < deepest + _piece.gap)
                 {
                     continue;
                 }
-                var isDecided:Boolean = overlaps ? findOverlapOut() : isUnder && isNeeded();
+                var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded();
                 if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
                 {
                     deepest = _tried.depth;
-                    keep(out);
+                    keep(isDeeperBehind() ? _behind : _tried, out);
                     if (!overlaps)
                     {
                         _faces.above = deepest;
@@ -312,20 +313,12 @@ package starlogo.ground
             }
         }
 
-        // Finds the contact of a piece that overlaps a triangle. The piece may overlap it least along a normal that points into the ground. Then
-        // the contact has the triangle's own normal, and is as deep as the piece is behind the plane: that is how far it has to go.
-        private function findOverlapOut():Boolean
+        // Whether the last contact has the triangle's own normal, but is less deep than the piece is behind the plane. The piece may overlap the
+        // triangle least along a normal that points into the ground. The contact has the triangle's normal in its place, which leads farther.
+        private function isDeeperBehind():Boolean
         {
-            _behind.copyFrom(_tried);
-            if (!findOverlap())
-            {
-                return false;
-            }
-            if (_tried.normalX == _behind.normalX && _tried.normalY == _behind.normalY && _tried.normalZ == _behind.normalZ && _tried.depth < _behind.depth)
-            {
-                _tried.copyFrom(_behind);
-            }
-            return true;
+            return _tried.normalX == _behind.normalX && _tried.normalY == _behind.normalY && _tried.normalZ == _behind.normalZ
+                && _tried.depth < _behind.depth - _piece.gap;
         }
 
         private function findOverlap():Boolean
@@ -339,9 +332,9 @@ package starlogo.ground
             return true;
         }
 
-        private function keep(out:ContactPoint):void
+        private function keep(contact:ContactPoint, out:ContactPoint):void
         {
-            out.copyFrom(_tried);
+            out.copyFrom(contact);
             for (var i:int = 0; i < 9; i++)
             {
                 _part[i] = _faces.corners[i];
